@@ -1,0 +1,56 @@
+# What `cmake --install` copies: libraries, headers, the program, and the files by which CMake and pkg-config find them.
+include(CMakePackageConfigHelpers)
+
+get_property(layers GLOBAL PROPERTY BLOSSOM_LAYERS)
+list(TRANSFORM layers PREPEND blossom_ OUTPUT_VARIABLE targets)
+if(TARGET blossom_cli)
+  install(TARGETS blossom_cli)
+endif()
+install(TARGETS blossom_all ${targets} EXPORT blossom)
+foreach(layer IN LISTS layers)
+  install(DIRECTORY ${layer}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endforeach()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Shared libraries are found relative to the program, so that the tree can be moved.
+if(BUILD_SHARED_LIBS)
+  file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+  set(origin $<IF:$<PLATFORM_ID:Darwin>,@loader_path,$ORIGIN>)
+  set_target_properties(${targets} PROPERTIES INSTALL_RPATH "${origin}")
+  if(TARGET blossom_cli)
+    set_target_properties(blossom_cli PROPERTIES INSTALL_RPATH "${origin}/${bin_to_lib}")
+  endif()
+endif()
+
+# A static blossom leaves GMP for the consumer to link, a shared one has linked it.
+set(consumer_needs_gmp FALSE)
+if(NOT BUILD_SHARED_LIBS AND BLOSSOM_NUMBERS STREQUAL "gmp")
+  set(consumer_needs_gmp TRUE)
+endif()
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/blossom)
+install(EXPORT blossom NAMESPACE blossom:: FILE blossomTargets.cmake DESTINATION ${package_dir})
+configure_package_config_file(
+  cmake/blossomConfig.cmake.in blossomConfig.cmake INSTALL_DESTINATION ${package_dir}
+)
+write_basic_package_version_file(blossomConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(
+  FILES ${CMAKE_CURRENT_BINARY_DIR}/blossomConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/blossomConfigVersion.cmake
+  DESTINATION ${package_dir}
+)
+if(consumer_needs_gmp)
+  install(FILES cmake/FindGMP.cmake DESTINATION ${package_dir})
+endif()
+
+# The linker wants users before what they use.
+set(pc_libraries ${layers})
+list(REVERSE pc_libraries)
+list(TRANSFORM pc_libraries PREPEND -lblossom_)
+if(consumer_needs_gmp)
+  list(APPEND pc_libraries -lgmp)
+endif()
+list(JOIN pc_libraries " " pc_libraries)
+file(RELATIVE_PATH pc_to_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" pc_to_prefix "${pc_to_prefix}")
+configure_file(cmake/blossom.pc.in blossom.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/blossom.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

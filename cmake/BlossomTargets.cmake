@@ -1,0 +1,77 @@
+# How every target of the project is made.
+
+add_library(blossom_warnings INTERFACE)
+target_compile_options(
+  blossom_warnings
+  INTERFACE
+    -Wall
+    -Wextra
+    -Wpedantic
+    -Wcast-align
+    -Wcast-qual
+    -Wconversion
+    -Wdouble-promotion
+    -Wextra-semi
+    -Wformat=2
+    -Wimplicit-fallthrough
+    -Wnon-virtual-dtor
+    -Wold-style-cast
+    -Woverloaded-virtual
+    -Wshadow
+    -Wsign-conversion
+    -Wundef
+    -Wunused
+    $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-branches>
+    $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond>
+    $<$<CXX_COMPILER_ID:GNU>:-Wlogical-op>
+    # Clang sees the deprecated function that libstdc++ 12 calls in its own std::stable_sort.
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
+)
+
+# All layers together, for a consumer who does not want to choose.
+add_library(blossom_all INTERFACE)
+add_library(blossom::blossom ALIAS blossom_all)
+set_target_properties(blossom_all PROPERTIES EXPORT_NAME blossom)
+
+# What libraries, programs and tests have in common.
+function(blossom_configure_target target)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:blossom_warnings>)
+  set_target_properties(
+    ${target} PROPERTIES CXX_EXTENSIONS OFF COMPILE_WARNING_AS_ERROR ${BLOSSOM_WERROR}
+  )
+endfunction()
+
+# blossom_add_layer(core DEPENDS rational SOURCES src/polynomial.cpp ...)
+#
+# Makes the library blossom_core, known as blossom::core here and to consumers, from the folder's sources and its
+# public headers under include/, and adds it to blossom::blossom. Layers are added in dependency order.
+function(blossom_add_layer layer)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;SOURCES")
+  if(NOT arg_SOURCES) # SKELETON
+    return()
+  endif()
+  set(target blossom_${layer})
+  add_library(${target} ${arg_SOURCES})
+  add_library(blossom::${layer} ALIAS ${target})
+  blossom_configure_target(${target})
+  target_include_directories(
+    ${target}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+           $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE src
+  )
+  foreach(dependency IN LISTS arg_DEPENDS)
+    target_link_libraries(${target} PUBLIC blossom_${dependency})
+  endforeach()
+  set_target_properties(
+    ${target}
+    PROPERTIES EXPORT_NAME ${layer}
+               POSITION_INDEPENDENT_CODE ON
+               SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+               VERSION ${PROJECT_VERSION}
+               WINDOWS_EXPORT_ALL_SYMBOLS ON
+  )
+  target_link_libraries(blossom_all INTERFACE ${target})
+  set_property(GLOBAL APPEND PROPERTY BLOSSOM_LAYERS ${layer})
+endfunction()

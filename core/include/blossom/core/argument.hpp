@@ -1,0 +1,54 @@
+#pragma once
+
+#include <blossom/rational/rational.hpp>
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace blossom {
+
+/// A vector of the affine line: a difference of parameters, mass 0 as an argument of a blossom.
+struct Direction {
+    Rational value;
+
+    friend Direction operator+(const Direction& a, const Direction& b) { return {a.value + b.value}; }
+    friend Direction operator*(const Rational& scale, const Direction& a) { return {scale * a.value}; }
+    friend bool operator==(const Direction&, const Direction&) = default;
+};
+
+/// A point of the affine line: a parameter value, mass 1 as an argument of a blossom.
+///
+/// Points are not added: a sum of parameters does not compile, their difference is a `Direction`.
+struct Parameter {
+    Parameter(Rational parameter) : value(std::move(parameter)) {}  // NOLINT(google-explicit-constructor)
+    template <std::integral Word>
+    Parameter(Word parameter) : value(parameter) {}  // NOLINT(google-explicit-constructor)
+
+    Rational value;
+
+    friend Direction operator-(const Parameter& a, const Parameter& b) { return {a.value - b.value}; }
+    friend Parameter operator+(const Parameter& a, const Direction& b) { return a.value + b.value; }
+    friend bool operator==(const Parameter&, const Parameter&) = default;
+};
+
+/// delta = (1, 0), the unit vector whose presence in a blossom differentiates (Goldman, section 4.2).
+inline const Direction delta{1};
+
+/// An argument of a homogeneous blossom: Goldman's pair (u, v), where the mass v is 1 for a point and 0 for a vector.
+/// Source: Goldman, section 4.1. Statements: goldman-haxioms, goldman-hblossom-dehom.
+struct Argument {
+    Argument(Parameter point) : u(std::move(point.value)), mass(1) {}          // NOLINT(google-explicit-constructor)
+    Argument(Direction direction) : u(std::move(direction.value)), mass(0) {}  // NOLINT(google-explicit-constructor)
+    Argument(Rational first, Rational second) : u(std::move(first)), mass(std::move(second)) {}
+
+    Rational u;
+    Rational mass;
+
+    friend bool operator==(const Argument&, const Argument&) = default;
+};
+
+/// k copies of `repeated` behind `arguments`.
+std::vector<Argument> with_copies(std::vector<Argument> arguments, std::size_t k, const Argument& repeated);
+
+}  // namespace blossom

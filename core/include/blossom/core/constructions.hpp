@@ -1,0 +1,188 @@
+#pragma once
+
+#include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/row_recurrences.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// The three constructions of a blossom, each written once for any commutative ring R that contains the integers: the
+/// same code runs on integers (values) and on symbolic polynomials (proofs for all arguments). None of them divides:
+/// a result is numerators in R over one integer.
+
+namespace blossom {
+
+/// A homogeneous argument over R: (u, 1) is a point, (u, 0) a vector.
+template <class R>
+struct HomogeneousPair {
+    R u;
+    R mass;
+
+    friend bool operator==(const HomogeneousPair&, const HomogeneousPair&) = default;
+};
+
+/// One value in R^d / denominator.
+template <class R>
+struct Quotients {
+    std::vector<R> numerators;
+    Integer denominator = 1;
+};
+
+/// One row a coordinate.
+template <class R>
+using Rows = std::span<const std::span<const R>>;
+
+namespace constructions {
+
+/// c_k / C(n, k) for k = 0..n as numerators over the least common multiple of the binomials: the values
+/// p(0^(n-k), delta^k). Source: Goldman, equation (4.4). Statement: goldman-eq44.
+template <class R>
+Quotients<R> normalised_coefficients(std::span<const R> coefficients) {
+    const std::size_t n = coefficients.size() - 1;
+    Quotients<R> result{{}, binomial_row_lcm(n)};
+    const std::vector<Integer> binomials = binomial_row(n);
+    result.numerators.reserve(n + 1);
+    for (std::size_t k = 0; k <= n; ++k) {
+        result.numerators.push_back(coefficients[k] * R(divide_exactly(result.denominator, binomials[k])));
+    }
+    return result;
+}
+
+/// sum_k row_k factor_k for every row.
+template <class R>
+std::vector<R> sums_of_products(Rows<R> rows, std::span<const R> factors) {
+    std::vector<R> sums;
+    sums.reserve(rows.size());
+    for (const auto row : rows) {
+        R sum = R(0);
+        for (std::size_t k = 0; k < row.size(); ++k) sum += row[k] * factors[k];
+        sums.push_back(std::move(sum));
+    }
+    return sums;
+}
+
+/// sum_k a_k e_k for one row a of normalised coefficients a coordinate, where e_k are the elementary symmetric
+/// functions of the arguments: the coefficients of prod (mass_i + u_i X).
+template <class R>
+std::vector<R> symmetric_function_sums(Rows<R> normalised, std::span<const HomogeneousPair<R>> arguments) {
+    std::vector<R> masses;
+    std::vector<R> parameters;
+    for (const auto& argument : arguments) {
+        masses.push_back(argument.mass);
+        parameters.push_back(argument.u);
+    }
+    return sums_of_products<R>(
+        normalised, product_of_linear_factors(std::span<const R>(masses), std::span<const R>(parameters)));
+}
+
+/// The blossom by elementary symmetric functions: p(u_1..u_n) = sum_k c_k e_k(u) / C(n, k).
+///
+/// `coefficients`: n + 1 monomial coefficients a coordinate, lowest first; n arguments.
+/// Cost: n^2 / 2 multiply-adds for the e_k, n a coordinate.
+/// Source: Goldman, proposition 1; DeRose, equation (3). Statements: goldman-prop1, derose-eq3, goldman-thm2.
+template <class R>
+Quotients<R> by_symmetric_functions(Rows<R> coefficients, std::span<const HomogeneousPair<R>> arguments) {
+    std::vector<std::vector<R>> numerators;
+    Integer denominator = 1;
+    for (const auto row : coefficients) {
+        Quotients<R> normalised = normalised_coefficients(row);
+        denominator = std::move(normalised.denominator);
+        numerators.push_back(std::move(normalised.numerators));
+    }
+    const std::vector<std::span<const R>> rows(numerators.begin(), numerators.end());
+    return {symmetric_function_sums<R>(rows, arguments), std::move(denominator)};
+}
+
+/// Equal arguments as one with its multiplicity.
+template <class R>
+std::vector<std::pair<HomogeneousPair<R>, std::size_t>> grouped(std::span<const HomogeneousPair<R>> arguments) {
+    std::vector<std::pair<HomogeneousPair<R>, std::size_t>> groups;
+    for (const auto& argument : arguments) {
+        const auto same = std::ranges::find(groups, argument, [](const auto& group) { return group.first; });
+        if (same == groups.end()) {
+            groups.emplace_back(argument, 1);
+        } else {
+            ++same->second;
+        }
+    }
+    return groups;
+}
+
+/// The sum over all sub-multisets S of `groups` of (-1)^(n-|S|) * prod C(m_i, j_i) * term(sum of S, |S|), by halves:
+/// the partial sums stay of one size, and those of a symbolic ring cancel early. A term without entries is zero.
+template <class R, class Term>
+std::vector<R> alternating_sum(std::span<const std::pair<HomogeneousPair<R>, std::size_t>> groups,
+                               const HomogeneousPair<R>& partial, std::size_t size, const Term& term) {
+    if (groups.empty()) return term(partial, size);
+    const auto& [argument, multiplicity] = groups.front();
+    std::vector<R> total;
+    HomogeneousPair<R> sum = partial;
+    Integer binomial = 1;
+    for (std::size_t j = 0; j <= multiplicity; ++j) {
+        std::vector<R> values = alternating_sum(groups.subspan(1), sum, size + j, term);
+        const R weight((multiplicity - j) % 2 == 0 ? binomial : -binomial);
+        if (total.size() < values.size()) total.resize(values.size(), R(0));
+        for (std::size_t i = 0; i < values.size(); ++i) total[i] += weight * values[i];
+        sum.u += argument.u;
+        sum.mass += argument.mass;
+        binomial = divide_exactly(binomial * Integer(multiplicity - j), Integer(j + 1));
+    }
+    return total;
+}
+
+/// The blossom by the polarization inverse formula, which uses the polynomial only as something to evaluate:
+/// (1/n!) sum over subsets S of (-1)^(n-|S|) F(sum of S), where F(u, v) = v^n P(u/v) is the homogeneous polynomial.
+/// For points this is the affine form (1/n!) sum_N (-1)^(n-N) N^n sum P(mean of N arguments).
+///
+/// `form(pair)` gives F, one entry a coordinate. The empty subset counts only for n = 0, where F is constant.
+/// Cost: prod(m_i + 1) evaluations, m_i the multiplicities of the arguments; 2^n for distinct ones.
+/// Source: Fernandez-Jambrina, theorem 1 and corollary 1, equations (18) and (20). Statements: fj-thm1, fj-cor1.
+template <class R, class Form>
+Quotients<R> by_polarization(const Form& form, std::span<const HomogeneousPair<R>> arguments) {
+    const auto groups = grouped(arguments);
+    const auto term = [&](const HomogeneousPair<R>& sum, std::size_t) { return form(sum); };
+    return {alternating_sum<R>(groups, HomogeneousPair<R>{R(0), R(0)}, 0, term), factorial(arguments.size())};
+}
+
+/// The blossom by de Casteljau's algorithm with one argument a level, from control points over [a/q, b/q].
+///
+/// On the level of (u, v) neighbours are combined with the weights (b v - q u) / (b - a) and (q u - a v) / (b - a).
+/// Cost: n^2 / 2 multiply-adds a coordinate.
+/// Source: DeRose, figure 6; Goldman, figures 3 and 7. Statements: derose-fig6, goldman-fig3, goldman-fig7.
+template <class R>
+Quotients<R> by_casteljau(Rows<R> control_points, const Integer& a, const Integer& b, const Integer& q,
+                          std::span<const HomogeneousPair<R>> arguments) {
+    std::vector<R> left;
+    std::vector<R> right;
+    for (const auto& [u, mass] : arguments) {
+        left.push_back(R(b) * mass - R(q) * u);
+        right.push_back(R(q) * u - R(a) * mass);
+    }
+    Quotients<R> result{{}, pow(b - a, arguments.size())};
+    for (const auto row : control_points) {
+        result.numerators.push_back(fold_triangle(std::vector<R>(row.begin(), row.end()), std::span<const R>(left),
+                                                  std::span<const R>(right)));
+    }
+    return result;
+}
+
+/// F(u, v) = sum_k c_k u^k v^(n-k) for one row of n + 1 coefficients a coordinate, the powers shared by all.
+template <class R>
+std::vector<R> form_values(Rows<R> coefficients, const HomogeneousPair<R>& pair) {
+    const std::size_t size = coefficients.front().size();
+    std::vector<R> monomials(size, R(1));
+    for (std::size_t k = 1; k < size; ++k) monomials[k] = monomials[k - 1] * pair.u;
+    R power = R(1);
+    for (std::size_t k = size - 1; k-- > 0;) {
+        power = power * pair.mass;
+        monomials[k] = monomials[k] * power;
+    }
+    return sums_of_products<R>(coefficients, monomials);
+}
+
+}  // namespace constructions
+
+}  // namespace blossom

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <blossom/rational/rational_vector.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// The coordinates of one point or vector of Q^d.
+using Coordinates = std::vector<Rational>;
+
+/// Points of Q^d over one common denominator, stored coordinate by coordinate: what polynomials (their coefficients)
+/// and control polygons are made of. Made canonical on demand, see `RationalVector`.
+class PointArray {
+public:
+    /// Errors: `mismatched_dimensions` unless all points have the same dimension d >= 1; the field is "/i" for the
+    /// first that differs. `wrong_arity` if there is none.
+    explicit PointArray(std::span<const Coordinates> points);
+    /// `numbers` holds `dimension` rows of equal length, one a coordinate.
+    PointArray(std::size_t dimension, RationalVector numbers);
+
+    std::size_t size() const { return numbers_.size() / dimension_; }
+    std::size_t dimension() const { return dimension_; }
+    /// The numerators of coordinate j of all points.
+    std::span<const Integer> coordinate(std::size_t j) const {
+        return std::span(numbers_.numerators()).subspan(j * size(), size());
+    }
+    /// One row of numerators a coordinate.
+    std::vector<std::span<const Integer>> rows() const;
+    const Integer& denominator() const { return numbers_.denominator(); }
+    const RationalVector& numbers() const { return numbers_; }
+    Coordinates operator[](std::size_t i) const;
+    std::vector<Coordinates> to_points() const;
+    void make_canonical() { numbers_.make_canonical(); }
+
+    friend bool operator==(const PointArray&, const PointArray&) = default;
+
+private:
+    std::size_t dimension_;
+    RationalVector numbers_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+#include <blossom/rational/rational_vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// A polynomial over Q in any number of variables, sparse: terms with exponents, as integers over one common
+/// denominator. This is the ring of what is symbolic.
+///
+/// Variables are numbered from 0 and have no names here; every polynomial is a polynomial in all of them. Terms are
+/// kept in lexicographic order without zeros and the denominator is the least, so that equal polynomials are equal
+/// objects. Exponents are at most 32767 a variable (`limit_exceeded` beyond).
+class SparsePolynomial {
+public:
+    SparsePolynomial() = default;
+    SparsePolynomial(const Rational& constant);                           // NOLINT(google-explicit-constructor)
+    SparsePolynomial(Integer constant) : SparsePolynomial(Rational(std::move(constant))) {}  // NOLINT
+    SparsePolynomial(int constant) : SparsePolynomial(Rational(constant)) {}                 // NOLINT
+    static SparsePolynomial variable(std::size_t index);
+    /// coefficient * prod x_i^exponents[i].
+    static SparsePolynomial term(const Rational& coefficient, std::span<const std::size_t> exponents);
+
+    bool is_zero() const { return coefficients_.empty(); }
+    /// The number of terms.
+    std::size_t size() const { return coefficients_.size(); }
+    /// One more than the greatest variable that may occur.
+    std::size_t variables() const { return words_ * lanes; }
+    Rational coefficient(std::size_t term) const { return coefficients_[term]; }
+    std::size_t exponent(std::size_t term, std::size_t variable) const;
+    std::size_t degree(std::size_t term) const;
+    /// The greatest total degree of a term; 0 for zero.
+    std::size_t total_degree() const;
+    /// The greatest exponent of one variable.
+    std::size_t degree_in(std::size_t variable) const;
+    const RationalVector& coefficients() const { return coefficients_; }
+
+    SparsePolynomial& operator+=(const SparsePolynomial& other) { return *this = *this + other; }
+    SparsePolynomial& operator-=(const SparsePolynomial& other) { return *this = *this - other; }
+    SparsePolynomial& operator*=(const SparsePolynomial& other) { return *this = *this * other; }
+    /// Cost: one merge.
+    friend SparsePolynomial operator+(const SparsePolynomial& a, const SparsePolynomial& b);
+    friend SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b);
+    /// Cost: a b log(min(a, b)) for a and b terms.
+    friend SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b);
+    friend SparsePolynomial operator-(const SparsePolynomial& a);
+    friend bool operator==(const SparsePolynomial&, const SparsePolynomial&) = default;
+
+    /// The value where variable i is values[i]; variables beyond must not occur. Errors: `wrong_arity`.
+    Rational operator()(std::span<const Rational> values) const;
+
+private:
+    static constexpr std::size_t lanes = 4;  ///< exponents of 16 bits a word, the top bit of each a guard
+
+    std::span<const std::uint64_t> monomial(std::size_t term) const {
+        return std::span(monomials_).subspan(term * words_, words_);
+    }
+    void shrink();
+    friend struct SparseArithmetic;
+
+    std::size_t words_ = 0;                 ///< words a monomial
+    std::vector<std::uint64_t> monomials_;  ///< term by term; greater in lexicographic order first
+    RationalVector coefficients_;
+};
+
+/// The sum of all by halves: for n summands the logarithm of n passes over the terms. 0 for none.
+SparsePolynomial sum(std::span<const SparsePolynomial> summands);
+
+/// base^exponent, with 0^0 = 1; two terms by the binomial theorem.
+SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent);
+
+}  // namespace blossom

@@ -1,0 +1,95 @@
+#include <blossom/core/agreement.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "run_construction.hpp"
+
+namespace blossom {
+
+namespace {
+
+constexpr Construction all_constructions[] = {Construction::symmetric, Construction::polarization,
+                                              Construction::casteljau};
+
+/// The term operations of polarization on n distinct symbols: a power of a sum of N symbols has C(n + N, N) terms.
+std::size_t symbolic_work(std::size_t n) {
+    Integer work;
+    for (std::size_t size = 0; size <= n; ++size) work += binomial(n, size) * binomial(n + size, size);
+    const auto small = work.to_int64();
+    return small ? static_cast<std::size_t>(*small) : std::numeric_limits<std::size_t>::max();
+}
+
+/// Runs all three; `excess(construction)` says why one is not run, or nothing.
+template <class Value, class Excess, class Run>
+Agreement<Value> collect(const Excess& excess, const Run& run) {
+    Agreement<Value> agreement;
+    for (const Construction construction : all_constructions) {
+        std::string reason = excess(construction);
+        if (reason.empty()) {
+            agreement.results.push_back({construction, run(construction), {}});
+        } else {
+            agreement.results.push_back({construction, std::nullopt, std::move(reason)});
+        }
+    }
+    return agreement;
+}
+
+}  // namespace
+
+Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments, const Limits& limits) {
+    require_arity(map, arguments.size());
+    const ClearedArguments cleared = cleared_together(arguments);
+    const std::size_t terms = polarization_terms(
+        multiplicities(std::span<const HomogeneousPair<Integer>>(cleared.pairs)), limits.polarization_terms);
+    const auto excess = [&](Construction construction) -> std::string {
+        if (construction != Construction::polarization || terms <= limits.polarization_terms) return {};
+        return "more terms than the limit polarization_terms = " + std::to_string(limits.polarization_terms);
+    };
+    const auto run = [&](Construction construction) { return blossom_value(map, arguments, construction, limits); };
+    return collect<Coordinates>(excess, run);
+}
+
+Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map, const Limits& limits) {
+    const std::size_t n = degree_of(map);
+    const std::size_t bits = std::numeric_limits<std::size_t>::digits - 1;
+    require_within(std::size_t{1} << std::min(n, bits), limits.expansion_terms, "expansion_terms",
+                   "the number of terms of the blossom of formal degree " + std::to_string(n) + ", at least");
+
+    std::vector<HomogeneousPair<SparsePolynomial>> symbols;
+    symbols.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) symbols.push_back({SparsePolynomial::variable(i), 1});
+
+    const std::size_t work = symbolic_work(n);
+    const auto excess = [&](Construction construction) -> std::string {
+        if (construction != Construction::polarization || work <= limits.expansion_work) return {};
+        return std::to_string(work) + " term operations, more than the limit expansion_work = " +
+               std::to_string(limits.expansion_work);
+    };
+    const auto run = [&](Construction construction) {
+        Quotients<SparsePolynomial> value = run_construction<SparsePolynomial>(map, construction, symbols, limits);
+        const Rational scale(1, value.denominator);
+        for (SparsePolynomial& numerator : value.numerators) numerator *= scale;
+        return std::move(value.numerators);
+    };
+    return collect<std::vector<SparsePolynomial>>(excess, run);
+}
+
+std::vector<SparsePolynomial> elementary_symmetric_form(const PolynomialMap& map, const Limits& limits) {
+    const PolynomialCurve curve = monomial(map, limits);
+    std::vector<SparsePolynomial> forms;
+    for (const auto row : curve.coefficients().rows()) {
+        const Quotients<Integer> normalised = constructions::normalised_coefficients(row);
+        const Integer denominator = normalised.denominator * curve.coefficients().denominator();
+        SparsePolynomial form;
+        for (std::size_t k = 0; k < row.size(); ++k) {
+            const SparsePolynomial function = k == 0 ? SparsePolynomial(1) : SparsePolynomial::variable(k - 1);
+            form += SparsePolynomial(Rational(normalised.numerators[k], denominator)) * function;
+        }
+        forms.push_back(std::move(form));
+    }
+    return forms;
+}
+
+}  // namespace blossom

@@ -1,0 +1,48 @@
+#include <blossom/core/blossom.hpp>
+#include <blossom/core/change_of_basis.hpp>
+#include <blossom/core/conversion.hpp>
+
+#include "integer_frame.hpp"
+
+namespace blossom {
+
+namespace {
+
+void require_size(const PointArray& points, std::size_t bits_a_degree, const Limits& limits) {
+    require_result_bits(greatest_bit_length(points.numbers().numerators()) + points.size() * bits_a_degree, limits);
+}
+
+}  // namespace
+
+BezierCurve control_points(const PolynomialCurve& curve, const Interval& interval, const Limits& limits) {
+    const auto [a, b, q] = cleared(interval);
+    require_size(curve.coefficients(), cleared(interval).bits(), limits);
+    std::vector<Quotients<Integer>> rows;
+    for (const auto row : curve.coefficients().rows()) {
+        rows.push_back(constructions::bernstein_from_monomial(row, a, b, q));
+    }
+    return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
+}
+
+BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits) {
+    const Blossom blossom(curve, limits);
+    const std::size_t n = curve.degree();
+    std::vector<Coordinates> points;
+    points.reserve(n + 1);
+    for (std::size_t k = 0; k <= n; ++k) {
+        points.push_back(blossom(with_copies(with_copies({}, n - k, Parameter(interval.a())), k, Parameter(interval.b()))));
+    }
+    return BezierCurve(points, interval);
+}
+
+PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits) {
+    const auto [a, b, q] = cleared(curve.interval());
+    require_size(curve.control_points(), cleared(curve.interval()).bits(), limits);
+    std::vector<Quotients<Integer>> rows;
+    for (const auto row : curve.control_points().rows()) {
+        rows.push_back(constructions::monomial_from_bernstein(row, a, b, q));
+    }
+    return PolynomialCurve(point_array(std::move(rows), curve.control_points().denominator()));
+}
+
+}  // namespace blossom

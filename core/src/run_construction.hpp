@@ -1,0 +1,123 @@
+#pragma once
+
+// One construction run on a map, over the integers or a symbolic ring: each takes the map from its own source.
+
+#include <blossom/core/blossom.hpp>
+#include <blossom/core/change_of_basis.hpp>
+#include <blossom/core/conversion.hpp>
+
+#include "integer_frame.hpp"
+
+namespace blossom {
+
+/// The numerators of `points` as elements of R, one row a coordinate.
+template <class R>
+std::vector<std::vector<R>> rows_over(const PointArray& points) {
+    std::vector<std::vector<R>> rows;
+    for (const auto row : points.rows()) rows.emplace_back(row.begin(), row.end());
+    return rows;
+}
+
+template <class R>
+std::vector<std::span<const R>> row_spans(const std::vector<std::vector<R>>& rows) {
+    return {rows.begin(), rows.end()};
+}
+
+/// The homogeneous polynomial F(u, v) = v^n P(u/v) of a map as something to evaluate: all that polarization may know.
+template <class R>
+class HomogeneousForm {
+public:
+    explicit HomogeneousForm(const PolynomialMap& map) {
+        if (const auto* curve = std::get_if<PolynomialCurve>(&map)) {
+            rows_ = rows_over<R>(curve->coefficients());
+            denominator_ = curve->coefficients().denominator();
+        } else {
+            const auto& bezier = std::get<BezierCurve>(map);
+            rows_ = rows_over<R>(bezier.control_points());
+            interval_ = cleared(bezier.interval());
+            denominator_ = bezier.control_points().denominator() * pow(interval_->b - interval_->a, bezier.degree());
+        }
+    }
+
+    /// F times the denominator, one entry a coordinate.
+    std::vector<R> operator()(const HomogeneousPair<R>& pair) const {
+        if (!interval_) return constructions::form_values<R>(row_spans(rows_), pair);
+        const auto& [a, b, q] = *interval_;
+        const R x = R(q) * pair.u - R(a) * pair.mass;
+        const R y = R(b) * pair.mass - R(q) * pair.u;
+        std::vector<R> values;
+        values.reserve(rows_.size());
+        for (const std::span<const R> row : row_spans(rows_)) {
+            values.push_back(constructions::bernstein_form_value(row, x, y));
+        }
+        return values;
+    }
+    const Integer& denominator() const { return denominator_; }
+
+private:
+    std::vector<std::vector<R>> rows_;
+    std::optional<ClearedInterval> interval_;  ///< of a control polygon
+    Integer denominator_;
+};
+
+/// The map in monomial coefficients.
+inline PolynomialCurve monomial(const PolynomialMap& map, const Limits& limits) {
+    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return *curve;
+    return monomial_form(std::get<BezierCurve>(map), limits);
+}
+
+/// The map as a control polygon, over [0, 1] unless it has an interval of its own.
+inline BezierCurve control_polygon(const PolynomialMap& map, const Limits& limits) {
+    if (const auto* curve = std::get_if<BezierCurve>(&map)) return *curve;
+    return control_points(std::get<PolynomialCurve>(map), Interval(), limits);
+}
+
+template <class R>
+Quotients<R> run_construction(const PolynomialMap& map, Construction construction,
+                              std::span<const HomogeneousPair<R>> pairs, const Limits& limits) {
+    Quotients<R> value;
+    switch (construction) {
+        case Construction::symmetric: {
+            const PolynomialCurve curve = monomial(map, limits);
+            const auto rows = rows_over<R>(curve.coefficients());
+            value = constructions::by_symmetric_functions<R>(row_spans(rows), pairs);
+            value.denominator *= curve.coefficients().denominator();
+            break;
+        }
+        case Construction::polarization: {
+            const HomogeneousForm<R> form(map);
+            value = constructions::by_polarization<R>(form, pairs);
+            value.denominator *= form.denominator();
+            break;
+        }
+        case Construction::casteljau: {
+            const BezierCurve curve = control_polygon(map, limits);
+            const auto rows = rows_over<R>(curve.control_points());
+            const auto [a, b, q] = cleared(curve.interval());
+            value = constructions::by_casteljau<R>(row_spans(rows), a, b, q, pairs);
+            value.denominator *= curve.control_points().denominator();
+            break;
+        }
+    }
+    return value;
+}
+
+inline std::size_t degree_of(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+}
+
+/// Errors: `wrong_arity` unless there are as many arguments as the formal degree.
+void require_arity(const PolynomialMap& map, std::size_t arguments);
+
+/// The number of terms prod(m_i + 1) of polarization at these arguments, or `limit + 1` when it is greater than `limit`.
+std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std::size_t limit);
+
+/// The multiplicities of the distinct arguments.
+template <class R>
+std::vector<std::size_t> multiplicities(std::span<const HomogeneousPair<R>> pairs) {
+    std::vector<std::size_t> counts;
+    for (const auto& group : constructions::grouped(pairs)) counts.push_back(group.second);
+    return counts;
+}
+
+}  // namespace blossom

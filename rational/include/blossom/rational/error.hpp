@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace blossom {
+
+/// What went wrong, as a closed list. `error_name` gives the word that the protocol uses for it.
+///
+/// "Undefined" (for instance `empty_interval`) and "too big here" (`limit_exceeded`) are different codes:
+/// the second may succeed with other limits, the first never.
+enum class ErrorCode {
+    syntax,
+    inexact_number,
+    not_a_number,
+    zero_denominator,
+    division_by_zero,
+    inexact_division,
+    overflow,
+    missing_field,
+    unknown_field,
+    unknown_op,
+    wrong_kind,
+    wrong_arity,
+    empty_interval,
+    degree_too_low,
+    mismatched_dimensions,
+    zero_weight,
+    limit_exceeded,
+};
+
+/// The protocol's word for a code, for instance "zero_denominator".
+std::string_view error_name(ErrorCode code);
+
+/// The one exception type of the library.
+///
+/// `message` is one sentence that names the place, the value and the rule. `field` is a JSON Pointer (RFC 6901)
+/// to the offending part of the input, relative to what was being read or called ("" when it is the whole).
+/// `offset` is the place within a text that was being read, in bytes from its beginning.
+class Error : public std::exception {
+public:
+    Error(ErrorCode code, std::string message, std::string field = "", std::optional<std::size_t> offset = {})
+        : code_(code), message_(std::move(message)), field_(std::move(field)), offset_(offset) {}
+
+    ErrorCode code() const { return code_; }
+    const std::string& message() const { return message_; }
+    const std::string& field() const { return field_; }
+    std::optional<std::size_t> offset() const { return offset_; }
+    const char* what() const noexcept override { return message_.c_str(); }
+
+    /// The same error seen from outside: its field lies below `prefix`.
+    Error below(std::string_view prefix) const {
+        return {code_, message_, std::string(prefix) + field_, offset_};
+    }
+
+private:
+    ErrorCode code_;
+    std::string message_;
+    std::string field_;
+    std::optional<std::size_t> offset_;
+};
+
+}  // namespace blossom

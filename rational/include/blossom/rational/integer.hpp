@@ -1,0 +1,191 @@
+#pragma once
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace blossom {
+
+/// An integer of any size.
+///
+/// Values of 64 bits live in the object; larger ones in the number backend (GMP or Boost's `cpp_int`), which no
+/// public header names. The representation is canonical: a value that fits in 64 bits is never held as a large one.
+///
+/// Cost: no allocation and a few instructions while operands and result fit in 64 bits; that of the backend otherwise.
+/// There is no construction from text or from a double here: see `parse_integer` and `exact_rational`.
+class Integer {
+public:
+    Integer() noexcept = default;
+
+    template <std::integral Word>
+        requires(!std::same_as<Word, bool>)
+    Integer(Word value) {  // NOLINT(google-explicit-constructor): an integral value is an Integer
+        if (std::in_range<std::int64_t>(value)) {
+            small_ = static_cast<std::int64_t>(value);
+        } else {
+            *this = from_unsigned(static_cast<std::uint64_t>(value));
+        }
+    }
+
+    Integer(const Integer& other) : small_(other.small_) {
+        if (other.large_) copy_large(other);
+    }
+    Integer(Integer&& other) noexcept
+        : small_(std::exchange(other.small_, 0)), large_(std::exchange(other.large_, nullptr)) {}
+    Integer& operator=(const Integer& other) {
+        if (!large_ && !other.large_) {
+            small_ = other.small_;
+        } else if (this != &other) {
+            assign_large(other);
+        }
+        return *this;
+    }
+    Integer& operator=(Integer&& other) noexcept {
+        std::swap(small_, other.small_);
+        std::swap(large_, other.large_);
+        return *this;
+    }
+    ~Integer() {
+        if (large_) release();
+    }
+
+    bool is_zero() const { return !large_ && small_ == 0; }
+    bool is_one() const { return !large_ && small_ == 1; }
+    /// -1, 0 or 1.
+    int sign() const { return large_ ? large_sign() : (small_ > 0) - (small_ < 0); }
+    /// The number of binary digits of |x|; 0 for 0.
+    std::size_t bit_length() const;
+    bool is_odd() const;
+    /// The value where it fits in 64 bits.
+    std::optional<std::int64_t> to_int64() const {
+        return large_ ? std::nullopt : std::optional<std::int64_t>(small_);
+    }
+
+    Integer& operator+=(const Integer& other) {
+        std::int64_t sum = 0;
+        if (!large_ && !other.large_ && !__builtin_add_overflow(small_, other.small_, &sum)) {
+            small_ = sum;
+            return *this;
+        }
+        return add_large(other);
+    }
+    Integer& operator-=(const Integer& other) {
+        std::int64_t difference = 0;
+        if (!large_ && !other.large_ && !__builtin_sub_overflow(small_, other.small_, &difference)) {
+            small_ = difference;
+            return *this;
+        }
+        return subtract_large(other);
+    }
+    Integer& operator*=(const Integer& other) {
+        std::int64_t product = 0;
+        if (!large_ && !other.large_ && !__builtin_mul_overflow(small_, other.small_, &product)) {
+            small_ = product;
+            return *this;
+        }
+        return multiply_large(other);
+    }
+    /// Truncated towards zero, as for built-in integers. Errors: `division_by_zero`.
+    Integer& operator/=(const Integer& other);
+    /// The remainder of the truncated division; it has the sign of the dividend. Errors: `division_by_zero`.
+    Integer& operator%=(const Integer& other);
+    Integer& operator<<=(std::size_t bits);
+    /// Towards minus infinity.
+    Integer& operator>>=(std::size_t bits);
+
+    /// *this += a * b, without a temporary where the backend can.
+    Integer& add_product(const Integer& a, const Integer& b) {
+        std::int64_t product = 0;
+        std::int64_t sum = 0;
+        if (!large_ && !a.large_ && !b.large_ && !__builtin_mul_overflow(a.small_, b.small_, &product) &&
+            !__builtin_add_overflow(small_, product, &sum)) {
+            small_ = sum;
+            return *this;
+        }
+        return add_product_large(a, b);
+    }
+
+    friend Integer operator+(Integer a, const Integer& b) { return std::move(a += b); }
+    friend Integer operator-(Integer a, const Integer& b) { return std::move(a -= b); }
+    friend Integer operator*(const Integer& a, const Integer& b) {
+        std::int64_t product = 0;
+        if (!a.large_ && !b.large_ && !__builtin_mul_overflow(a.small_, b.small_, &product)) return product;
+        return product_large(a, b);
+    }
+    friend Integer operator/(Integer a, const Integer& b) { return std::move(a /= b); }
+    friend Integer operator%(Integer a, const Integer& b) { return std::move(a %= b); }
+    friend Integer operator<<(Integer a, std::size_t bits) { return std::move(a <<= bits); }
+    friend Integer operator>>(Integer a, std::size_t bits) { return std::move(a >>= bits); }
+    friend Integer operator-(Integer a) {
+        a.negate();
+        return a;
+    }
+    void negate() {
+        if (!large_ && small_ != std::numeric_limits<std::int64_t>::min()) {
+            small_ = -small_;
+        } else {
+            negate_large();
+        }
+    }
+
+    friend bool operator==(const Integer& a, const Integer& b) {
+        return a.large_ || b.large_ ? equal_large(a, b) : a.small_ == b.small_;
+    }
+    friend std::strong_ordering operator<=>(const Integer& a, const Integer& b) {
+        return a.large_ || b.large_ ? compare_large(a, b) : a.small_ <=> b.small_;
+    }
+
+    struct Large;  ///< the backend's number, defined in the private sources
+
+private:
+    friend struct IntegerAccess;
+
+    static Integer from_unsigned(std::uint64_t value);
+    Large& promote();
+    Integer& settle();
+    void copy_large(const Integer& other);
+    void assign_large(const Integer& other);
+    void release() noexcept;
+    int large_sign() const;
+    Integer& add_large(const Integer& other);
+    Integer& subtract_large(const Integer& other);
+    Integer& multiply_large(const Integer& other);
+    Integer& add_product_large(const Integer& a, const Integer& b);
+    void negate_large();
+    static Integer product_large(const Integer& a, const Integer& b);
+    static bool equal_large(const Integer& a, const Integer& b);
+    static std::strong_ordering compare_large(const Integer& a, const Integer& b);
+
+    std::int64_t small_ = 0;   ///< the value, when `large_` is null; otherwise 0
+    Large* large_ = nullptr;  ///< owned
+};
+
+Integer abs(Integer value);
+/// The non-negative greatest common divisor; gcd(0, 0) = 0.
+Integer gcd(const Integer& a, const Integer& b);
+/// The non-negative least common multiple; 0 when either is 0.
+Integer lcm(const Integer& a, const Integer& b);
+/// base^exponent, with 0^0 = 1.
+Integer pow(const Integer& base, std::size_t exponent);
+/// a / b where b divides a; the caller guarantees it. Cheaper than a division with remainder. Errors: `division_by_zero`.
+Integer divide_exactly(const Integer& a, const Integer& b);
+/// The sum of a_i b_i; both spans have the same length.
+Integer dot(std::span<const Integer> a, std::span<const Integer> b);
+
+/// Decimal digits, with a leading '-' for negative values.
+std::string to_string(const Integer& value);
+
+}  // namespace blossom
+
+template <>
+struct std::hash<blossom::Integer> {
+    std::size_t operator()(const blossom::Integer& value) const noexcept;
+};

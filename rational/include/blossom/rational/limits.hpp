@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace blossom {
+
+/// What one request may cost. Every operation that could take much memory predicts its size and refuses with
+/// `limit_exceeded`, naming the limit, before it allocates. The defaults are documented in docs/limits.md.
+struct Limits {
+    std::size_t degree = 10'000;               ///< formal degree of a map, and exponents in text
+    std::size_t digits = 1'000'000;            ///< decimal digits of one number, read or computed
+    std::size_t nesting = 200;                 ///< brackets within brackets, in text and in JSON
+    std::size_t variables = 256;               ///< variables of one polynomial
+    std::size_t polarization_terms = 1 << 20;  ///< terms of one polarization sum, prod(m_i + 1)
+    std::size_t expansion_terms = 1 << 17;     ///< terms of one polynomial in several variables
+    std::size_t expansion_work = 100'000'000;  ///< term operations of one symbolic computation
+    std::size_t line_bytes = 16 << 20;         ///< one line of a batch
+};
+
+/// Throws `limit_exceeded` unless `value <= limit`.
+/// The message reads "<what> <value> exceeds the limit <name> = <limit>".
+void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
+                    std::string_view field = "");
+
+/// Throws `limit_exceeded` when a result of `bits` binary digits would have more than `limits.digits` decimal ones.
+void require_result_bits(std::size_t bits, const Limits& limits);
+
+}  // namespace blossom

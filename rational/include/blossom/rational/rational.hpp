@@ -1,0 +1,78 @@
+#pragma once
+
+#include <blossom/rational/integer.hpp>
+
+#include <compare>
+#include <concepts>
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace blossom {
+
+/// A rational number in lowest terms with a positive denominator; zero is 0/1. Equal values are equal objects.
+///
+/// Cost: each operation reduces its result, one gcd of numbers of its size. Work that combines many numbers belongs
+/// on integers over one common denominator: see `RationalVector`.
+class Rational {
+public:
+    Rational() = default;
+    Rational(Integer value)  // NOLINT(google-explicit-constructor): an integer is a rational number
+        : numerator_(std::move(value)) {}
+    template <std::integral Word>
+        requires(!std::same_as<Word, bool>)
+    Rational(Word value) : numerator_(value) {}  // NOLINT(google-explicit-constructor)
+    /// numerator / denominator, reduced. Errors: `zero_denominator`.
+    Rational(Integer numerator, Integer denominator);
+
+    const Integer& numerator() const { return numerator_; }
+    const Integer& denominator() const { return denominator_; }
+    int sign() const { return numerator_.sign(); }
+    bool is_zero() const { return numerator_.is_zero(); }
+    bool is_integer() const { return denominator_.is_one(); }
+
+    Rational& operator+=(const Rational& other);
+    Rational& operator-=(const Rational& other);
+    Rational& operator*=(const Rational& other);
+    /// Errors: `division_by_zero`.
+    Rational& operator/=(const Rational& other);
+
+    friend Rational operator+(Rational a, const Rational& b) { return std::move(a += b); }
+    friend Rational operator-(Rational a, const Rational& b) { return std::move(a -= b); }
+    friend Rational operator*(Rational a, const Rational& b) { return std::move(a *= b); }
+    friend Rational operator/(Rational a, const Rational& b) { return std::move(a /= b); }
+    friend Rational operator-(Rational a) {
+        a.numerator_.negate();
+        return a;
+    }
+    friend bool operator==(const Rational& a, const Rational& b) = default;
+    friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
+
+private:
+    /// Already in lowest terms with a positive denominator.
+    struct Reduced {};
+    Rational(Integer numerator, Integer denominator, Reduced)
+        : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
+
+    Rational& add(const Rational& other, bool subtract);
+
+    Integer numerator_;
+    Integer denominator_ = 1;
+};
+
+Rational abs(Rational value);
+/// base^exponent, with 0^0 = 1.
+Rational pow(const Rational& base, std::size_t exponent);
+
+/// "p" or "p/q" in lowest terms.
+std::string to_string(const Rational& value);
+
+}  // namespace blossom
+
+template <>
+struct std::hash<blossom::Rational> {
+    std::size_t operator()(const blossom::Rational& value) const noexcept {
+        const std::hash<blossom::Integer> of_integer;
+        return of_integer(value.numerator()) * 31 + of_integer(value.denominator());
+    }
+};

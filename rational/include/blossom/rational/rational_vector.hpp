@@ -1,0 +1,45 @@
+#pragma once
+
+#include <blossom/rational/rational.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// Rational numbers held as integers over one common denominator: element i is numerators()[i] / denominator().
+///
+/// This is what the kernels work on: they combine numerators and never invert a denominator. The denominator is
+/// positive; the numerators may share a factor with it until `make_canonical` is called, so that a chain of
+/// operations reduces once. Equality is equality of the numbers.
+class RationalVector {
+public:
+    RationalVector() = default;
+    /// Clears the denominators. Cost: one lcm and one product an element.
+    explicit RationalVector(std::span<const Rational> values);
+    /// Errors: `zero_denominator`.
+    RationalVector(std::vector<Integer> numerators, Integer denominator);
+
+    std::size_t size() const { return numerators_.size(); }
+    bool empty() const { return numerators_.empty(); }
+    const std::vector<Integer>& numerators() const { return numerators_; }
+    const Integer& denominator() const { return denominator_; }
+    /// Element i in lowest terms. Cost: one gcd.
+    Rational operator[](std::size_t i) const { return {numerators_[i], denominator_}; }
+    std::vector<Rational> to_rationals() const;
+
+    /// Divides by the greatest common divisor of the denominator and all numerators: the least common denominator.
+    void make_canonical();
+
+    friend bool operator==(const RationalVector& a, const RationalVector& b);
+
+private:
+    std::vector<Integer> numerators_;
+    Integer denominator_ = 1;
+};
+
+/// The largest bit length among `values`; 0 when there is none.
+std::size_t greatest_bit_length(std::span<const Integer> values);
+
+}  // namespace blossom

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <blossom/rational/integer.hpp>
+
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+/// The two recurrences in which every entry of a row becomes a combination of itself and one neighbour. They are
+/// written for any commutative ring; for integers an overload runs the same recurrence on fixed-width words.
+
+namespace blossom {
+
+namespace row_recurrences {
+
+/// A row over any ring R that is constructible from an int.
+template <class R>
+class RingRow {
+public:
+    explicit RingRow(std::vector<R> entries) : entries_(std::move(entries)) {}
+
+    /// The weights of the level that follows.
+    void set_weights(const R& own, const R& neighbours) {
+        own_ = &own;
+        neighbours_ = &neighbours;
+    }
+    /// entry[k] = own * entry[k] + neighbours * entry[neighbour]
+    void combine(std::size_t k, std::size_t neighbour) {
+        entries_[k] = *own_ * entries_[k] + *neighbours_ * entries_[neighbour];
+    }
+    /// entry[k] = own * entry[k]
+    void scale(std::size_t k) { entries_[k] = *own_ * entries_[k]; }
+
+    std::vector<R>& entries() { return entries_; }
+
+private:
+    std::vector<R> entries_;
+    const R* own_ = nullptr;
+    const R* neighbours_ = nullptr;
+};
+
+/// For i = 0, 1, ...: multiplies the polynomial in entries 0..i by constants[i] + slopes[i] X.
+template <class Row, class R>
+void multiply_linear_factors(Row& row, std::span<const R> constants, std::span<const R> slopes) {
+    for (std::size_t i = 0; i < constants.size(); ++i) {
+        row.set_weights(constants[i], slopes[i]);
+        for (std::size_t k = i + 1; k > 0; --k) row.combine(k, k - 1);
+        row.scale(0);
+    }
+}
+
+/// Folds entries 0..n to entry 0: on level i entry j becomes left[i] * entry[j] + right[i] * entry[j + 1].
+template <class Row, class R>
+void fold(Row& row, std::span<const R> left, std::span<const R> right) {
+    const std::size_t n = left.size();
+    for (std::size_t i = 0; i < n; ++i) {
+        row.set_weights(left[i], right[i]);
+        for (std::size_t j = 0; j + i < n; ++j) row.combine(j, j + 1);
+    }
+}
+
+}  // namespace row_recurrences
+
+/// The coefficients of prod_i (constants[i] + slopes[i] X), lowest first, n + 1 of them for n factors.
+/// With constants 1 they are the elementary symmetric functions of the slopes.
+///
+/// Cost: n^2 / 2 multiply-adds in R.
+template <class R>
+std::vector<R> product_of_linear_factors(std::span<const R> constants, std::span<const R> slopes) {
+    std::vector<R> entries(constants.size() + 1, R(0));
+    entries[0] = R(1);
+    row_recurrences::RingRow<R> row(std::move(entries));
+    row_recurrences::multiply_linear_factors(row, constants, slopes);
+    return std::move(row.entries());
+}
+
+/// The apex of the triangle over `row` (n + 1 entries) whose level i maps neighbours (x, y) to left[i] x + right[i] y.
+/// This is de Casteljau's algorithm with the weights of each level given.
+///
+/// Cost: n^2 / 2 multiply-adds in R.
+template <class R>
+R fold_triangle(std::vector<R> row, std::span<const R> left, std::span<const R> right) {
+    row_recurrences::RingRow<R> triangle(std::move(row));
+    row_recurrences::fold(triangle, left, right);
+    return std::move(triangle.entries().front());
+}
+
+/// The same for integers, on words of a width that provably holds every intermediate value:
+/// |entry| <= prod(|constants[i]| + |slopes[i]|).
+std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants, std::span<const Integer> slopes);
+
+/// The same for integers; |entry| <= max |row[j]| * prod(|left[i]| + |right[i]|).
+Integer fold_triangle(std::vector<Integer> row, std::span<const Integer> left, std::span<const Integer> right);
+
+}  // namespace blossom

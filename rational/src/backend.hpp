@@ -1,0 +1,96 @@
+#pragma once
+
+// The number backend: the only header that names the library which holds the large integers.
+
+#include <blossom/rational/integer.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <utility>
+
+#if defined(BLOSSOM_NUMBERS_GMP)
+#include <boost/multiprecision/gmp.hpp>
+#elif defined(BLOSSOM_NUMBERS_CPP_INT)
+#include <boost/multiprecision/cpp_int.hpp>
+#else
+#error "define BLOSSOM_NUMBERS_GMP or BLOSSOM_NUMBERS_CPP_INT"
+#endif
+
+namespace blossom {
+
+namespace backend {
+
+#if defined(BLOSSOM_NUMBERS_GMP)
+
+using Number = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+inline void add_product(Number& sum, const Number& a, const Number& b) {
+    mpz_addmul(sum.backend().data(), a.backend().data(), b.backend().data());
+}
+
+inline Number divide_exactly(const Number& a, const Number& b) {
+    Number quotient;
+    mpz_divexact(quotient.backend().data(), a.backend().data(), b.backend().data());
+    return quotient;
+}
+
+/// The number whose binary digits are `words`, least significant first.
+inline Number from_words(std::span<const std::uint64_t> words) {
+    Number value;
+    mpz_import(value.backend().data(), words.size(), -1, sizeof(std::uint64_t), 0, 0, words.data());
+    return value;
+}
+
+/// The binary digits of a value >= 0 at the front of `words`; the words beyond keep what they hold.
+inline void to_words(const Number& value, std::span<std::uint64_t> words) {
+    mpz_export(words.data(), nullptr, -1, sizeof(std::uint64_t), 0, 0, value.backend().data());
+}
+
+#else
+
+using Number = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+inline void add_product(Number& sum, const Number& a, const Number& b) { sum += a * b; }
+
+inline Number divide_exactly(const Number& a, const Number& b) { return a / b; }
+
+inline Number from_words(std::span<const std::uint64_t> words) {
+    Number value;
+    boost::multiprecision::import_bits(value, words.begin(), words.end(), 64, false);
+    return value;
+}
+
+inline void to_words(const Number& value, std::span<std::uint64_t> words) {
+    boost::multiprecision::export_bits(value, words.begin(), 64, false);
+}
+
+#endif
+
+}  // namespace backend
+
+struct Integer::Large {
+    backend::Number value;
+};
+
+/// The private door of Integer for the sources of this layer.
+struct IntegerAccess {
+    static Integer from_number(backend::Number&& value);
+    static backend::Number to_number(const Integer& value) {
+        return value.large_ ? value.large_->value : backend::Number(value.small_);
+    }
+
+    /// Calls operation(n) with the backend number or the 64-bit value, whichever holds `value`.
+    template <class Operation>
+    static decltype(auto) visit(const Integer& value, Operation&& operation) {
+        return value.large_ ? operation(std::as_const(value.large_->value)) : operation(value.small_);
+    }
+
+    /// The integer whose two's complement is `words`, least significant first, at least one.
+    static Integer from_twos_complement(std::span<const std::uint64_t> words);
+    /// The two's complement of `value` in `words`, which must be enough for it and its sign.
+    static void to_twos_complement(const Integer& value, std::span<std::uint64_t> words);
+};
+
+}  // namespace blossom

@@ -1,0 +1,82 @@
+#include <blossom/rational/double_conversion.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+namespace blossom {
+
+namespace {
+
+constexpr int significand_bits = std::numeric_limits<double>::digits;
+constexpr std::ptrdiff_t least_exponent = std::numeric_limits<double>::min_exponent - significand_bits;
+constexpr std::ptrdiff_t greatest_exponent = std::numeric_limits<double>::max_exponent - significand_bits;
+
+Integer shifted(const Integer& value, std::ptrdiff_t bits) {
+    return bits > 0 ? value << static_cast<std::size_t>(bits) : value;
+}
+
+[[noreturn]] void overflow(const Rational& value) {
+    throw Error(ErrorCode::overflow,
+                "a number of about 2^" +
+                    std::to_string(value.numerator().bit_length() - value.denominator().bit_length()) +
+                    " is beyond the range of a double");
+}
+
+/// |value| = significand * 2^exponent rounded to 53 bits (fewer when subnormal), ties to even.
+struct Rounded {
+    std::int64_t significand;
+    std::ptrdiff_t exponent;
+};
+
+Rounded round_magnitude(const Rational& value) {
+    const Integer numerator = abs(value.numerator());
+    const Integer& denominator = value.denominator();
+    // With this exponent the quotient lies in [2^52, 2^54): 53 bits, or 54 when the guess is one too low.
+    std::ptrdiff_t exponent = static_cast<std::ptrdiff_t>(numerator.bit_length()) -
+                              static_cast<std::ptrdiff_t>(denominator.bit_length()) - significand_bits;
+    if (shifted(numerator, -exponent) >= shifted(denominator, exponent + significand_bits)) ++exponent;
+    exponent = std::max(exponent, least_exponent);
+    if (exponent > greatest_exponent) overflow(value);
+
+    const Integer dividend = shifted(numerator, -exponent);
+    const Integer divisor = shifted(denominator, exponent);
+    Integer quotient = dividend / divisor;
+    const Integer twice_remainder = (dividend % divisor) * 2;
+    if (twice_remainder > divisor || (twice_remainder == divisor && quotient.is_odd())) quotient += 1;
+    return {*quotient.to_int64(), exponent};
+}
+
+}  // namespace
+
+Rational exact_rational(double value) {
+    if (!std::isfinite(value)) {
+        throw Error(ErrorCode::not_a_number, "NaN and infinities are not rational numbers");
+    }
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    const Integer significand = static_cast<std::int64_t>(std::ldexp(fraction, significand_bits));
+    const int shift = exponent - significand_bits;
+    return {shifted(significand, shift), shifted(1, -shift)};
+}
+
+double nearest_double(const Rational& value) {
+    if (value.is_zero()) return 0;
+    const auto [significand, exponent] = round_magnitude(value);
+    const double magnitude = std::ldexp(static_cast<double>(significand), static_cast<int>(exponent));
+    if (std::isinf(magnitude)) overflow(value);
+    return value.sign() < 0 ? -magnitude : magnitude;
+}
+
+std::string hexadecimal_float(const Rational& value) {
+    const double number = nearest_double(value);
+    std::array<char, 32> digits{};
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(number), std::chars_format::hex).ptr;
+    return (number < 0 ? "-0x" : "0x") + std::string(digits.data(), end);
+}
+
+}  // namespace blossom

@@ -1,0 +1,259 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/integer.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <numeric>
+#include <vector>
+
+#include "backend.hpp"
+
+namespace blossom {
+
+using backend::Number;
+
+namespace {
+
+std::uint64_t magnitude(std::int64_t value) {
+    const auto bits = static_cast<std::uint64_t>(value);
+    return value < 0 ? 0 - bits : bits;
+}
+
+void require_divisor(const Integer& divisor) {
+    if (divisor.is_zero()) throw Error(ErrorCode::division_by_zero, "an integer cannot be divided by 0");
+}
+
+}  // namespace
+
+// ---- the two representations
+
+Integer::Large& Integer::promote() {
+    if (!large_) large_ = new Large{Number(std::exchange(small_, 0))};
+    return *large_;
+}
+
+Integer& Integer::settle() {
+    const Number& value = large_->value;
+    if (value >= std::numeric_limits<std::int64_t>::min() && value <= std::numeric_limits<std::int64_t>::max()) {
+        small_ = static_cast<std::int64_t>(value);
+        release();
+    }
+    return *this;
+}
+
+Integer Integer::from_unsigned(std::uint64_t value) { return IntegerAccess::from_number(Number(value)); }
+
+void Integer::copy_large(const Integer& other) { large_ = new Large(*other.large_); }
+
+void Integer::assign_large(const Integer& other) {
+    if (!other.large_) {
+        release();
+        small_ = other.small_;
+    } else if (large_) {
+        large_->value = other.large_->value;
+    } else {
+        copy_large(other);
+        small_ = 0;
+    }
+}
+
+void Integer::release() noexcept {
+    delete large_;
+    large_ = nullptr;
+}
+
+Integer IntegerAccess::from_number(Number&& value) {
+    Integer result;
+    result.large_ = new Integer::Large{std::move(value)};
+    return std::move(result.settle());
+}
+
+// ---- arithmetic beyond 64 bits
+
+int Integer::large_sign() const { return large_->value.sign(); }
+
+std::size_t Integer::bit_length() const {
+    if (!large_) return static_cast<std::size_t>(std::bit_width(magnitude(small_)));
+    return boost::multiprecision::msb(Number(boost::multiprecision::abs(large_->value))) + 1;
+}
+
+bool Integer::is_odd() const {
+    return large_ ? boost::multiprecision::bit_test(large_->value, 0) : (small_ & 1) != 0;
+}
+
+Integer& Integer::add_large(const Integer& other) {
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& term) { value += term; });
+    return settle();
+}
+
+Integer& Integer::subtract_large(const Integer& other) {
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& term) { value -= term; });
+    return settle();
+}
+
+Integer& Integer::multiply_large(const Integer& other) {
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& factor) { value *= factor; });
+    return settle();
+}
+
+Integer Integer::product_large(const Integer& a, const Integer& b) {
+    if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
+    return IntegerAccess::visit(b, [&](const auto& factor) {
+        return IntegerAccess::from_number(Number(a.large_->value * factor));
+    });
+}
+
+Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
+    if (a.large_ && b.large_) {
+        backend::add_product(promote().value, a.large_->value, b.large_->value);
+        return settle();
+    }
+    return *this += a * b;
+}
+
+void Integer::negate_large() {
+    Number& value = promote().value;
+    value = -value;
+    settle();
+}
+
+bool Integer::equal_large(const Integer& a, const Integer& b) {
+    return a.large_ && b.large_ && a.large_->value == b.large_->value;
+}
+
+std::strong_ordering Integer::compare_large(const Integer& a, const Integer& b) {
+    const auto order = [](int sign) { return sign <=> 0; };
+    if (!a.large_) return order(-b.large_sign());
+    if (!b.large_) return order(a.large_sign());
+    return order(a.large_->value.compare(b.large_->value));
+}
+
+Integer& Integer::operator/=(const Integer& other) {
+    require_divisor(other);
+    const bool overflows = small_ == std::numeric_limits<std::int64_t>::min() && other.small_ == -1;
+    if (!large_ && !other.large_ && !overflows) {
+        small_ /= other.small_;
+        return *this;
+    }
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& divisor) { value /= divisor; });
+    return settle();
+}
+
+Integer& Integer::operator%=(const Integer& other) {
+    require_divisor(other);
+    if (!large_ && !other.large_) {
+        small_ = other.small_ == -1 ? 0 : small_ % other.small_;
+        return *this;
+    }
+    const Number divisor = IntegerAccess::to_number(other);
+    Number& value = promote().value;
+    value %= divisor;
+    return settle();
+}
+
+Integer& Integer::operator<<=(std::size_t bits) {
+    if (is_zero()) return *this;
+    promote().value <<= bits;
+    return settle();
+}
+
+Integer& Integer::operator>>=(std::size_t bits) {
+    if (!large_) {
+        small_ >>= std::min<std::size_t>(bits, 63);
+        return *this;
+    }
+    // Backends differ on negative values: -(((-x) - 1) >> k) - 1 is the floor for all of them.
+    Number& value = large_->value;
+    const bool negative = value.sign() < 0;
+    if (negative) value = -value - 1;
+    value >>= bits;
+    if (negative) value = -value - 1;
+    return settle();
+}
+
+// ---- number theory
+
+Integer abs(Integer value) {
+    if (value.sign() < 0) value.negate();
+    return value;
+}
+
+Integer gcd(const Integer& a, const Integer& b) {
+    const auto x = a.to_int64();
+    const auto y = b.to_int64();
+    if (x && y) return std::gcd(magnitude(*x), magnitude(*y));
+    return IntegerAccess::from_number(
+        boost::multiprecision::gcd(IntegerAccess::to_number(a), IntegerAccess::to_number(b)));
+}
+
+Integer lcm(const Integer& a, const Integer& b) {
+    if (a.is_zero() || b.is_zero()) return 0;
+    return abs(divide_exactly(a, gcd(a, b)) * b);
+}
+
+Integer pow(const Integer& base, std::size_t exponent) {
+    Integer result = 1;
+    Integer square = base;
+    for (std::size_t rest = exponent; rest != 0; rest >>= 1) {
+        if (rest & 1) result *= square;
+        if (rest > 1) square *= square;
+    }
+    return result;
+}
+
+Integer divide_exactly(const Integer& a, const Integer& b) {
+    if (a.to_int64()) return a / b;
+    require_divisor(b);
+    return IntegerAccess::from_number(
+        backend::divide_exactly(IntegerAccess::to_number(a), IntegerAccess::to_number(b)));
+}
+
+Integer dot(std::span<const Integer> a, std::span<const Integer> b) {
+    Integer sum;
+    for (std::size_t i = 0; i < a.size(); ++i) sum.add_product(a[i], b[i]);
+    return sum;
+}
+
+// ---- words
+
+Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
+    const bool negative = static_cast<std::int64_t>(words.back()) < 0;
+    std::size_t used = words.size();
+    const std::uint64_t filler = negative ? ~std::uint64_t{0} : 0;
+    while (used > 1 && words[used - 1] == filler && (static_cast<std::int64_t>(words[used - 2]) < 0) == negative) {
+        --used;
+    }
+    if (used == 1) return static_cast<std::int64_t>(words[0]);
+    if (!negative) return from_number(backend::from_words(words.first(used)));
+    std::vector<std::uint64_t> complement(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(used));
+    for (auto& word : complement) word = ~word;
+    return from_number(Number(-backend::from_words(complement) - 1));
+}
+
+void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {
+    if (!value.large_) {
+        const auto low = static_cast<std::uint64_t>(value.small_);
+        std::fill(words.begin(), words.end(), value.small_ < 0 ? ~std::uint64_t{0} : 0);
+        words[0] = low;
+        return;
+    }
+    std::fill(words.begin(), words.end(), 0);
+    const Number& number = value.large_->value;
+    if (number.sign() > 0) {
+        backend::to_words(number, words);
+    } else {
+        backend::to_words(Number(-number - 1), words);
+        for (auto& word : words) word = ~word;
+    }
+}
+
+}  // namespace blossom
+
+std::size_t std::hash<blossom::Integer>::operator()(const blossom::Integer& value) const noexcept {
+    return blossom::IntegerAccess::visit(
+        value, [](const auto& number) { return std::hash<std::remove_cvref_t<decltype(number)>>{}(number); });
+}

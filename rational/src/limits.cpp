@@ -1,0 +1,24 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/limits.hpp>
+
+namespace blossom {
+
+void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
+                    std::string_view field) {
+    if (value <= limit) return;
+    std::string message(what);
+    message += ' ';
+    message += std::to_string(value);
+    message += " exceeds the limit ";
+    message += name;
+    message += " = ";
+    message += std::to_string(limit);
+    throw Error(ErrorCode::limit_exceeded, message, std::string(field));
+}
+
+void require_result_bits(std::size_t bits, const Limits& limits) {
+    // log10(2) < 1/3, so that bits / 3 bounds the decimal digits from above, up to the last one.
+    require_within(bits / 3, limits.digits, "digits", "the size of the result in decimal digits, at most");
+}
+
+}  // namespace blossom

@@ -1,0 +1,148 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+#include <charconv>
+
+#include "backend.hpp"
+
+namespace blossom {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+std::size_t digits_length(std::string_view text) {
+    return static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+}
+
+[[noreturn]] void fail(std::string_view text) {
+    throw Error(ErrorCode::not_a_number,
+                quoted(text) + R"( is not an exact number; write it as "p", "p/q" or a decimal such as "-0.125")");
+}
+
+/// `digits` holds decimal digits only.
+Integer integer_from_digits(std::string_view digits, const Limits& limits) {
+    const auto first = std::min(digits.find_first_not_of('0'), digits.size());
+    digits.remove_prefix(first);
+    if (digits.empty()) return 0;
+    require_within(digits.size(), limits.digits, "digits", "a number whose count of digits is");
+    if (digits.size() < 19) {
+        std::int64_t value = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), value);
+        return value;
+    }
+    return IntegerAccess::from_number(backend::Number(std::string(digits)));
+}
+
+/// A decimal exponent; one that does not fit is far beyond every limit.
+std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) {
+    std::size_t value = 0;
+    const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (problem != std::errc{} || value > limits.digits) {
+        throw Error(ErrorCode::limit_exceeded, "the decimal exponent " + std::string(digits.substr(0, 40)) +
+                                                   " exceeds the limit digits = " + std::to_string(limits.digits));
+    }
+    return value;
+}
+
+/// An unsigned decimal that `unsigned_decimal_length` has measured.
+Rational decimal(std::string_view text, const Limits& limits) {
+    const std::string_view whole = text.substr(0, digits_length(text));
+    text.remove_prefix(whole.size());
+    std::string_view fraction;
+    if (text.starts_with('.')) {
+        fraction = text.substr(1, digits_length(text.substr(1)));
+        text.remove_prefix(1 + fraction.size());
+    }
+    bool negative_exponent = false;
+    std::size_t exponent = 0;
+    if (!text.empty()) {
+        text.remove_prefix(1);
+        negative_exponent = text.starts_with('-');
+        if (negative_exponent || text.starts_with('+')) text.remove_prefix(1);
+        exponent = exponent_from_digits(text, limits);
+    }
+    if (fraction.empty() && exponent == 0) return integer_from_digits(whole, limits);
+    require_within(whole.size() + fraction.size() + exponent, limits.digits, "digits",
+                   "a decimal whose count of digits, with those of its exponent, is");
+    const Integer digits = integer_from_digits(std::string(whole) + std::string(fraction), limits);
+    const Integer scale = pow(Integer(10), exponent);
+    const Integer point = pow(Integer(10), fraction.size());
+    return negative_exponent ? Rational(digits, point * scale) : Rational(digits * scale, point);
+}
+
+}  // namespace
+
+std::string quoted(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    std::string result = "\"";
+    for (const char c : text.substr(0, longest)) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte >= 0x20 && byte != 0x7f) {
+            result += c;
+        } else {
+            constexpr std::string_view hex = "0123456789abcdef";
+            result += "\\x";
+            result += hex[byte >> 4];
+            result += hex[byte & 15];
+        }
+    }
+    result += text.size() > longest ? "...\"" : "\"";
+    return result;
+}
+
+std::size_t unsigned_decimal_length(std::string_view text) {
+    std::size_t length = digits_length(text);
+    if (length == 0) return 0;
+    if (length < text.size() && text[length] == '.') {
+        const std::size_t fraction = digits_length(text.substr(length + 1));
+        if (fraction != 0) length += 1 + fraction;
+    }
+    if (length < text.size() && (text[length] == 'e' || text[length] == 'E')) {
+        std::size_t start = length + 1;
+        if (start < text.size() && (text[start] == '-' || text[start] == '+')) ++start;
+        const std::size_t exponent = digits_length(text.substr(std::min(start, text.size())));
+        if (exponent != 0) length = start + exponent;
+    }
+    return length;
+}
+
+Rational parse_rational(std::string_view text, const Limits& limits) {
+    std::string_view rest = text;
+    const bool negative = rest.starts_with('-');
+    if (negative) rest.remove_prefix(1);
+    const auto signed_value = [&](Rational value) { return negative ? -std::move(value) : value; };
+
+    if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
+        const std::string_view above = rest.substr(0, slash);
+        const std::string_view below = rest.substr(slash + 1);
+        if (above.empty() || below.empty() || digits_length(above) != above.size() ||
+            digits_length(below) != below.size()) {
+            fail(text);
+        }
+        const Integer denominator = integer_from_digits(below, limits);
+        if (denominator.is_zero()) {
+            throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
+        }
+        return signed_value({integer_from_digits(above, limits), denominator});
+    }
+    if (rest.empty() || unsigned_decimal_length(rest) != rest.size()) fail(text);
+    return signed_value(decimal(rest, limits));
+}
+
+Integer parse_integer(std::string_view text, const Limits& limits) {
+    const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+    if (digits.empty() || digits_length(digits) != digits.size()) {
+        throw Error(ErrorCode::not_a_number, quoted(text) + " is not an integer");
+    }
+    Integer value = integer_from_digits(digits, limits);
+    return text.starts_with('-') ? -std::move(value) : value;
+}
+
+std::string to_string(const Integer& value) {
+    if (const auto small = value.to_int64()) return std::to_string(*small);
+    return IntegerAccess::to_number(value).str();
+}
+
+}  // namespace blossom

@@ -1,0 +1,77 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/rational.hpp>
+
+#include <utility>
+
+namespace blossom {
+
+Rational::Rational(Integer numerator, Integer denominator)
+    : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
+    if (denominator_.is_zero()) {
+        throw Error(ErrorCode::zero_denominator, to_string(numerator_) + "/0 has a zero denominator");
+    }
+    if (denominator_.sign() < 0) {
+        numerator_.negate();
+        denominator_.negate();
+    }
+    if (denominator_.is_one()) return;
+    const Integer common = gcd(numerator_, denominator_);
+    if (common.is_one()) return;
+    numerator_ = divide_exactly(numerator_, common);
+    denominator_ = divide_exactly(denominator_, common);
+}
+
+// a/b + c/d with g = gcd(b, d): the sum (a (d/g) + c (b/g)) / (b (d/g)) can only share factors of g (Knuth, 4.5.1).
+Rational& Rational::add(const Rational& other, bool subtract) {
+    const Integer common = gcd(denominator_, other.denominator_);
+    const Integer cofactor = divide_exactly(other.denominator_, common);
+    const Integer term = other.numerator_ * divide_exactly(denominator_, common);
+    Integer sum = numerator_ * cofactor;
+    subtract ? sum -= term : sum += term;
+    const Integer excess = gcd(sum, common);
+    denominator_ = divide_exactly(denominator_, excess) * cofactor;
+    numerator_ = divide_exactly(sum, excess);
+    return *this;
+}
+
+Rational& Rational::operator+=(const Rational& other) { return add(other, false); }
+
+Rational& Rational::operator-=(const Rational& other) { return add(other, true); }
+
+Rational& Rational::operator*=(const Rational& other) {
+    const Integer left = gcd(numerator_, other.denominator_);
+    const Integer right = gcd(other.numerator_, denominator_);
+    Integer numerator = divide_exactly(numerator_, left) * divide_exactly(other.numerator_, right);
+    Integer denominator = divide_exactly(denominator_, right) * divide_exactly(other.denominator_, left);
+    numerator_ = std::move(numerator);
+    denominator_ = std::move(denominator);
+    return *this;
+}
+
+Rational& Rational::operator/=(const Rational& other) {
+    if (other.is_zero()) throw Error(ErrorCode::division_by_zero, to_string(*this) + " cannot be divided by 0");
+    Rational inverse(other.denominator_, other.numerator_, Reduced{});
+    if (inverse.denominator_.sign() < 0) {
+        inverse.numerator_.negate();
+        inverse.denominator_.negate();
+    }
+    return *this *= inverse;
+}
+
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+    return a.numerator_ * b.denominator_ <=> b.numerator_ * a.denominator_;
+}
+
+Rational abs(Rational value) { return value.sign() < 0 ? -std::move(value) : value; }
+
+Rational pow(const Rational& base, std::size_t exponent) {
+    return {pow(base.numerator(), exponent), pow(base.denominator(), exponent)};
+}
+
+std::string to_string(const Rational& value) {
+    std::string text = to_string(value.numerator());
+    if (!value.is_integer()) text += '/' + to_string(value.denominator());
+    return text;
+}
+
+}  // namespace blossom

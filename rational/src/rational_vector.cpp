@@ -1,0 +1,57 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/rational_vector.hpp>
+
+#include <algorithm>
+
+namespace blossom {
+
+RationalVector::RationalVector(std::span<const Rational> values) {
+    for (const Rational& value : values) {
+        if (!value.is_integer()) denominator_ = lcm(denominator_, value.denominator());
+    }
+    numerators_.reserve(values.size());
+    for (const Rational& value : values) {
+        numerators_.push_back(value.numerator() * divide_exactly(denominator_, value.denominator()));
+    }
+}
+
+RationalVector::RationalVector(std::vector<Integer> numerators, Integer denominator)
+    : numerators_(std::move(numerators)), denominator_(std::move(denominator)) {
+    if (denominator_.is_zero()) throw Error(ErrorCode::zero_denominator, "a common denominator must not be 0");
+    if (denominator_.sign() > 0) return;
+    denominator_.negate();
+    for (Integer& numerator : numerators_) numerator.negate();
+}
+
+std::vector<Rational> RationalVector::to_rationals() const {
+    std::vector<Rational> values;
+    values.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i) values.push_back((*this)[i]);
+    return values;
+}
+
+void RationalVector::make_canonical() {
+    Integer common = denominator_;
+    for (const Integer& numerator : numerators_) {
+        if (common.is_one()) return;
+        common = gcd(common, numerator);
+    }
+    if (common.is_one()) return;
+    for (Integer& numerator : numerators_) numerator = divide_exactly(numerator, common);
+    denominator_ = divide_exactly(denominator_, common);
+}
+
+bool operator==(const RationalVector& a, const RationalVector& b) {
+    if (a.denominator_ == b.denominator_) return a.numerators_ == b.numerators_;
+    return std::ranges::equal(a.numerators_, b.numerators_, [&](const Integer& x, const Integer& y) {
+        return x * b.denominator_ == y * a.denominator_;
+    });
+}
+
+std::size_t greatest_bit_length(std::span<const Integer> values) {
+    std::size_t greatest = 0;
+    for (const Integer& value : values) greatest = std::max(greatest, value.bit_length());
+    return greatest;
+}
+
+}  // namespace blossom

@@ -1,0 +1,86 @@
+#include <blossom/rational/rational_vector.hpp>
+#include <blossom/rational/row_recurrences.hpp>
+
+#include <optional>
+
+#include "fixed_width_rows.hpp"
+
+namespace blossom {
+
+namespace {
+
+using fixed_width::BitBound;
+using fixed_width::LimbRow;
+using fixed_width::magnitude;
+using fixed_width::Wide;
+using fixed_width::WordRow;
+
+/// The weights of all levels as words.
+struct WordWeights {
+    std::vector<std::int64_t> own;
+    std::vector<std::int64_t> neighbours;
+
+    std::size_t final_bits(std::size_t start_bits) const {
+        BitBound bound(start_bits);
+        for (std::size_t i = 0; i < own.size(); ++i) bound.multiply(Wide{magnitude(own[i])} + magnitude(neighbours[i]));
+        return bound.bits();
+    }
+};
+
+std::optional<std::vector<std::int64_t>> as_words(std::span<const Integer> values) {
+    std::vector<std::int64_t> words;
+    words.reserve(values.size());
+    for (const Integer& value : values) {
+        const auto word = value.to_int64();
+        if (!word) return std::nullopt;
+        words.push_back(*word);
+    }
+    return words;
+}
+
+std::optional<WordWeights> word_weights(std::span<const Integer> own, std::span<const Integer> neighbours) {
+    auto first = as_words(own);
+    if (!first) return std::nullopt;
+    auto second = as_words(neighbours);
+    if (!second) return std::nullopt;
+    return WordWeights{std::move(*first), std::move(*second)};
+}
+
+/// Calls run(row) with the narrowest row of `size` entries that holds `final_bits` and a sign.
+template <class Run>
+auto with_row(std::size_t size, std::size_t start_bits, std::size_t final_bits, Run run) {
+    if (final_bits < 64) return run(WordRow<std::uint64_t>(size));
+    if (final_bits < 128) return run(WordRow<Wide>(size));
+    return run(LimbRow(size, start_bits, final_bits));
+}
+
+}  // namespace
+
+std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants, std::span<const Integer> slopes) {
+    const auto weights = word_weights(constants, slopes);
+    if (!weights) return product_of_linear_factors<Integer>(constants, slopes);
+
+    const std::size_t size = constants.size() + 1;
+    return with_row(size, 1, weights->final_bits(1), [&](auto row) {
+        row.set(0, 1);
+        row_recurrences::multiply_linear_factors(row, std::span(weights->own), std::span(weights->neighbours));
+        std::vector<Integer> coefficients;
+        coefficients.reserve(size);
+        for (std::size_t k = 0; k < size; ++k) coefficients.push_back(row.integer(k));
+        return coefficients;
+    });
+}
+
+Integer fold_triangle(std::vector<Integer> entries, std::span<const Integer> left, std::span<const Integer> right) {
+    const auto weights = word_weights(left, right);
+    if (!weights) return fold_triangle<Integer>(std::move(entries), left, right);
+
+    const std::size_t start_bits = greatest_bit_length(entries);
+    return with_row(entries.size(), start_bits, weights->final_bits(start_bits), [&](auto row) {
+        for (std::size_t k = 0; k < entries.size(); ++k) row.set(k, entries[k]);
+        row_recurrences::fold(row, std::span(weights->own), std::span(weights->neighbours));
+        return row.integer(0);
+    });
+}
+
+}  // namespace blossom
