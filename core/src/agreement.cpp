@@ -13,7 +13,8 @@ namespace {
 constexpr Construction all_constructions[] = {Construction::symmetric, Construction::polarization,
                                               Construction::casteljau};
 
-/// The term operations of polarization on n distinct symbols: a power of a sum of N symbols has C(n + N, N) terms.
+/// The term operations of polarization on n distinct symbols: a power of a sum of N symbols has C(n + N, N)
+/// terms.
 std::size_t symbolic_work(std::size_t n) {
     Integer work;
     for (std::size_t size = 0; size <= n; ++size) work += binomial(n, size) * binomial(n + size, size);
@@ -38,7 +39,8 @@ Agreement<Value> collect(const Excess& excess, const Run& run) {
 
 }  // namespace
 
-Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments, const Limits& limits) {
+Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments,
+                                 const Limits& limits) {
     require_arity(map, arguments.size());
     const ClearedArguments cleared = cleared_together(arguments);
     const std::size_t terms = polarization_terms(
@@ -47,11 +49,14 @@ Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argum
         if (construction != Construction::polarization || terms <= limits.polarization_terms) return {};
         return "more terms than the limit polarization_terms = " + std::to_string(limits.polarization_terms);
     };
-    const auto run = [&](Construction construction) { return blossom_value(map, arguments, construction, limits); };
+    const auto run = [&](Construction construction) {
+        return blossom_value(map, arguments, construction, limits);
+    };
     return collect<Coordinates>(excess, run);
 }
 
-Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map, const Limits& limits) {
+Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map,
+                                                                     const Limits& limits) {
     const std::size_t n = degree_of(map);
     const std::size_t bits = std::numeric_limits<std::size_t>::digits - 1;
     require_within(std::size_t{1} << std::min(n, bits), limits.expansion_terms, "expansion_terms",
@@ -68,7 +73,8 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Polyn
                std::to_string(limits.expansion_work);
     };
     const auto run = [&](Construction construction) {
-        Quotients<SparsePolynomial> value = run_construction<SparsePolynomial>(map, construction, symbols, limits);
+        Quotients<SparsePolynomial> value =
+            run_construction<SparsePolynomial>(map, construction, symbols, limits);
         const Rational scale(1, value.denominator);
         for (SparsePolynomial& numerator : value.numerators) numerator *= scale;
         return std::move(value.numerators);
@@ -84,7 +90,8 @@ std::vector<SparsePolynomial> elementary_symmetric_form(const PolynomialMap& map
         const Integer denominator = normalised.denominator * curve.coefficients().denominator();
         SparsePolynomial form;
         for (std::size_t k = 0; k < row.size(); ++k) {
-            const SparsePolynomial function = k == 0 ? SparsePolynomial(1) : SparsePolynomial::variable(k - 1);
+            const SparsePolynomial function =
+                k == 0 ? SparsePolynomial(1) : SparsePolynomial::variable(k - 1);
             form += SparsePolynomial(Rational(normalised.numerators[k], denominator)) * function;
         }
         forms.push_back(std::move(form));

@@ -31,9 +31,12 @@ void require_bits(const PolynomialMap& map, const ClearedArguments& arguments, c
 
 std::string_view construction_name(Construction construction) {
     switch (construction) {
-        case Construction::symmetric: return "symmetric";
-        case Construction::polarization: return "polarization";
-        case Construction::casteljau: return "casteljau";
+        case Construction::symmetric:
+            return "symmetric";
+        case Construction::polarization:
+            return "polarization";
+        case Construction::casteljau:
+            return "casteljau";
     }
     return "";
 }
@@ -73,7 +76,7 @@ Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
     Quotients<Integer> value;
     if (const auto* bezier = std::get_if<BezierCurve>(&map_)) {
         const auto [a, b, q] = cleared(bezier->interval());
-        value = constructions::by_casteljau<Integer>(prepared_.rows(), a, b, q, pairs);
+        value = constructions::bernstein_sums<Integer>(prepared_.rows(), a, b, q, pairs);
     } else {
         value.numerators = constructions::symmetric_function_sums<Integer>(prepared_.rows(), pairs);
     }
@@ -81,16 +84,18 @@ Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
     return reduced(value, cleared_arguments.denominator);
 }
 
-Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments, Construction construction,
-                          const Limits& limits) {
+Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
+                          Construction construction, const Limits& limits) {
     require_arity(map, arguments.size());
-    const ClearedArguments cleared = construction == Construction::polarization ? cleared_together(arguments)
-                                                                                : cleared_one_by_one(arguments);
+    const ClearedArguments cleared = construction == Construction::polarization
+                                         ? cleared_together(arguments)
+                                         : cleared_one_by_one(arguments);
     require_bits(map, cleared, limits);
     const std::span<const HomogeneousPair<Integer>> pairs = cleared.pairs;
     if (construction == Construction::polarization) {
-        require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms), limits.polarization_terms,
-                       "polarization_terms", "the number of terms of polarization, at least", "/arguments");
+        require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms),
+                       limits.polarization_terms, "polarization_terms",
+                       "the number of terms of polarization, at least", "/arguments");
     }
     return reduced(run_construction(map, construction, pairs, limits), cleared.denominator);
 }
@@ -102,10 +107,12 @@ Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)
     points.reserve(arguments.size());
     for (const Parameter& argument : arguments) points.push_back({argument.value, 1});
     const std::span<const HomogeneousPair<Rational>> pairs = points;
-    require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms), limits.polarization_terms,
-                   "polarization_terms", "the number of terms of polarization, at least", "/arguments");
+    require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms),
+                   limits.polarization_terms, "polarization_terms",
+                   "the number of terms of polarization, at least", "/arguments");
 
-    const auto scaled_value_at_mean = [&](const HomogeneousPair<Rational>& sum, std::size_t count) -> Coordinates {
+    const auto scaled_value_at_mean = [&](const HomogeneousPair<Rational>& sum,
+                                          std::size_t count) -> Coordinates {
         if (count == 0) return {};
         Coordinates value = map(sum.u / Rational(count));
         const Rational weight = pow(Integer(count), arguments.size());

@@ -9,7 +9,8 @@ namespace blossom {
 namespace {
 
 void require_size(const PointArray& points, std::size_t bits_a_degree, const Limits& limits) {
-    require_result_bits(greatest_bit_length(points.numbers().numerators()) + points.size() * bits_a_degree, limits);
+    require_result_bits(greatest_bit_length(points.numbers().numerators()) + points.size() * bits_a_degree,
+                        limits);
 }
 
 }  // namespace
@@ -30,7 +31,8 @@ BezierCurve control_points(const BezierCurve& curve, const Interval& interval, c
     std::vector<Coordinates> points;
     points.reserve(n + 1);
     for (std::size_t k = 0; k <= n; ++k) {
-        points.push_back(blossom(with_copies(with_copies({}, n - k, Parameter(interval.a())), k, Parameter(interval.b()))));
+        points.push_back(blossom(
+            with_copies(with_copies({}, n - k, Parameter(interval.a())), k, Parameter(interval.b()))));
     }
     return BezierCurve(points, interval);
 }

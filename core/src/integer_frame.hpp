@@ -10,7 +10,8 @@
 
 namespace blossom {
 
-/// Arguments (u, v) as integer pairs: the value of a blossom at `pairs` is `denominator` times that at the arguments.
+/// Arguments (u, v) as integer pairs: the value of a blossom at `pairs` is `denominator` times that at the
+/// arguments.
 struct ClearedArguments {
     std::vector<HomogeneousPair<Integer>> pairs;
     Integer denominator = 1;
@@ -34,7 +35,8 @@ ClearedInterval cleared(const Interval& interval);
 /// numerators / denominator in lowest terms.
 Coordinates reduced(const Quotients<Integer>& value, const Integer& denominator);
 
-/// Rows of integers over one denominator as points, one row a coordinate; each is scaled to the common denominator.
+/// Rows of integers over one denominator as points, one row a coordinate; each is scaled to the common
+/// denominator.
 PointArray point_array(std::vector<Quotients<Integer>> rows, const Integer& denominator);
 
 }  // namespace blossom

@@ -35,7 +35,8 @@ Polynomial primitive(const Polynomial& polynomial) {
 
 Polynomial monic(const Polynomial& polynomial) {
     if (polynomial.is_zero()) return polynomial;
-    return Polynomial(RationalVector(polynomial.coefficients().numerators(), polynomial.coefficients().numerators().back()));
+    return Polynomial(RationalVector(polynomial.coefficients().numerators(),
+                                     polynomial.coefficients().numerators().back()));
 }
 
 }  // namespace
@@ -68,7 +69,8 @@ Polynomial operator*(const Polynomial& a, const Polynomial& b) {
     for (std::size_t i = 0; i < x.size(); ++i) {
         for (std::size_t j = 0; j < y.size(); ++j) products[i + j].add_product(x[i], y[j]);
     }
-    return Polynomial(RationalVector(std::move(products), a.coefficients_.denominator() * b.coefficients_.denominator()));
+    return Polynomial(
+        RationalVector(std::move(products), a.coefficients_.denominator() * b.coefficients_.denominator()));
 }
 
 Rational Polynomial::operator()(const Rational& t) const {
@@ -99,7 +101,8 @@ Polynomial derivative(const Polynomial& polynomial) {
 
 // Pseudo-division: every step multiplies by the leading coefficient of b instead of dividing by it.
 std::pair<Polynomial, Polynomial> divide(const Polynomial& a, const Polynomial& b) {
-    if (b.is_zero()) throw Error(ErrorCode::division_by_zero, "a polynomial cannot be divided by the zero polynomial");
+    if (b.is_zero())
+        throw Error(ErrorCode::division_by_zero, "a polynomial cannot be divided by the zero polynomial");
     const auto& divisor = b.coefficients().numerators();
     std::vector<Integer> remainder = a.coefficients().numerators();
     if (remainder.size() < divisor.size()) return {Polynomial(), a};
@@ -113,7 +116,8 @@ std::pair<Polynomial, Polynomial> divide(const Polynomial& a, const Polynomial& 
         remainder.pop_back();
         for (Integer& entry : remainder) entry *= leading;
         for (Integer& entry : quotient) entry *= leading;
-        for (std::size_t j = 0; j + 1 < divisor.size(); ++j) remainder[step + j].add_product(-top, divisor[j]);
+        for (std::size_t j = 0; j + 1 < divisor.size(); ++j)
+            remainder[step + j].add_product(-top, divisor[j]);
         quotient[step] = top;
         scale *= leading;
     }

@@ -12,7 +12,8 @@ namespace {
 void require_formal_degree(std::size_t actual, std::size_t formal) {
     if (actual <= formal) return;
     throw Error(ErrorCode::degree_too_low,
-                "the formal degree " + std::to_string(formal) + " is below the actual degree " + std::to_string(actual),
+                "the formal degree " + std::to_string(formal) + " is below the actual degree " +
+                    std::to_string(actual),
                 "/degree");
 }
 

@@ -41,7 +41,8 @@ public:
         require_terms(std::min(box(base, exponent, nullptr), multinomial_terms(base.size(), exponent)));
         if (base.size() > 2) {
             const std::size_t half = exponent / 2 + 1;
-            const std::size_t terms = std::min(box(base, half, nullptr), multinomial_terms(base.size(), half));
+            const std::size_t terms =
+                std::min(box(base, half, nullptr), multinomial_terms(base.size(), half));
             require_work(saturating_product(terms, terms));
         }
         return pow(base, exponent);
@@ -58,7 +59,8 @@ private:
     }
 
     /// How many monomials there are with the exponents of base^exponent * other at most.
-    static std::size_t box(const SparsePolynomial& base, std::size_t exponent, const SparsePolynomial* other) {
+    static std::size_t box(const SparsePolynomial& base, std::size_t exponent,
+                           const SparsePolynomial* other) {
         std::size_t size = 1;
         const std::size_t variables = std::max(base.variables(), other ? other->variables() : 0);
         for (std::size_t i = 0; i < variables; ++i) {
@@ -84,14 +86,16 @@ private:
 
     void require_degree(std::size_t degree, std::size_t exponent, std::size_t more) const {
         const std::size_t product = saturating_product(degree, exponent);
-        require_within(product == unbounded ? product : product + more, limits_.degree, "degree", "the degree");
+        require_within(product == unbounded ? product : product + more, limits_.degree, "degree",
+                       "the degree");
     }
     void require_bits(std::size_t bits) const {
         require_within(bits / 3, limits_.digits, "digits", "the decimal digits of a coefficient, up to");
     }
     void require_work(std::size_t work) {
         work_ = work == unbounded ? work : work_ + work;
-        require_within(work_, limits_.expansion_work, "expansion_work", "the number of term operations, up to");
+        require_within(work_, limits_.expansion_work, "expansion_work",
+                       "the number of term operations, up to");
     }
 
     const Limits& limits_;
@@ -101,7 +105,10 @@ private:
 class Reader {
 public:
     Reader(std::string_view text, std::span<const std::string> names, const Limits& limits)
-        : text_(text), names_(names.begin(), names.end()), free_names_(names.empty()), limits_(limits),
+        : text_(text),
+          names_(names.begin(), names.end()),
+          free_names_(names.empty()),
+          limits_(limits),
           budget_(limits) {}
 
     NamedPolynomial read() {
@@ -147,7 +154,10 @@ private:
         for (char sign = peek(); sign == '+' || sign == '-'; sign = peek()) {
             const std::size_t start = position_++;
             const bool minus = accept('-');
-            at(start, [&] { budget_.require_terms(terms.size() + 1); return 0; });
+            at(start, [&] {
+                budget_.require_terms(terms.size() + 1);
+                return 0;
+            });
             terms.push_back(signed_term((sign == '-') != minus));
         }
         return sum(terms);
@@ -206,9 +216,9 @@ private:
         return at(start, [&] {
             const auto value = parse_integer(digits, limits_).to_int64();
             if (!value || std::cmp_greater(*value, limits_.degree)) {
-                throw Error(ErrorCode::limit_exceeded, "the exponent " + std::string(digits.substr(0, 40)) +
-                                                           " exceeds the limit degree = " +
-                                                           std::to_string(limits_.degree));
+                throw Error(ErrorCode::limit_exceeded,
+                            "the exponent " + std::string(digits.substr(0, 40)) +
+                                " exceeds the limit degree = " + std::to_string(limits_.degree));
             }
             return static_cast<std::size_t>(*value);
         });
@@ -220,7 +230,8 @@ private:
         if (is_digit(next)) {
             const std::size_t length = unsigned_decimal_length(text_.substr(start));
             position_ += length;
-            return at(start, [&] { return SparsePolynomial(parse_rational(text_.substr(start, length), limits_)); });
+            return at(start,
+                      [&] { return SparsePolynomial(parse_rational(text_.substr(start, length), limits_)); });
         }
         if (starts_name(next)) return variable();
         if (next != '(') fail("a number, a variable or '('");
@@ -237,11 +248,13 @@ private:
 
     SparsePolynomial variable() {
         const std::size_t start = position_;
-        while (position_ < text_.size() && (starts_name(text_[position_]) || is_digit(text_[position_]))) ++position_;
+        while (position_ < text_.size() && (starts_name(text_[position_]) || is_digit(text_[position_])))
+            ++position_;
         const std::string name(text_.substr(start, position_ - start));
         auto place = std::ranges::find(names_, name);
         if (place == names_.end()) {
-            if (!free_names_) fail_at(start, ErrorCode::syntax, "unknown variable " + quoted(name) + known_names());
+            if (!free_names_)
+                fail_at(start, ErrorCode::syntax, "unknown variable " + quoted(name) + known_names());
             at(start, [&] {
                 require_within(names_.size() + 1, limits_.variables, "variables", "the number of variables");
                 return 0;
@@ -268,7 +281,8 @@ private:
 
 }  // namespace
 
-NamedPolynomial parse_polynomial(std::string_view text, std::span<const std::string> names, const Limits& limits) {
+NamedPolynomial parse_polynomial(std::string_view text, std::span<const std::string> names,
+                                 const Limits& limits) {
     return Reader(text, names, limits).read();
 }
 

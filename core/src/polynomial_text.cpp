@@ -7,7 +7,8 @@ namespace blossom {
 
 namespace {
 
-std::string monomial_text(const SparsePolynomial& polynomial, std::size_t term, std::span<const std::string> names) {
+std::string monomial_text(const SparsePolynomial& polynomial, std::size_t term,
+                          std::span<const std::string> names) {
     std::string text;
     for (std::size_t i = 0; i < std::min(polynomial.variables(), names.size()); ++i) {
         const std::size_t power = polynomial.exponent(term, i);

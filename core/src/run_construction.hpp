@@ -1,6 +1,7 @@
 #pragma once
 
-// One construction run on a map, over the integers or a symbolic ring: each takes the map from its own source.
+// One construction run on a map, over the integers or a symbolic ring: each takes the map from its own
+// source.
 
 #include <blossom/core/blossom.hpp>
 #include <blossom/core/change_of_basis.hpp>
@@ -23,7 +24,12 @@ std::vector<std::span<const R>> row_spans(const std::vector<std::vector<R>>& row
     return {rows.begin(), rows.end()};
 }
 
-/// The homogeneous polynomial F(u, v) = v^n P(u/v) of a map as something to evaluate: all that polarization may know.
+/// The homogeneous polynomial F(u, v) = v^n P(u/v) of a map as something to evaluate: all that polarization
+/// may know.
+///
+/// It is kept as sum_k c_k x^k y^(n-k), with (x, y) = (u, v) for monomial coefficients and (q u - a v, (b -
+/// a) v) for a control polygon over [a/q, b/q]. The sums of points have few masses, so that c_k y^(n-k) is
+/// kept for those met first.
 template <class R>
 class HomogeneousForm {
 public:
@@ -33,31 +39,66 @@ public:
             denominator_ = curve->coefficients().denominator();
         } else {
             const auto& bezier = std::get<BezierCurve>(map);
-            rows_ = rows_over<R>(bezier.control_points());
-            interval_ = cleared(bezier.interval());
-            denominator_ = bezier.control_points().denominator() * pow(interval_->b - interval_->a, bezier.degree());
+            for (const auto& row : rows_over<R>(bezier.control_points())) {
+                rows_.push_back(constructions::local_monomial_from_bernstein(std::span<const R>(row)));
+            }
+            const auto [a, b, q] = cleared(bezier.interval());
+            scale_ = q;
+            shift_ = a;
+            mass_scale_ = b - a;
+            denominator_ = bezier.control_points().denominator() * pow(mass_scale_, bezier.degree());
         }
     }
 
     /// F times the denominator, one entry a coordinate.
-    std::vector<R> operator()(const HomogeneousPair<R>& pair) const {
-        if (!interval_) return constructions::form_values<R>(row_spans(rows_), pair);
-        const auto& [a, b, q] = *interval_;
-        const R x = R(q) * pair.u - R(a) * pair.mass;
-        const R y = R(b) * pair.mass - R(q) * pair.u;
-        std::vector<R> values;
-        values.reserve(rows_.size());
-        for (const std::span<const R> row : row_spans(rows_)) {
-            values.push_back(constructions::bernstein_form_value(row, x, y));
-        }
-        return values;
+    std::vector<R> operator()(const HomogeneousPair<R>& pair) {
+        const R x = R(scale_) * pair.u - R(shift_) * pair.mass;
+        const auto evaluate = [&](const std::vector<std::vector<R>>& rows) {
+            std::vector<R> values;
+            values.reserve(rows.size());
+            for (const auto& row : rows) values.push_back(value_at(row, x));
+            return values;
+        };
+        const auto known = std::ranges::find(at_mass_, pair.mass, &AtMass::mass);
+        if (known != at_mass_.end()) return evaluate(known->rows);
+        if (at_mass_.size() == most_masses) return evaluate(rows_at(pair.mass));
+        at_mass_.push_back({pair.mass, rows_at(pair.mass)});
+        return evaluate(at_mass_.back().rows);
     }
     const Integer& denominator() const { return denominator_; }
 
 private:
+    struct AtMass {
+        R mass;
+        std::vector<std::vector<R>> rows;
+    };
+    static constexpr std::size_t most_masses = 64;
+
+    static R value_at(const std::vector<R>& row, const R& x) {
+        using constructions::polynomial_value;
+        return polynomial_value(std::span<const R>(row), x);
+    }
+
+    /// c_k y^(n-k)
+    std::vector<std::vector<R>> rows_at(const R& mass) const {
+        std::vector<std::vector<R>> rows = rows_;
+        const R y = R(mass_scale_) * mass;
+        for (auto& row : rows) {
+            R power = y;
+            for (std::size_t k = row.size() - 1; k-- > 0;) {
+                row[k] *= power;
+                power *= y;
+            }
+        }
+        return rows;
+    }
+
     std::vector<std::vector<R>> rows_;
-    std::optional<ClearedInterval> interval_;  ///< of a control polygon
+    Integer scale_ = 1;
+    Integer shift_;
+    Integer mass_scale_ = 1;
     Integer denominator_;
+    std::vector<AtMass> at_mass_;
 };
 
 /// The map in monomial coefficients.
@@ -85,7 +126,7 @@ Quotients<R> run_construction(const PolynomialMap& map, Construction constructio
             break;
         }
         case Construction::polarization: {
-            const HomogeneousForm<R> form(map);
+            HomogeneousForm<R> form(map);
             value = constructions::by_polarization<R>(form, pairs);
             value.denominator *= form.denominator();
             break;
@@ -109,7 +150,8 @@ inline std::size_t degree_of(const PolynomialMap& map) {
 /// Errors: `wrong_arity` unless there are as many arguments as the formal degree.
 void require_arity(const PolynomialMap& map, std::size_t arguments);
 
-/// The number of terms prod(m_i + 1) of polarization at these arguments, or `limit + 1` when it is greater than `limit`.
+/// The number of terms prod(m_i + 1) of polarization at these arguments, or `limit + 1` when it is greater
+/// than `limit`.
 std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std::size_t limit);
 
 /// The multiplicities of the distinct arguments.

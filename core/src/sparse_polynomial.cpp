@@ -13,8 +13,9 @@ constexpr std::uint64_t guards = 0x8000'8000'8000'8000;
 constexpr std::size_t greatest_exponent = 0x7fff;
 
 [[noreturn]] void exponent_too_large() {
-    throw Error(ErrorCode::limit_exceeded,
-                "an exponent exceeds the limit " + std::to_string(greatest_exponent) + " of a symbolic polynomial");
+    throw Error(
+        ErrorCode::limit_exceeded,
+        "an exponent exceeds the limit " + std::to_string(greatest_exponent) + " of a symbolic polynomial");
 }
 
 /// The sign of a - b in lexicographic order; the spans have the same length.
@@ -35,7 +36,9 @@ struct SparseArithmetic {
         std::vector<Integer> coefficients;
 
         std::size_t size() const { return coefficients.size(); }
-        std::span<const std::uint64_t> monomial(std::size_t i) const { return {monomials.data() + i * words, words}; }
+        std::span<const std::uint64_t> monomial(std::size_t i) const {
+            return {monomials.data() + i * words, words};
+        }
         void append(std::span<const std::uint64_t> monomial, Integer coefficient) {
             if (coefficient.is_zero()) return;
             for (const std::uint64_t word : monomial) monomials.push_back(word);
@@ -55,7 +58,8 @@ struct SparseArithmetic {
         }
         result.monomials.resize(words * result.size());
         for (std::size_t i = 0; i < result.size(); ++i) {
-            std::ranges::copy(polynomial.monomial(i), result.monomials.begin() + static_cast<std::ptrdiff_t>(i * words));
+            std::ranges::copy(polynomial.monomial(i),
+                              result.monomials.begin() + static_cast<std::ptrdiff_t>(i * words));
         }
         return result;
     }
@@ -98,7 +102,8 @@ struct SparseArithmetic {
     }
 
     /// a times one term: the order stays.
-    static Terms shifted(const Terms& a, std::span<const std::uint64_t> monomial, const Integer& coefficient) {
+    static Terms shifted(const Terms& a, std::span<const std::uint64_t> monomial,
+                         const Integer& coefficient) {
         Terms result = a;
         for (std::size_t i = 0; i < result.monomials.size(); ++i) {
             result.monomials[i] += monomial[i % a.words];
@@ -216,7 +221,8 @@ SparsePolynomial operator+(const SparsePolynomial& a, const SparsePolynomial& b)
 }
 
 SparsePolynomial operator-(const SparsePolynomial& a) {
-    return SparseArithmetic::polynomial(SparseArithmetic::terms(a, a.words_, -1), a.coefficients_.denominator());
+    return SparseArithmetic::polynomial(SparseArithmetic::terms(a, a.words_, -1),
+                                        a.coefficients_.denominator());
 }
 
 SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b) { return a + -b; }
@@ -226,8 +232,8 @@ SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b)
     if (a.size() < b.size()) return b * a;
     const std::size_t words = std::max(a.words_, b.words_);
     return SparseArithmetic::polynomial(
-        SparseArithmetic::product(SparseArithmetic::terms(a, words, 1), SparseArithmetic::terms(b, words, 1), 0,
-                                  b.size()),
+        SparseArithmetic::product(SparseArithmetic::terms(a, words, 1), SparseArithmetic::terms(b, words, 1),
+                                  0, b.size()),
         a.coefficients_.denominator() * b.coefficients_.denominator());
 }
 
@@ -254,6 +260,17 @@ SparsePolynomial sum(std::span<const SparsePolynomial> summands) {
     if (summands.size() == 1) return summands.front();
     const std::size_t half = summands.size() / 2;
     return sum(summands.first(half)) + sum(summands.subspan(half));
+}
+
+SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
+    std::vector<SparsePolynomial> terms;
+    terms.reserve(coefficients.size());
+    SparsePolynomial power = 1;
+    for (std::size_t k = 0; k < coefficients.size(); ++k) {
+        if (k > 0) power *= x;
+        terms.push_back(coefficients[k] * power);
+    }
+    return sum(terms);
 }
 
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent) {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -50,7 +51,8 @@ inline void to_words(const Number& value, std::span<std::uint64_t> words) {
 
 #else
 
-using Number = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+using Number =
+    boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 inline void add_product(Number& sum, const Number& a, const Number& b) { sum += a * b; }
 
@@ -81,10 +83,14 @@ struct IntegerAccess {
         return value.large_ ? value.large_->value : backend::Number(value.small_);
     }
 
-    /// Calls operation(n) with the backend number or the 64-bit value, whichever holds `value`.
+    /// Calls operation(n) with the backend number or the 64-bit value, whichever holds `value`. The least
+    /// 64-bit value comes as a backend number: Boost negates 64-bit operands.
     template <class Operation>
     static decltype(auto) visit(const Integer& value, Operation&& operation) {
-        return value.large_ ? operation(std::as_const(value.large_->value)) : operation(value.small_);
+        if (value.large_) return operation(std::as_const(value.large_->value));
+        if (value.small_ == std::numeric_limits<std::int64_t>::min())
+            return operation(backend::Number(value.small_));
+        return operation(value.small_);
     }
 
     /// The integer whose two's complement is `words`, least significant first, at least one.

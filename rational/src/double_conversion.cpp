@@ -75,7 +75,8 @@ std::string hexadecimal_float(const Rational& value) {
     const double number = nearest_double(value);
     std::array<char, 32> digits{};
     const auto end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(number), std::chars_format::hex).ptr;
+        std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(number), std::chars_format::hex)
+            .ptr;
     return (number < 0 ? "-0x" : "0x") + std::string(digits.data(), end);
 }
 

@@ -5,7 +5,10 @@
 namespace blossom::fixed_width {
 
 LimbRow::LimbRow(std::size_t size, std::size_t start_bits, std::size_t final_bits)
-    : stride_(words_for(final_bits)), width_(words_for(start_bits)), bound_(start_bits), words_(size * stride_) {}
+    : stride_(words_for(final_bits)),
+      width_(words_for(start_bits)),
+      bound_(start_bits),
+      words_(size * stride_) {}
 
 void LimbRow::set(std::size_t k, const Integer& value) {
     IntegerAccess::to_twos_complement(value, {entry(k), width_});
@@ -22,10 +25,12 @@ void LimbRow::set_weights(std::int64_t own, std::int64_t neighbours) {
     own_ = magnitude(own);
     neighbours_ = magnitude(neighbours);
     bound_.multiply(Wide{own_} + neighbours_);
-    widen(words_for(bound_.bits()));
+    widen();
 }
 
-void LimbRow::widen(std::size_t width) {
+void LimbRow::widen() {
+    // The bound may charge more than `final_bits`, depending on how factors were grouped; both are bounds.
+    const std::size_t width = std::min(words_for(bound_.bits()), stride_);
     if (width <= width_) return;
     for (std::uint64_t* x = words_.data(); x != words_.data() + words_.size(); x += stride_) {
         const std::uint64_t sign = static_cast<std::int64_t>(x[width_ - 1]) < 0 ? ~std::uint64_t{0} : 0;
@@ -34,32 +39,53 @@ void LimbRow::widen(std::size_t width) {
     width_ = width;
 }
 
-void LimbRow::combine(std::size_t k, std::size_t neighbour) {
+void LimbRow::combine(std::size_t k, std::size_t neighbour) { combine(k, neighbour, neighbours_); }
+
+// Both weights are below 2^63, so that a product of each with a word, and a carry, fit in 128 bits with a
+// sign.
+void LimbRow::combine(std::size_t k, std::size_t neighbour, std::uint64_t neighbours) {
+    std::uint64_t* x = entry(k);
+    const std::uint64_t* y = entry(neighbour);
+    const auto run = [&](auto add) {
+        decltype(add(Wide{}, Wide{}, 0)) carry = 0;
+        for (std::size_t i = 0; i < width_; ++i) {
+            carry = add(Wide{x[i]} * own_, Wide{y[i]} * neighbours, carry);
+            x[i] = static_cast<std::uint64_t>(carry);
+            carry >>= 64;
+        }
+    };
     if (subtract_) {
-        combine_words<true>(entry(k), entry(neighbour), own_, neighbours_);
+        run([](Wide own, Wide other, SignedWide carry) -> SignedWide {
+            return static_cast<SignedWide>(own) - static_cast<SignedWide>(other) + carry;
+        });
     } else {
-        combine_words<false>(entry(k), entry(neighbour), own_, neighbours_);
+        run([](Wide own, Wide other, Wide carry) -> Wide { return own + other + carry; });
     }
 }
 
-void LimbRow::scale(std::size_t k) { combine_words<false>(entry(k), entry(k), own_, 0); }
+// Each coefficient enters as the word that is congruent to it modulo 2^64; a negative one is then 2^64 too
+// large, which `excess` takes back one word further up.
+void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree) {
+    Wide sum = 0;
+    for (const std::int64_t coefficient : factor) sum += magnitude(coefficient);
+    bound_.multiply(sum);
+    widen();
 
-template <bool subtract>
-void LimbRow::combine_words(std::uint64_t* x, const std::uint64_t* y, std::uint64_t own,
-                            std::uint64_t neighbours) const {
-    std::uint64_t own_carry = 0;
-    std::uint64_t neighbour_carry = 0;
-    SignedWide carry = 0;
-    for (std::size_t i = 0; i < width_; ++i) {
-        const Wide from_own = Wide{x[i]} * own + own_carry;
-        const Wide from_neighbour = Wide{y[i]} * neighbours + neighbour_carry;
-        own_carry = static_cast<std::uint64_t>(from_own >> 64);
-        neighbour_carry = static_cast<std::uint64_t>(from_neighbour >> 64);
-        const SignedWide low = static_cast<std::uint64_t>(from_own);
-        const SignedWide other = static_cast<std::uint64_t>(from_neighbour);
-        carry += subtract ? low - other : low + other;
-        x[i] = static_cast<std::uint64_t>(carry);
-        carry >>= 64;
+    for (std::size_t k = degree + factor.size(); k-- > 0;) {
+        const std::size_t first = k > degree ? k - degree : 0;
+        const std::size_t last = std::min(k + 1, factor.size());
+        SignedWide carry = 0;
+        for (std::size_t i = 0; i < width_; ++i) {
+            Wide total = static_cast<Wide>(carry);
+            std::uint64_t excess = 0;
+            const std::uint64_t* word = entry(k - first) + i;
+            for (std::size_t j = first; j < last; ++j, word -= stride_) {
+                total += Wide{*word} * static_cast<std::uint64_t>(factor[j]);
+                excess += factor[j] < 0 ? *word : 0;
+            }
+            entry(k)[i] = static_cast<std::uint64_t>(total);
+            carry = static_cast<SignedWide>(total - (Wide{excess} << 64)) >> 64;
+        }
     }
 }
 

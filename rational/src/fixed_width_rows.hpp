@@ -1,6 +1,7 @@
 #pragma once
 
-// Rows of integers in two's complement of a width that is known to suffice, so that no step allocates or can overflow.
+// Rows of integers in two's complement of a width that is known to suffice, so that no step allocates or can
+// overflow.
 
 #include <blossom/rational/integer.hpp>
 
@@ -22,8 +23,8 @@ inline std::uint64_t magnitude(std::int64_t value) {
     return value < 0 ? 0 - bits : bits;
 }
 
-/// A bound on the bits of a product of positive numbers, in integers throughout: factors are multiplied exactly as
-/// long as they fit in a word, and each full word is charged its bit width.
+/// A bound on the bits of a product of positive numbers, in integers throughout: factors are multiplied
+/// exactly as long as they fit in a word, and each full word is charged its bit width.
 class BitBound {
 public:
     explicit BitBound(std::size_t bits = 0) : full_(bits) {}
@@ -101,12 +102,17 @@ private:
 /// Entries of many words each. The width in use grows with the bound, level by level.
 class LimbRow {
 public:
-    /// `start_bits` bounds the bits of the entries set before the first level, `final_bits` those after the last.
+    /// `start_bits` bounds the bits of the entries set before the first level, `final_bits` those after the
+    /// last.
     LimbRow(std::size_t size, std::size_t start_bits, std::size_t final_bits);
 
     void set_weights(std::int64_t own, std::int64_t neighbours);
     void combine(std::size_t k, std::size_t neighbour);
-    void scale(std::size_t k);
+    void scale(std::size_t k) { combine(k, k, 0); }
+
+    /// Multiplies the polynomial in entries 0..degree by `factor`; the magnitudes in `factor` sum to less
+    /// than 2^63.
+    void multiply(std::span<const std::int64_t> factor, std::size_t degree);
 
     void set(std::size_t k, const Integer& value);
     Integer integer(std::size_t k) const;
@@ -114,17 +120,14 @@ public:
 private:
     static std::size_t words_for(std::size_t bits) { return bits / 64 + 1; }
     std::uint64_t* entry(std::size_t k) { return words_.data() + k * stride_; }
-    void widen(std::size_t width);
-
-    /// x = own * x + neighbours * y, or x = own * x - neighbours * y.
-    template <bool subtract>
-    void combine_words(std::uint64_t* x, const std::uint64_t* y, std::uint64_t own, std::uint64_t neighbours) const;
+    void combine(std::size_t k, std::size_t neighbour, std::uint64_t neighbours);
+    void widen();
 
     std::size_t stride_;
     std::size_t width_;
     BitBound bound_;
     std::vector<std::uint64_t> words_;
-    std::uint64_t own_ = 0;         ///< the weights' magnitudes, after the level's sign went to `negated_`
+    std::uint64_t own_ = 0;  ///< the weights' magnitudes, after the level's sign went to `negated_`
     std::uint64_t neighbours_ = 0;
     bool subtract_ = false;
     bool negated_ = false;  ///< whether every entry stands for its negative

@@ -34,7 +34,8 @@ Integer::Large& Integer::promote() {
 
 Integer& Integer::settle() {
     const Number& value = large_->value;
-    if (value >= std::numeric_limits<std::int64_t>::min() && value <= std::numeric_limits<std::int64_t>::max()) {
+    if (value >= std::numeric_limits<std::int64_t>::min() &&
+        value <= std::numeric_limits<std::int64_t>::max()) {
         small_ = static_cast<std::int64_t>(value);
         release();
     }
@@ -101,9 +102,8 @@ Integer& Integer::multiply_large(const Integer& other) {
 
 Integer Integer::product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
-    return IntegerAccess::visit(b, [&](const auto& factor) {
-        return IntegerAccess::from_number(Number(a.large_->value * factor));
-    });
+    return IntegerAccess::visit(
+        b, [&](const auto& factor) { return IntegerAccess::from_number(Number(a.large_->value * factor)); });
 }
 
 Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
@@ -224,7 +224,8 @@ Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words
     const bool negative = static_cast<std::int64_t>(words.back()) < 0;
     std::size_t used = words.size();
     const std::uint64_t filler = negative ? ~std::uint64_t{0} : 0;
-    while (used > 1 && words[used - 1] == filler && (static_cast<std::int64_t>(words[used - 2]) < 0) == negative) {
+    while (used > 1 && words[used - 1] == filler &&
+           (static_cast<std::int64_t>(words[used - 2]) < 0) == negative) {
         --used;
     }
     if (used == 1) return static_cast<std::int64_t>(words[0]);

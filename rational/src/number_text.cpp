@@ -17,8 +17,9 @@ std::size_t digits_length(std::string_view text) {
 }
 
 [[noreturn]] void fail(std::string_view text) {
-    throw Error(ErrorCode::not_a_number,
-                quoted(text) + R"( is not an exact number; write it as "p", "p/q" or a decimal such as "-0.125")");
+    throw Error(
+        ErrorCode::not_a_number,
+        quoted(text) + R"( is not an exact number; write it as "p", "p/q" or a decimal such as "-0.125")");
 }
 
 /// `digits` holds decimal digits only.
@@ -40,8 +41,9 @@ std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) 
     std::size_t value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (problem != std::errc{} || value > limits.digits) {
-        throw Error(ErrorCode::limit_exceeded, "the decimal exponent " + std::string(digits.substr(0, 40)) +
-                                                   " exceeds the limit digits = " + std::to_string(limits.digits));
+        throw Error(ErrorCode::limit_exceeded,
+                    "the decimal exponent " + std::string(digits.substr(0, 40)) +
+                        " exceeds the limit digits = " + std::to_string(limits.digits));
     }
     return value;
 }

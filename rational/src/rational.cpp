@@ -21,7 +21,8 @@ Rational::Rational(Integer numerator, Integer denominator)
     denominator_ = divide_exactly(denominator_, common);
 }
 
-// a/b + c/d with g = gcd(b, d): the sum (a (d/g) + c (b/g)) / (b (d/g)) can only share factors of g (Knuth, 4.5.1).
+// a/b + c/d with g = gcd(b, d): the sum (a (d/g) + c (b/g)) / (b (d/g)) can only share factors of g
+// (Knuth, 4.5.1).
 Rational& Rational::add(const Rational& other, bool subtract) {
     const Integer common = gcd(denominator_, other.denominator_);
     const Integer cofactor = divide_exactly(other.denominator_, common);
@@ -49,7 +50,8 @@ Rational& Rational::operator*=(const Rational& other) {
 }
 
 Rational& Rational::operator/=(const Rational& other) {
-    if (other.is_zero()) throw Error(ErrorCode::division_by_zero, to_string(*this) + " cannot be divided by 0");
+    if (other.is_zero())
+        throw Error(ErrorCode::division_by_zero, to_string(*this) + " cannot be divided by 0");
     Rational inverse(other.denominator_, other.numerator_, Reduced{});
     if (inverse.denominator_.sign() < 0) {
         inverse.numerator_.negate();

@@ -17,7 +17,8 @@ RationalVector::RationalVector(std::span<const Rational> values) {
 
 RationalVector::RationalVector(std::vector<Integer> numerators, Integer denominator)
     : numerators_(std::move(numerators)), denominator_(std::move(denominator)) {
-    if (denominator_.is_zero()) throw Error(ErrorCode::zero_denominator, "a common denominator must not be 0");
+    if (denominator_.is_zero())
+        throw Error(ErrorCode::zero_denominator, "a common denominator must not be 0");
     if (denominator_.sign() > 0) return;
     denominator_.negate();
     for (Integer& numerator : numerators_) numerator.negate();

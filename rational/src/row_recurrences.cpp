@@ -1,6 +1,7 @@
 #include <blossom/rational/rational_vector.hpp>
 #include <blossom/rational/row_recurrences.hpp>
 
+#include <limits>
 #include <optional>
 
 #include "fixed_width_rows.hpp"
@@ -22,17 +23,19 @@ struct WordWeights {
 
     std::size_t final_bits(std::size_t start_bits) const {
         BitBound bound(start_bits);
-        for (std::size_t i = 0; i < own.size(); ++i) bound.multiply(Wide{magnitude(own[i])} + magnitude(neighbours[i]));
+        for (std::size_t i = 0; i < own.size(); ++i)
+            bound.multiply(Wide{magnitude(own[i])} + magnitude(neighbours[i]));
         return bound.bits();
     }
 };
 
+/// The values as words whose magnitudes are below 2^63, if they are.
 std::optional<std::vector<std::int64_t>> as_words(std::span<const Integer> values) {
     std::vector<std::int64_t> words;
     words.reserve(values.size());
     for (const Integer& value : values) {
         const auto word = value.to_int64();
-        if (!word) return std::nullopt;
+        if (!word || *word == std::numeric_limits<std::int64_t>::min()) return std::nullopt;
         words.push_back(*word);
     }
     return words;
@@ -46,6 +49,40 @@ std::optional<WordWeights> word_weights(std::span<const Integer> own, std::span<
     return WordWeights{std::move(*first), std::move(*second)};
 }
 
+/// Multiplies by one factor after the other, on a row that is wide enough.
+template <class Row>
+void multiply_factors(Row& row, const WordWeights& weights) {
+    row_recurrences::multiply_linear_factors(row, std::span(weights.own), std::span(weights.neighbours));
+}
+
+/// The same in as few passes as words allow: as many factors as have a product with coefficients of one word
+/// are multiplied together first.
+void multiply_factors(LimbRow& row, const WordWeights& weights) {
+    constexpr Wide limit = Wide{1} << 63;
+    const std::size_t n = weights.own.size();
+    for (std::size_t i = 0; i < n;) {
+        const std::size_t degree = i;
+        std::vector<std::int64_t> block{1};
+        for (Wide sum = 1; i < n; ++i) {
+            sum *= Wide{magnitude(weights.own[i])} + magnitude(weights.neighbours[i]);
+            if (sum >= limit) break;
+            block.push_back(0);
+            for (std::size_t k = block.size() - 1; k > 0; --k) {
+                block[k] = weights.own[i] * block[k] + weights.neighbours[i] * block[k - 1];
+            }
+            block[0] *= weights.own[i];
+        }
+        if (i > degree) {
+            row.multiply(block, degree);
+        } else {
+            row.set_weights(weights.own[i], weights.neighbours[i]);
+            ++i;
+            for (std::size_t k = i; k > 0; --k) row.combine(k, k - 1);
+            row.scale(0);
+        }
+    }
+}
+
 /// Calls run(row) with the narrowest row of `size` entries that holds `final_bits` and a sign.
 template <class Run>
 auto with_row(std::size_t size, std::size_t start_bits, std::size_t final_bits, Run run) {
@@ -56,14 +93,15 @@ auto with_row(std::size_t size, std::size_t start_bits, std::size_t final_bits, 
 
 }  // namespace
 
-std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants, std::span<const Integer> slopes) {
+std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants,
+                                               std::span<const Integer> slopes) {
     const auto weights = word_weights(constants, slopes);
     if (!weights) return product_of_linear_factors<Integer>(constants, slopes);
 
     const std::size_t size = constants.size() + 1;
     return with_row(size, 1, weights->final_bits(1), [&](auto row) {
         row.set(0, 1);
-        row_recurrences::multiply_linear_factors(row, std::span(weights->own), std::span(weights->neighbours));
+        multiply_factors(row, *weights);
         std::vector<Integer> coefficients;
         coefficients.reserve(size);
         for (std::size_t k = 0; k < size; ++k) coefficients.push_back(row.integer(k));
@@ -71,7 +109,8 @@ std::vector<Integer> product_of_linear_factors(std::span<const Integer> constant
     });
 }
 
-Integer fold_triangle(std::vector<Integer> entries, std::span<const Integer> left, std::span<const Integer> right) {
+Integer fold_triangle(std::vector<Integer> entries, std::span<const Integer> left,
+                      std::span<const Integer> right) {
     const auto weights = word_weights(left, right);
     if (!weights) return fold_triangle<Integer>(std::move(entries), left, right);
 

@@ -22,7 +22,8 @@ template <class Value>
 struct Agreement {
     std::vector<ConstructionResult<Value>> results;
 
-    /// Whether at least two constructions were run and all that were gave the same. What was skipped agrees with nothing.
+    /// Whether at least two constructions were run and all that were gave the same. What was skipped agrees
+    /// with nothing.
     bool agree() const {
         const Value* first = nullptr;
         std::size_t run = 0;
@@ -44,9 +45,9 @@ Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argum
 /// The three constructions run on the symbolic points u_1..u_n (variables 0..n-1), one expanded polynomial a
 /// coordinate. When they agree, they agree for all arguments.
 ///
-/// Cost: 2^n terms; polarization sum_N C(n, N) C(n + N, N) term operations, and it is skipped beyond its limit.
-/// Errors: `limit_exceeded` when 2^n exceeds `expansion_terms`.
-/// Statements: goldman-thm5, fj-cor1, derose-fig6.
+/// Cost: 2^n terms; polarization sum_N C(n, N) C(n + N, N) term operations, and it is skipped beyond its
+/// limit. Errors: `limit_exceeded` when 2^n exceeds `expansion_terms`. Statements: goldman-thm5, fj-cor1,
+/// derose-fig6.
 Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map,
                                                                      const Limits& limits = {});
 

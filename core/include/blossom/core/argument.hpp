@@ -35,11 +35,12 @@ struct Parameter {
 /// delta = (1, 0), the unit vector whose presence in a blossom differentiates (Goldman, section 4.2).
 inline const Direction delta{1};
 
-/// An argument of a homogeneous blossom: Goldman's pair (u, v), where the mass v is 1 for a point and 0 for a vector.
-/// Source: Goldman, section 4.1. Statements: goldman-haxioms, goldman-hblossom-dehom.
+/// An argument of a homogeneous blossom: Goldman's pair (u, v), where the mass v is 1 for a point and 0 for a
+/// vector. Source: Goldman, section 4.1. Statements: goldman-haxioms, goldman-hblossom-dehom.
 struct Argument {
-    Argument(Parameter point) : u(std::move(point.value)), mass(1) {}          // NOLINT(google-explicit-constructor)
-    Argument(Direction direction) : u(std::move(direction.value)), mass(0) {}  // NOLINT(google-explicit-constructor)
+    Argument(Parameter point) : u(std::move(point.value)), mass(1) {}  // NOLINT(google-explicit-constructor)
+    Argument(Direction direction)
+        : u(std::move(direction.value)), mass(0) {}  // NOLINT(google-explicit-constructor)
     Argument(Rational first, Rational second) : u(std::move(first)), mass(std::move(second)) {}
 
     Rational u;

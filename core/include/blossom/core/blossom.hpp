@@ -21,25 +21,28 @@ enum class Construction { symmetric, polarization, casteljau };
 /// The protocol's word for a construction, for instance "casteljau".
 std::string_view construction_name(Construction construction);
 
-/// The homogeneous blossom (polar form) of a polynomial map of formal degree n: the symmetric map of n arguments,
-/// linear in each pair (u, v), with p((t,1), ..., (t,1)) = P(t). Points have mass 1, vectors mass 0.
+/// The homogeneous blossom (polar form) of a polynomial map of formal degree n: the symmetric map of n
+/// arguments, linear in each pair (u, v), with p((t,1), ..., (t,1)) = P(t). Points have mass 1, vectors mass
+/// 0.
 ///
-/// Prepared once, asked many times. Values of points are points; each vector among the arguments lowers the mass of
-/// the value, and a value of mass 0 is a vector (a derivative).
-/// Source: Goldman, section 4.1; Ramshaw's multiplicative view. Statements: goldman-haxioms, goldman-thm6.
+/// Prepared once, asked many times. Values of points are points; each vector among the arguments lowers the
+/// mass of the value, and a value of mass 0 is a vector (a derivative). Source: Goldman, section 4.1;
+/// Ramshaw's multiplicative view. Statements: goldman-haxioms, goldman-thm6.
 class Blossom {
 public:
     explicit Blossom(PolynomialMap map, Limits limits = {});
-    explicit Blossom(PolynomialCurve curve, Limits limits = {}) : Blossom(PolynomialMap(std::move(curve)), limits) {}
-    explicit Blossom(BezierCurve curve, Limits limits = {}) : Blossom(PolynomialMap(std::move(curve)), limits) {}
+    explicit Blossom(PolynomialCurve curve, Limits limits = {})
+        : Blossom(PolynomialMap(std::move(curve)), limits) {}
+    explicit Blossom(BezierCurve curve, Limits limits = {})
+        : Blossom(PolynomialMap(std::move(curve)), limits) {}
 
     std::size_t degree() const;
     std::size_t dimension() const;
 
-    /// p(arguments) by the construction that suits the representation: elementary symmetric functions for monomial
-    /// coefficients, de Casteljau for a control polygon.
+    /// p(arguments) by the formula that suits the representation: elementary symmetric functions for monomial
+    /// coefficients, the Bernstein sum of DeRose, section 4.2, for a control polygon.
     ///
-    /// Cost: n^2 / 2 multiply-adds (a coordinate, for de Casteljau) on integers, and one reduction a coordinate.
+    /// Cost: n^2 / 2 multiply-adds on integers, then n and one reduction a coordinate.
     /// Errors: `wrong_arity` unless there are n arguments; `limit_exceeded`.
     Coordinates operator()(std::span<const Argument> arguments) const;
     Coordinates operator()(std::initializer_list<Argument> arguments) const {
@@ -52,21 +55,23 @@ private:
     PointArray prepared_;  ///< normalised coefficients c_k / C(n, k), or the control points
 };
 
-/// p(arguments) by one named construction, each from its own source: symmetric functions from monomial coefficients,
-/// polarization from values of the map alone, de Casteljau from control points (over [0, 1] for a `PolynomialCurve`).
+/// p(arguments) by one named construction, each from its own source: symmetric functions from monomial
+/// coefficients, polarization from values of the map alone, de Casteljau from control points (over [0, 1] for
+/// a `PolynomialCurve`).
 ///
-/// Cost: see `constructions`; a change of basis, O(n^2), where the representation is not the construction's own.
-/// Errors: `wrong_arity`; `limit_exceeded`, for polarization when prod(m_i + 1) exceeds `polarization_terms`.
-Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments, Construction construction,
-                          const Limits& limits = {});
+/// Cost: see `constructions`; a change of basis, O(n^2), where the representation is not the construction's
+/// own. Errors: `wrong_arity`; `limit_exceeded`, for polarization when prod(m_i + 1) exceeds
+/// `polarization_terms`.
+Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
+                          Construction construction, const Limits& limits = {});
 
 /// The polarization inverse formula for anything that can be evaluated:
 /// b[t_1..t_n] = (1/n!) sum_N (-1)^(n-N) N^n sum b(mean of N of the t_i), and the constant b(0) for n = 0.
 ///
-/// It is the blossom when `map` is a polynomial of degree at most n, otherwise an approximation that interpolates
-/// the diagonal and is not multiaffine.
-/// Cost: prod(m_i + 1) - 1 calls of `map`, m_i the multiplicities. Errors: `limit_exceeded`.
-/// Source: Fernandez-Jambrina, equation (20). Statements: fj-cor1, fj-cost, fj-reduction-not-multiaffine.
+/// It is the blossom when `map` is a polynomial of degree at most n, otherwise an approximation that
+/// interpolates the diagonal and is not multiaffine. Cost: prod(m_i + 1) - 1 calls of `map`, m_i the
+/// multiplicities. Errors: `limit_exceeded`. Source: Fernandez-Jambrina, equation (20). Statements: fj-cor1,
+/// fj-cost, fj-reduction-not-multiaffine.
 Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)>& map,
                                 std::span<const Parameter> arguments, const Limits& limits = {});
 

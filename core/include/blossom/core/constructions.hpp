@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-/// The three constructions of a blossom, each written once for any commutative ring R that contains the integers: the
-/// same code runs on integers (values) and on symbolic polynomials (proofs for all arguments). None of them divides:
-/// a result is numerators in R over one integer.
+/// The three constructions of a blossom, each written once for any commutative ring R that contains the
+/// integers: the same code runs on integers (values) and on symbolic polynomials (proofs for all arguments).
+/// None of them divides: a result is numerators in R over one integer.
 
 namespace blossom {
 
@@ -64,8 +64,8 @@ std::vector<R> sums_of_products(Rows<R> rows, std::span<const R> factors) {
     return sums;
 }
 
-/// sum_k a_k e_k for one row a of normalised coefficients a coordinate, where e_k are the elementary symmetric
-/// functions of the arguments: the coefficients of prod (mass_i + u_i X).
+/// sum_k a_k e_k for one row a of normalised coefficients a coordinate, where e_k are the elementary
+/// symmetric functions of the arguments: the coefficients of prod (mass_i + u_i X).
 template <class R>
 std::vector<R> symmetric_function_sums(Rows<R> normalised, std::span<const HomogeneousPair<R>> arguments) {
     std::vector<R> masses;
@@ -98,7 +98,8 @@ Quotients<R> by_symmetric_functions(Rows<R> coefficients, std::span<const Homoge
 
 /// Equal arguments as one with its multiplicity.
 template <class R>
-std::vector<std::pair<HomogeneousPair<R>, std::size_t>> grouped(std::span<const HomogeneousPair<R>> arguments) {
+std::vector<std::pair<HomogeneousPair<R>, std::size_t>> grouped(
+    std::span<const HomogeneousPair<R>> arguments) {
     std::vector<std::pair<HomogeneousPair<R>, std::size_t>> groups;
     for (const auto& argument : arguments) {
         const auto same = std::ranges::find(groups, argument, [](const auto& group) { return group.first; });
@@ -111,8 +112,9 @@ std::vector<std::pair<HomogeneousPair<R>, std::size_t>> grouped(std::span<const 
     return groups;
 }
 
-/// The sum over all sub-multisets S of `groups` of (-1)^(n-|S|) * prod C(m_i, j_i) * term(sum of S, |S|), by halves:
-/// the partial sums stay of one size, and those of a symbolic ring cancel early. A term without entries is zero.
+/// The sum over all sub-multisets S of `groups` of (-1)^(n-|S|) * prod C(m_i, j_i) * term(sum of S, |S|), by
+/// halves: the partial sums stay of one size, and those of a symbolic ring cancel early. A term without
+/// entries is zero.
 template <class R, class Term>
 std::vector<R> alternating_sum(std::span<const std::pair<HomogeneousPair<R>, std::size_t>> groups,
                                const HomogeneousPair<R>& partial, std::size_t size, const Term& term) {
@@ -134,53 +136,90 @@ std::vector<R> alternating_sum(std::span<const std::pair<HomogeneousPair<R>, std
 }
 
 /// The blossom by the polarization inverse formula, which uses the polynomial only as something to evaluate:
-/// (1/n!) sum over subsets S of (-1)^(n-|S|) F(sum of S), where F(u, v) = v^n P(u/v) is the homogeneous polynomial.
-/// For points this is the affine form (1/n!) sum_N (-1)^(n-N) N^n sum P(mean of N arguments).
+/// (1/n!) sum over subsets S of (-1)^(n-|S|) F(sum of S), where F(u, v) = v^n P(u/v) is the homogeneous
+/// polynomial. For points this is the affine form (1/n!) sum_N (-1)^(n-N) N^n sum P(mean of N arguments).
 ///
 /// `form(pair)` gives F, one entry a coordinate. The empty subset counts only for n = 0, where F is constant.
 /// Cost: prod(m_i + 1) evaluations, m_i the multiplicities of the arguments; 2^n for distinct ones.
-/// Source: Fernandez-Jambrina, theorem 1 and corollary 1, equations (18) and (20). Statements: fj-thm1, fj-cor1.
+/// Source: Fernandez-Jambrina, theorem 1 and corollary 1, equations (18) and (20). Statements: fj-thm1,
+/// fj-cor1.
 template <class R, class Form>
-Quotients<R> by_polarization(const Form& form, std::span<const HomogeneousPair<R>> arguments) {
+Quotients<R> by_polarization(Form&& form, std::span<const HomogeneousPair<R>> arguments) {
     const auto groups = grouped(arguments);
     const auto term = [&](const HomogeneousPair<R>& sum, std::size_t) { return form(sum); };
     return {alternating_sum<R>(groups, HomogeneousPair<R>{R(0), R(0)}, 0, term), factorial(arguments.size())};
 }
 
+/// The weights of de Casteljau's algorithm: on the level of (u, v) neighbours are combined with
+/// left / (b - a) and right / (b - a), left = b v - q u and right = q u - a v, over the interval [a/q, b/q].
+template <class R>
+struct LevelWeights {
+    std::vector<R> left;
+    std::vector<R> right;
+
+    LevelWeights(const Integer& a, const Integer& b, const Integer& q,
+                 std::span<const HomogeneousPair<R>> arguments) {
+        for (const auto& [u, mass] : arguments) {
+            left.push_back(R(b) * mass - R(q) * u);
+            right.push_back(R(q) * u - R(a) * mass);
+        }
+    }
+};
+
 /// The blossom by de Casteljau's algorithm with one argument a level, from control points over [a/q, b/q].
 ///
-/// On the level of (u, v) neighbours are combined with the weights (b v - q u) / (b - a) and (q u - a v) / (b - a).
 /// Cost: n^2 / 2 multiply-adds a coordinate.
 /// Source: DeRose, figure 6; Goldman, figures 3 and 7. Statements: derose-fig6, goldman-fig3, goldman-fig7.
 template <class R>
 Quotients<R> by_casteljau(Rows<R> control_points, const Integer& a, const Integer& b, const Integer& q,
                           std::span<const HomogeneousPair<R>> arguments) {
-    std::vector<R> left;
-    std::vector<R> right;
-    for (const auto& [u, mass] : arguments) {
-        left.push_back(R(b) * mass - R(q) * u);
-        right.push_back(R(q) * u - R(a) * mass);
-    }
+    const LevelWeights<R> weights(a, b, q, arguments);
     Quotients<R> result{{}, pow(b - a, arguments.size())};
     for (const auto row : control_points) {
-        result.numerators.push_back(fold_triangle(std::vector<R>(row.begin(), row.end()), std::span<const R>(left),
-                                                  std::span<const R>(right)));
+        result.numerators.push_back(fold_triangle(std::vector<R>(row.begin(), row.end()),
+                                                  std::span<const R>(weights.left),
+                                                  std::span<const R>(weights.right)));
     }
     return result;
 }
 
-/// F(u, v) = sum_k c_k u^k v^(n-k) for one row of n + 1 coefficients a coordinate, the powers shared by all.
+/// The same value as sum_k P_k sum_{|S| = k} prod_{i in S} right_i prod_{i not in S} left_i / (b - a)^n: the
+/// apex of the triangle written out, whose inner sums are the coefficients of prod (left_i + right_i X) and
+/// serve all coordinates.
+///
+/// Cost: n^2 / 2 multiply-adds, and n a coordinate.
+/// Source: DeRose, section 4.2. Statement: derose-42-bezier-blossom.
 template <class R>
-std::vector<R> form_values(Rows<R> coefficients, const HomogeneousPair<R>& pair) {
-    const std::size_t size = coefficients.front().size();
-    std::vector<R> monomials(size, R(1));
-    for (std::size_t k = 1; k < size; ++k) monomials[k] = monomials[k - 1] * pair.u;
-    R power = R(1);
-    for (std::size_t k = size - 1; k-- > 0;) {
-        power = power * pair.mass;
-        monomials[k] = monomials[k] * power;
+Quotients<R> bernstein_sums(Rows<R> control_points, const Integer& a, const Integer& b, const Integer& q,
+                            std::span<const HomogeneousPair<R>> arguments) {
+    const LevelWeights<R> weights(a, b, q, arguments);
+    return {sums_of_products<R>(control_points, product_of_linear_factors(std::span<const R>(weights.left),
+                                                                          std::span<const R>(weights.right))),
+            pow(b - a, arguments.size())};
+}
+
+/// sum_k c_k x^k by Horner's rule.
+template <class R>
+R polynomial_value(std::span<const R> coefficients, const R& x) {
+    R value = coefficients.back();
+    for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
+        value *= x;
+        value += coefficients[k];
     }
-    return sums_of_products<R>(coefficients, monomials);
+    return value;
+}
+
+/// sum_k c_k x^k y^(n-k) by Horner's rule.
+template <class R>
+R form_value(std::span<const R> coefficients, const R& x, const R& y) {
+    R value = coefficients.back();
+    R power = y;
+    for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
+        value *= x;
+        value += coefficients[k] * power;
+        power *= y;
+    }
+    return value;
 }
 
 }  // namespace constructions

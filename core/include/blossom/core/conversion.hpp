@@ -8,19 +8,21 @@ namespace blossom {
 
 /// The control polygon of `curve` over [a, b]: P_k = p(a^(n-k), b^k), the dual functional property.
 ///
-/// The interval may be reversed. Cost: O(n^2) multiply-adds on integers of O(n h) bits, h the bits of a, b and the
-/// coefficients. Errors: `limit_exceeded`.
-/// Source: Goldman, theorem 4, by the triangle of figure 11(b). Statements: goldman-thm4, goldman-dual-functional.
+/// The interval may be reversed. Cost: O(n^2) multiply-adds on integers of O(n h) bits, h the bits of a, b
+/// and the coefficients. Errors: `limit_exceeded`. Source: Goldman, theorem 4, by the triangle of figure
+/// 11(b). Statements: goldman-thm4, goldman-dual-functional.
 BezierCurve control_points(const PolynomialCurve& curve, const Interval& interval, const Limits& limits = {});
 
 /// The control polygon over another interval, by blossoming: P_k = p(c^(n-k), d^k).
-/// Cost: O(n^3) multiply-adds. Errors: `limit_exceeded`. Source: DeRose, section 4.2. Statement: derose-42-vi-st.
+/// Cost: O(n^3) multiply-adds. Errors: `limit_exceeded`. Source: DeRose, section 4.2. Statement:
+/// derose-42-vi-st.
 BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits = {});
 
 /// The n + 1 monomial coefficients, a_k = C(n, k) p(0^(n-k), delta^k); the formal degree is kept.
 ///
 /// Cost: O(n^2) multiply-adds. Errors: `limit_exceeded`.
-/// Source: Goldman, equation (4.4), by the triangle of figure 11(a). Statements: goldman-eq44, goldman-fig11a.
+/// Source: Goldman, equation (4.4), by the triangle of figure 11(a). Statements: goldman-eq44,
+/// goldman-fig11a.
 PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits = {});
 
 }  // namespace blossom

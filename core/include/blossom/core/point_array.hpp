@@ -11,12 +11,12 @@ namespace blossom {
 /// The coordinates of one point or vector of Q^d.
 using Coordinates = std::vector<Rational>;
 
-/// Points of Q^d over one common denominator, stored coordinate by coordinate: what polynomials (their coefficients)
-/// and control polygons are made of. Made canonical on demand, see `RationalVector`.
+/// Points of Q^d over one common denominator, stored coordinate by coordinate: what polynomials (their
+/// coefficients) and control polygons are made of. Made canonical on demand, see `RationalVector`.
 class PointArray {
 public:
-    /// Errors: `mismatched_dimensions` unless all points have the same dimension d >= 1; the field is "/i" for the
-    /// first that differs. `wrong_arity` if there is none.
+    /// Errors: `mismatched_dimensions` unless all points have the same dimension d >= 1; the field is "/i"
+    /// for the first that differs. `wrong_arity` if there is none.
     explicit PointArray(std::span<const Coordinates> points);
     /// `numbers` holds `dimension` rows of equal length, one a coordinate.
     PointArray(std::size_t dimension, RationalVector numbers);

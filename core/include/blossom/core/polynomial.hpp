@@ -10,8 +10,8 @@ namespace blossom {
 
 /// A polynomial over Q in one variable, dense, as integers over one common denominator.
 ///
-/// An element of the ring Q[t]: its degree is the actual one, and there are no leading zeros; the zero polynomial has
-/// no coefficients and degree 0. A formal degree belongs to a map, see `PolynomialCurve`.
+/// An element of the ring Q[t]: its degree is the actual one, and there are no leading zeros; the zero
+/// polynomial has no coefficients and degree 0. A formal degree belongs to a map, see `PolynomialCurve`.
 class Polynomial {
 public:
     Polynomial() = default;
@@ -28,7 +28,9 @@ public:
     /// degree() + 1 of them, or none for zero.
     const RationalVector& coefficients() const { return coefficients_; }
     /// The coefficient of t^k; 0 beyond the degree.
-    Rational operator[](std::size_t k) const { return k < coefficients_.size() ? coefficients_[k] : Rational(); }
+    Rational operator[](std::size_t k) const {
+        return k < coefficients_.size() ? coefficients_[k] : Rational();
+    }
     Rational leading_coefficient() const { return (*this)[degree()]; }
 
     Polynomial& operator+=(const Polynomial& other) { return *this = *this + other; }
@@ -41,7 +43,8 @@ public:
     friend Polynomial operator-(const Polynomial& a);
     friend bool operator==(const Polynomial&, const Polynomial&) = default;
 
-    /// P(t) by Horner's rule on integers. Cost: n multiplications on numbers that grow to n times the bits of t.
+    /// P(t) by Horner's rule on integers. Cost: n multiplications on numbers that grow to n times the bits of
+    /// t.
     Rational operator()(const Rational& t) const;
 
 private:

@@ -12,13 +12,15 @@ namespace blossom {
 
 /// A polynomial map t -> Q^d of formal degree n, by its n + 1 monomial coefficients, lowest first.
 ///
-/// The formal degree is the number of arguments of the blossom; it is at least the actual degree, and part of the
-/// value: t of degree 1 and t of degree 2 are different maps with different blossoms (Goldman, section 2).
+/// The formal degree is the number of arguments of the blossom; it is at least the actual degree, and part of
+/// the value: t of degree 1 and t of degree 2 are different maps with different blossoms (Goldman, section
+/// 2).
 class PolynomialCurve {
 public:
     /// The formal degree is `degree`, or by default the number of coefficients less one.
     /// Errors: `degree_too_low` if a coefficient beyond `degree` is not zero; those of `PointArray`.
-    explicit PolynomialCurve(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree = {});
+    explicit PolynomialCurve(std::span<const Coordinates> coefficients,
+                             std::optional<std::size_t> degree = {});
     /// One polynomial a coordinate; the formal degree is by default the greatest actual one.
     explicit PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree = {});
     /// The scalar map of one polynomial.

@@ -19,13 +19,13 @@ struct NamedPolynomial {
 
 /// Reads a polynomial: `1 + 2t + 4t^2 - t^3`, `-3/4 x^2*y`, `(t-1/2)^3`.
 ///
-/// Numbers are exact: integers or decimals, `0.5`, `1.5e-3`. A variable is a letter or '_' followed by letters, digits
-/// or '_'. Juxtaposition means product and binds like `*` and `/`, from left to right: `1/2t` is t/2. Division is by
-/// constants. `^` takes a number without sign. `names` lists the variables that may occur, in order; when it is empty
-/// any may, in the order of their first occurrence.
+/// Numbers are exact: integers or decimals, `0.5`, `1.5e-3`. A variable is a letter or '_' followed by
+/// letters, digits or '_'. Juxtaposition means product and binds like `*` and `/`, from left to right: `1/2t`
+/// is t/2. Division is by constants. `^` takes a number without sign. `names` lists the variables that may
+/// occur, in order; when it is empty any may, in the order of their first occurrence.
 ///
-/// Cost: that of expanding what is written. Errors: `syntax`, with the column; `zero_denominator`; `limit_exceeded`
-/// for degree, digits, nesting, terms and work, before they are spent.
+/// Cost: that of expanding what is written. Errors: `syntax`, with the column; `zero_denominator`;
+/// `limit_exceeded` for degree, digits, nesting, terms and work, before they are spent.
 NamedPolynomial parse_polynomial(std::string_view text, std::span<const std::string> names = {},
                                  const Limits& limits = {});
 

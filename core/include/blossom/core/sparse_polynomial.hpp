@@ -13,13 +13,13 @@ namespace blossom {
 /// A polynomial over Q in any number of variables, sparse: terms with exponents, as integers over one common
 /// denominator. This is the ring of what is symbolic.
 ///
-/// Variables are numbered from 0 and have no names here; every polynomial is a polynomial in all of them. Terms are
-/// kept in lexicographic order without zeros and the denominator is the least, so that equal polynomials are equal
-/// objects. Exponents are at most 32767 a variable (`limit_exceeded` beyond).
+/// Variables are numbered from 0 and have no names here; every polynomial is a polynomial in all of them.
+/// Terms are kept in lexicographic order without zeros and the denominator is the least, so that equal
+/// polynomials are equal objects. Exponents are at most 32767 a variable (`limit_exceeded` beyond).
 class SparsePolynomial {
 public:
     SparsePolynomial() = default;
-    SparsePolynomial(const Rational& constant);                           // NOLINT(google-explicit-constructor)
+    SparsePolynomial(const Rational& constant);  // NOLINT(google-explicit-constructor)
     SparsePolynomial(Integer constant) : SparsePolynomial(Rational(std::move(constant))) {}  // NOLINT
     SparsePolynomial(int constant) : SparsePolynomial(Rational(constant)) {}                 // NOLINT
     static SparsePolynomial variable(std::size_t index);
@@ -70,6 +70,10 @@ private:
 
 /// The sum of all by halves: for n summands the logarithm of n passes over the terms. 0 for none.
 SparsePolynomial sum(std::span<const SparsePolynomial> summands);
+
+/// sum_k coefficients[k] x^k from the powers of x, which for a sum of few variables are smaller than what
+/// Horner's rule would multiply.
+SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x);
 
 /// base^exponent, with 0^0 = 1; two terms by the binomial theorem.
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent);

@@ -31,6 +31,7 @@ enum class ErrorCode {
     mismatched_dimensions,
     zero_weight,
     limit_exceeded,
+    internal,  ///< a defect of the program itself
 };
 
 /// The protocol's word for a code, for instance "zero_denominator".
@@ -38,9 +39,9 @@ std::string_view error_name(ErrorCode code);
 
 /// The one exception type of the library.
 ///
-/// `message` is one sentence that names the place, the value and the rule. `field` is a JSON Pointer (RFC 6901)
-/// to the offending part of the input, relative to what was being read or called ("" when it is the whole).
-/// `offset` is the place within a text that was being read, in bytes from its beginning.
+/// `message` is one sentence that names the place, the value and the rule. `field` is a JSON Pointer (RFC
+/// 6901) to the offending part of the input, relative to what was being read or called ("" when it is the
+/// whole). `offset` is the place within a text that was being read, in bytes from its beginning.
 class Error : public std::exception {
 public:
     Error(ErrorCode code, std::string message, std::string field = "", std::optional<std::size_t> offset = {})

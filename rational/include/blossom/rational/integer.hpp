@@ -16,11 +16,13 @@ namespace blossom {
 
 /// An integer of any size.
 ///
-/// Values of 64 bits live in the object; larger ones in the number backend (GMP or Boost's `cpp_int`), which no
-/// public header names. The representation is canonical: a value that fits in 64 bits is never held as a large one.
+/// Values of 64 bits live in the object; larger ones in the number backend (GMP or Boost's `cpp_int`), which
+/// no public header names. The representation is canonical: a value that fits in 64 bits is never held as a
+/// large one.
 ///
-/// Cost: no allocation and a few instructions while operands and result fit in 64 bits; that of the backend otherwise.
-/// There is no construction from text or from a double here: see `parse_integer` and `exact_rational`.
+/// Cost: no allocation and a few instructions while operands and result fit in 64 bits; that of the backend
+/// otherwise. There is no construction from text or from a double here: see `parse_integer` and
+/// `exact_rational`.
 class Integer {
 public:
     Integer() noexcept = default;
@@ -164,7 +166,7 @@ private:
     static bool equal_large(const Integer& a, const Integer& b);
     static std::strong_ordering compare_large(const Integer& a, const Integer& b);
 
-    std::int64_t small_ = 0;   ///< the value, when `large_` is null; otherwise 0
+    std::int64_t small_ = 0;  ///< the value, when `large_` is null; otherwise 0
     Large* large_ = nullptr;  ///< owned
 };
 
@@ -175,7 +177,8 @@ Integer gcd(const Integer& a, const Integer& b);
 Integer lcm(const Integer& a, const Integer& b);
 /// base^exponent, with 0^0 = 1.
 Integer pow(const Integer& base, std::size_t exponent);
-/// a / b where b divides a; the caller guarantees it. Cheaper than a division with remainder. Errors: `division_by_zero`.
+/// a / b where b divides a; the caller guarantees it. Cheaper than a division with remainder. Errors:
+/// `division_by_zero`.
 Integer divide_exactly(const Integer& a, const Integer& b);
 /// The sum of a_i b_i; both spans have the same length.
 Integer dot(std::span<const Integer> a, std::span<const Integer> b);

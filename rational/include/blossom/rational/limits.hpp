@@ -16,6 +16,7 @@ struct Limits {
     std::size_t polarization_terms = 1 << 20;  ///< terms of one polarization sum, prod(m_i + 1)
     std::size_t expansion_terms = 1 << 17;     ///< terms of one polynomial in several variables
     std::size_t expansion_work = 100'000'000;  ///< term operations of one symbolic computation
+    std::size_t numbers = 1 << 22;             ///< numbers that make up one map or one result
     std::size_t line_bytes = 16 << 20;         ///< one line of a batch
 };
 
@@ -24,7 +25,8 @@ struct Limits {
 void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
                     std::string_view field = "");
 
-/// Throws `limit_exceeded` when a result of `bits` binary digits would have more than `limits.digits` decimal ones.
+/// Throws `limit_exceeded` when a result of `bits` binary digits would have more than `limits.digits` decimal
+/// ones.
 void require_result_bits(std::size_t bits, const Limits& limits);
 
 }  // namespace blossom

@@ -10,10 +10,11 @@
 
 namespace blossom {
 
-/// A rational number in lowest terms with a positive denominator; zero is 0/1. Equal values are equal objects.
+/// A rational number in lowest terms with a positive denominator; zero is 0/1. Equal values are equal
+/// objects.
 ///
-/// Cost: each operation reduces its result, one gcd of numbers of its size. Work that combines many numbers belongs
-/// on integers over one common denominator: see `RationalVector`.
+/// Cost: each operation reduces its result, one gcd of numbers of its size. Work that combines many numbers
+/// belongs on integers over one common denominator: see `RationalVector`.
 class Rational {
 public:
     Rational() = default;

@@ -8,11 +8,12 @@
 
 namespace blossom {
 
-/// Rational numbers held as integers over one common denominator: element i is numerators()[i] / denominator().
+/// Rational numbers held as integers over one common denominator: element i is numerators()[i] /
+/// denominator().
 ///
-/// This is what the kernels work on: they combine numerators and never invert a denominator. The denominator is
-/// positive; the numerators may share a factor with it until `make_canonical` is called, so that a chain of
-/// operations reduces once. Equality is equality of the numbers.
+/// This is what the kernels work on: they combine numerators and never invert a denominator. The denominator
+/// is positive; the numerators may share a factor with it until `make_canonical` is called, so that a chain
+/// of operations reduces once. Equality is equality of the numbers.
 class RationalVector {
 public:
     RationalVector() = default;
@@ -29,7 +30,8 @@ public:
     Rational operator[](std::size_t i) const { return {numerators_[i], denominator_}; }
     std::vector<Rational> to_rationals() const;
 
-    /// Divides by the greatest common divisor of the denominator and all numerators: the least common denominator.
+    /// Divides by the greatest common divisor of the denominator and all numerators: the least common
+    /// denominator.
     void make_canonical();
 
     friend bool operator==(const RationalVector& a, const RationalVector& b);

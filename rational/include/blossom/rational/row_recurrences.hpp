@@ -7,8 +7,9 @@
 #include <utility>
 #include <vector>
 
-/// The two recurrences in which every entry of a row becomes a combination of itself and one neighbour. They are
-/// written for any commutative ring; for integers an overload runs the same recurrence on fixed-width words.
+/// The two recurrences in which every entry of a row becomes a combination of itself and one neighbour. They
+/// are written for any commutative ring; for integers an overload runs the same recurrence on fixed-width
+/// words.
 
 namespace blossom {
 
@@ -75,8 +76,8 @@ std::vector<R> product_of_linear_factors(std::span<const R> constants, std::span
     return std::move(row.entries());
 }
 
-/// The apex of the triangle over `row` (n + 1 entries) whose level i maps neighbours (x, y) to left[i] x + right[i] y.
-/// This is de Casteljau's algorithm with the weights of each level given.
+/// The apex of the triangle over `row` (n + 1 entries) whose level i maps neighbours (x, y) to left[i] x +
+/// right[i] y. This is de Casteljau's algorithm with the weights of each level given.
 ///
 /// Cost: n^2 / 2 multiply-adds in R.
 template <class R>
@@ -88,9 +89,11 @@ R fold_triangle(std::vector<R> row, std::span<const R> left, std::span<const R> 
 
 /// The same for integers, on words of a width that provably holds every intermediate value:
 /// |entry| <= prod(|constants[i]| + |slopes[i]|).
-std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants, std::span<const Integer> slopes);
+std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants,
+                                               std::span<const Integer> slopes);
 
 /// The same for integers; |entry| <= max |row[j]| * prod(|left[i]| + |right[i]|).
-Integer fold_triangle(std::vector<Integer> row, std::span<const Integer> left, std::span<const Integer> right);
+Integer fold_triangle(std::vector<Integer> row, std::span<const Integer> left,
+                      std::span<const Integer> right);
 
 }  // namespace blossom
