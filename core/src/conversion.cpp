@@ -1,4 +1,3 @@
-#include <blossom/core/blossom.hpp>
 #include <blossom/core/change_of_basis.hpp>
 #include <blossom/core/conversion.hpp>
 
@@ -25,16 +24,20 @@ BezierCurve control_points(const PolynomialCurve& curve, const Interval& interva
     return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
 }
 
+// In the local coordinate s = (t - a) / (b - a) the new interval has the ends (c - a) / (b - a) and (d - a) / (b - a).
 BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits) {
-    const Blossom blossom(curve, limits);
-    const std::size_t n = curve.degree();
-    std::vector<Coordinates> points;
-    points.reserve(n + 1);
-    for (std::size_t k = 0; k <= n; ++k) {
-        points.push_back(blossom(
-            with_copies(with_copies({}, n - k, Parameter(interval.a())), k, Parameter(interval.b()))));
+    const Rational& a = curve.interval().a();
+    const Rational length = curve.interval().b() - a;
+    const ClearedInterval local =
+        cleared(Interval((interval.a() - a) / length, (interval.b() - a) / length));
+    require_size(curve.control_points(), local.bits(), limits);
+    std::vector<Quotients<Integer>> rows;
+    for (const auto row : curve.control_points().rows()) {
+        const std::vector<Integer> coefficients = constructions::local_monomial_from_bernstein(row);
+        rows.push_back(constructions::bernstein_from_monomial(std::span<const Integer>(coefficients), local.a, local.b,
+                                                              local.q));
     }
-    return BezierCurve(points, interval);
+    return {point_array(std::move(rows), curve.control_points().denominator()), interval};
 }
 
 PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits) {

@@ -38,7 +38,8 @@ Rounded round_magnitude(const Rational& value) {
     // With this exponent the quotient lies in [2^52, 2^54): 53 bits, or 54 when the guess is one too low.
     std::ptrdiff_t exponent = static_cast<std::ptrdiff_t>(numerator.bit_length()) -
                               static_cast<std::ptrdiff_t>(denominator.bit_length()) - significand_bits;
-    if (shifted(numerator, -exponent) >= shifted(denominator, exponent + significand_bits)) ++exponent;
+    const std::ptrdiff_t above = exponent + significand_bits;
+    if (shifted(numerator, -above) >= shifted(denominator, above)) ++exponent;
     exponent = std::max(exponent, least_exponent);
     if (exponent > greatest_exponent) overflow(value);
 

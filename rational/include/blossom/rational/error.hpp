@@ -30,6 +30,7 @@ enum class ErrorCode {
     degree_too_low,
     mismatched_dimensions,
     zero_weight,
+    missing_sample,
     limit_exceeded,
     internal,  ///< a defect of the program itself
 };

@@ -1,0 +1,34 @@
+#include <blossom/core/change_of_basis.hpp>
+#include <blossom/core/taylor_curve.hpp>
+
+#include "integer_frame.hpp"
+
+namespace blossom {
+
+namespace {
+
+/// The coefficients of sum_k c_k (t + shift)^k.
+PointArray shifted(const PointArray& coefficients, const Rational& shift, const Limits& limits) {
+    const Integer& q = shift.denominator();
+    const std::size_t n = coefficients.size() - 1;
+    require_result_bits(greatest_bit_length(coefficients.numbers().numerators()) +
+                            n * (shift.numerator().bit_length() + q.bit_length() + 1),
+                        limits);
+    std::vector<Quotients<Integer>> rows;
+    for (const auto row : coefficients.rows()) {
+        rows.push_back({constructions::substitute_line(row, shift.numerator(), q, q), pow(q, n)});
+    }
+    return point_array(std::move(rows), coefficients.denominator());
+}
+
+}  // namespace
+
+TaylorCurve taylor_form(const PolynomialCurve& curve, const Rational& center, const Limits& limits) {
+    return {center, shifted(curve.coefficients(), center, limits)};
+}
+
+PolynomialCurve monomial_form(const TaylorCurve& curve, const Limits& limits) {
+    return PolynomialCurve(shifted(curve.coefficients, -curve.center, limits));
+}
+
+}  // namespace blossom
