@@ -37,7 +37,7 @@ std::string_view error_name(ErrorCode code) {
         case ErrorCode::zero_weight:
             return "zero_weight";
         case ErrorCode::missing_sample:
-            return \"missing_sample\";
+            return "missing_sample";
         case ErrorCode::limit_exceeded:
             return "limit_exceeded";
         case ErrorCode::internal:
