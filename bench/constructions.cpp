@@ -1,6 +1,7 @@
-// One blossom value by each construction, against the textbook loop of that construction on Boost's mpq_rational.
-// Rows are <construction>/<engine or textbook>/<degree>/<bits of numerators and denominators>. Every pair of rows is checked to
-// give the same number before anything is timed; run with random interleaving, see scripts/bench.
+// One blossom value by each construction, against the textbook loop of that construction on Boost's
+// mpq_rational. Rows are <construction>/<engine or textbook>/<degree>/<bits of numerators and denominators>.
+// Every pair of rows is checked to give the same number before anything is timed; run with random
+// interleaving, see scripts/bench.
 
 #include <benchmark/benchmark.h>
 
@@ -63,9 +64,10 @@ void add_pair(const std::string& construction, std::size_t degree, int bits, std
         std::exit(1);
     }
     const auto row = [&](const char* side, auto function) {
-        benchmark::RegisterBenchmark((construction + "/" + side + size).c_str(), [=](benchmark::State& state) {
-            for (auto _ : state) benchmark::DoNotOptimize(function());
-        });
+        benchmark::RegisterBenchmark((construction + "/" + side + size).c_str(),
+                                     [=](benchmark::State& state) {
+                                         for (auto _ : state) benchmark::DoNotOptimize(function());
+                                     });
     };
     row("engine", std::move(engine));
     row("textbook", std::move(loop));
@@ -77,8 +79,9 @@ void add_rows(std::size_t degree, int bits) {
         return [given, map, construction] { return blossom_value(map, given->arguments, construction)[0]; };
     };
     const auto prepared = std::make_shared<Blossom>(given->curve);
-    add_pair("prepared", degree, bits, [=] { return (*prepared)(given->arguments)[0]; },
-             [=] { return textbook::symmetric(given->coefficients, given->numbers); });
+    add_pair(
+        "prepared", degree, bits, [=] { return (*prepared)(given->arguments)[0]; },
+        [=] { return textbook::symmetric(given->coefficients, given->numbers); });
     add_pair("symmetric", degree, bits, by(given->curve, Construction::symmetric),
              [=] { return textbook::symmetric(given->coefficients, given->numbers); });
     add_pair("casteljau", degree, bits, by(given->polygon, Construction::casteljau),
@@ -94,7 +97,7 @@ void add_rows(std::size_t degree, int bits) {
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    for (const int bits : {4, 64}) {
+    for (const int bits : {7, 64}) {
         for (const std::size_t degree : {3, 10, 20, 100}) add_rows(degree, bits);
     }
     benchmark::RunSpecifiedBenchmarks();

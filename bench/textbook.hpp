@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-/// What one would write on rational numbers without thinking of denominators: the loops of the literature, operation by
-/// operation, each of which reduces its result.
+/// What one would write on rational numbers without thinking of denominators: the loops of the literature,
+/// operation by operation, each of which reduces its result.
 namespace textbook {
 
 using Number = boost::multiprecision::mpq_rational;

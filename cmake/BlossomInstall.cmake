@@ -10,6 +10,13 @@ install(TARGETS blossom_all ${targets} EXPORT blossom)
 foreach(layer IN LISTS layers)
   install(DIRECTORY ${layer}/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endforeach()
+if(TARGET blossom_completions)
+  set(completions ${CMAKE_CURRENT_BINARY_DIR}/cli/completions)
+  set(share ${CMAKE_INSTALL_DATADIR})
+  install(FILES ${completions}/bash DESTINATION ${share}/bash-completion/completions RENAME blossom)
+  install(FILES ${completions}/fish DESTINATION ${share}/fish/vendor_completions.d RENAME blossom.fish)
+  install(FILES ${completions}/zsh DESTINATION ${share}/zsh/site-functions RENAME _blossom)
+endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Shared libraries are found relative to the program, so that the tree can be moved.

@@ -24,6 +24,8 @@ target_compile_options(
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-branches>
     $<$<CXX_COMPILER_ID:GNU>:-Wduplicated-cond>
     $<$<CXX_COMPILER_ID:GNU>:-Wlogical-op>
+    # GCC 12 warns about its own std::string where texts are concatenated (its bug 105651).
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
     # Clang sees the deprecated function that libstdc++ 12 calls in its own std::stable_sort.
     $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
 )
@@ -48,9 +50,6 @@ endfunction()
 # public headers under include/, and adds it to blossom::blossom. Layers are added in dependency order.
 function(blossom_add_layer layer)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPENDS;SOURCES")
-  if(NOT arg_SOURCES) # SKELETON
-    return()
-  endif()
   set(target blossom_${layer})
   add_library(${target} ${arg_SOURCES})
   add_library(blossom::${layer} ALIAS ${target})

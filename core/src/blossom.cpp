@@ -24,7 +24,11 @@ const PointArray& numbers_of(const PolynomialMap& map) {
 }
 
 void require_bits(const PolynomialMap& map, const ClearedArguments& arguments, const Limits& limits) {
-    require_result_bits(greatest_bit_length(numbers_of(map).numbers().numerators()) + arguments.bits, limits);
+    std::size_t bits = greatest_bit_length(numbers_of(map).numbers().numerators()) + arguments.bits;
+    if (const auto* bezier = std::get_if<BezierCurve>(&map)) {
+        bits += arguments.pairs.size() * cleared(bezier->interval()).bits();
+    }
+    require_result_bits(bits, limits);
 }
 
 }  // namespace
@@ -81,14 +85,14 @@ Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
         value.numerators = constructions::symmetric_function_sums<Integer>(prepared_.rows(), pairs);
     }
     value.denominator *= prepared_.denominator();
-    return reduced(value, cleared_arguments.denominator);
+    return reduced(value, cleared_arguments.denominator());
 }
 
 Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
                           Construction construction, const Limits& limits) {
     require_arity(map, arguments.size());
     const ClearedArguments cleared = construction == Construction::polarization
-                                         ? cleared_together(arguments)
+                                         ? cleared_together(arguments, limits)
                                          : cleared_one_by_one(arguments);
     require_bits(map, cleared, limits);
     const std::span<const HomogeneousPair<Integer>> pairs = cleared.pairs;
@@ -97,7 +101,7 @@ Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> ar
                        limits.polarization_terms, "polarization_terms",
                        "the number of terms of polarization, at least", "/arguments");
     }
-    return reduced(run_construction(map, construction, pairs, limits), cleared.denominator);
+    return reduced(run_construction(map, construction, pairs, limits), cleared.denominator());
 }
 
 Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)>& map,

@@ -24,18 +24,18 @@ BezierCurve control_points(const PolynomialCurve& curve, const Interval& interva
     return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
 }
 
-// In the local coordinate s = (t - a) / (b - a) the new interval has the ends (c - a) / (b - a) and (d - a) / (b - a).
+// In the local coordinate s = (t - a) / (b - a) the new interval has the ends (c - a) / (b - a) and (d - a) /
+// (b - a).
 BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits) {
     const Rational& a = curve.interval().a();
     const Rational length = curve.interval().b() - a;
-    const ClearedInterval local =
-        cleared(Interval((interval.a() - a) / length, (interval.b() - a) / length));
+    const ClearedInterval local = cleared(Interval((interval.a() - a) / length, (interval.b() - a) / length));
     require_size(curve.control_points(), local.bits(), limits);
     std::vector<Quotients<Integer>> rows;
     for (const auto row : curve.control_points().rows()) {
         const std::vector<Integer> coefficients = constructions::local_monomial_from_bernstein(row);
-        rows.push_back(constructions::bernstein_from_monomial(std::span<const Integer>(coefficients), local.a, local.b,
-                                                              local.q));
+        rows.push_back(constructions::bernstein_from_monomial(std::span<const Integer>(coefficients), local.a,
+                                                              local.b, local.q));
     }
     return {point_array(std::move(rows), curve.control_points().denominator()), interval};
 }

@@ -45,11 +45,14 @@ Polynomial economised(const Polynomial& polynomial, std::size_t n) {
 
 void require_method(std::size_t n, std::size_t m, ReductionMethod method) {
     const auto refuse = [&](const std::string& rule) {
-        throw Error(ErrorCode::degree_too_low,
-                    "degree " + std::to_string(n) + " cannot be reduced to " + std::to_string(m) + ": " + rule, "/to");
+        throw Error(
+            ErrorCode::degree_too_low,
+            "degree " + std::to_string(n) + " cannot be reduced to " + std::to_string(m) + ": " + rule,
+            "/to");
     };
     if (m > n) refuse("the new degree must not be greater; raise it instead");
-    if (method == ReductionMethod::uniform && m + 1 < n) refuse("the best uniform approximation is by one degree");
+    if (method == ReductionMethod::uniform && m + 1 < n)
+        refuse("the best uniform approximation is by one degree");
     if (method == ReductionMethod::least_squares_endpoints && m == 0 && n > 0) {
         refuse("a constant does not keep two ends");
     }
@@ -105,7 +108,8 @@ Reduction reduce(const BezierCurve& curve, std::size_t m, ReductionMethod method
         const Polynomial difference = given[j] - reduced[j];
         result.l2_squared += integral_over_unit_interval(difference * difference);
         if (method == ReductionMethod::uniform) {
-            result.maximum.push_back(n == 0 ? Rational(0) : abs(difference[n] / chebyshev_on_unit_interval(n)[n]));
+            result.maximum.push_back(n == 0 ? Rational(0)
+                                            : abs(difference[n] / chebyshev_on_unit_interval(n)[n]));
         }
     }
     result.l2_squared *= abs(curve.interval().b() - curve.interval().a());

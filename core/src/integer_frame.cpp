@@ -18,22 +18,29 @@ std::size_t bits(const HomogeneousPair<Integer>& pair) {
 
 }  // namespace
 
+Integer ClearedArguments::denominator() const {
+    Integer product = 1;
+    for (const Integer& scale : scales) product *= scale;
+    return product;
+}
+
 ClearedArguments cleared_one_by_one(std::span<const Argument> arguments) {
     ClearedArguments cleared;
     cleared.pairs.reserve(arguments.size());
     for (const Argument& argument : arguments) {
         const Integer scale = lcm(argument.u.denominator(), argument.mass.denominator());
         cleared.pairs.push_back(scaled(argument, scale));
-        cleared.denominator *= scale;
         cleared.bits += bits(cleared.pairs.back());
+        cleared.scales.push_back(scale);
     }
     return cleared;
 }
 
-ClearedArguments cleared_together(std::span<const Argument> arguments) {
+ClearedArguments cleared_together(std::span<const Argument> arguments, const Limits& limits) {
     Integer scale = 1;
     for (const Argument& argument : arguments) {
         scale = lcm(scale, lcm(argument.u.denominator(), argument.mass.denominator()));
+        require_result_bits(arguments.size() * (scale.bit_length() - 1), limits);
     }
     ClearedArguments cleared;
     cleared.pairs.reserve(arguments.size());
@@ -41,7 +48,7 @@ ClearedArguments cleared_together(std::span<const Argument> arguments) {
         cleared.pairs.push_back(scaled(argument, scale));
         cleared.bits += bits(cleared.pairs.back());
     }
-    cleared.denominator = pow(scale, arguments.size());
+    cleared.scales.assign(arguments.size(), scale);
     return cleared;
 }
 

@@ -10,18 +10,21 @@
 
 namespace blossom {
 
-/// Arguments (u, v) as integer pairs: the value of a blossom at `pairs` is `denominator` times that at the
+/// Arguments (u, v) as integer pairs: the value of a blossom at `pairs` is `denominator()` times that at the
 /// arguments.
 struct ClearedArguments {
     std::vector<HomogeneousPair<Integer>> pairs;
-    Integer denominator = 1;
-    std::size_t bits = 0;  ///< bounds the bits of prod (|u_i| + |v_i|)
+    std::vector<Integer> scales;  ///< what each argument was multiplied by
+    std::size_t bits = 0;         ///< bounds the bits of prod (|u_i| + |v_i|)
+
+    /// The product of the scales, large: asked for once `bits` has been found to be within the limits.
+    Integer denominator() const;
 };
 
 /// Each argument over its own denominator, as few bits as possible.
 ClearedArguments cleared_one_by_one(std::span<const Argument> arguments);
-/// All arguments over one denominator, so that their sums stay integers.
-ClearedArguments cleared_together(std::span<const Argument> arguments);
+/// All arguments over one denominator, so that their sums stay integers. Errors: `limit_exceeded`.
+ClearedArguments cleared_together(std::span<const Argument> arguments, const Limits& limits);
 
 /// The interval [a/q, b/q].
 struct ClearedInterval {

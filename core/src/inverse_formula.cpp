@@ -9,8 +9,8 @@ namespace blossom {
 InverseFormula inverse_formula(std::size_t n, const Interval& interval, const Limits& limits) {
     require_within(n, limits.degree, "degree", "the degree", "/degree");
     if (n == 0) return {{interval.a()}, {{1}}};
-    require_within(n * n * n, limits.expansion_work, "expansion_work", "the number of weights to compute, at most",
-                   "/degree");
+    require_within(n * n * n, limits.expansion_work, "expansion_work",
+                   "the number of weights to compute, at most", "/degree");
 
     // weights by the fraction I/N of the way from a to b
     std::map<Rational, std::vector<Integer>> columns;
@@ -36,7 +36,8 @@ InverseFormula inverse_formula(std::size_t n, const Interval& interval, const Li
 }
 
 BezierCurve control_points_from_values(std::size_t n, const Interval& interval,
-                                       const std::function<Coordinates(const Rational&)>& map, const Limits& limits) {
+                                       const std::function<Coordinates(const Rational&)>& map,
+                                       const Limits& limits) {
     const InverseFormula formula = inverse_formula(n, interval, limits);
     std::vector<Coordinates> values;
     for (const Rational& node : formula.nodes) values.push_back(map(node));
@@ -46,7 +47,8 @@ BezierCurve control_points_from_values(std::size_t n, const Interval& interval,
         const RationalVector weights(row);
         Coordinates& point = points.emplace_back();
         for (const auto coordinate : known.rows()) {
-            point.emplace_back(dot(weights.numerators(), coordinate), weights.denominator() * known.denominator());
+            point.emplace_back(dot(weights.numerators(), coordinate),
+                               weights.denominator() * known.denominator());
         }
     }
     return BezierCurve(points, interval);

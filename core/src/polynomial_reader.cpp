@@ -48,6 +48,16 @@ public:
         return pow(base, exponent);
     }
 
+    /// By halves; different denominators multiply.
+    SparsePolynomial sum(std::span<const SparsePolynomial> summands) const {
+        if (summands.size() == 1) return summands.front();
+        const std::size_t half = summands.size() / 2;
+        const SparsePolynomial a = sum(summands.first(half));
+        const SparsePolynomial b = sum(summands.subspan(half));
+        if (a.coefficients().denominator() != b.coefficients().denominator()) require_bits(bits(a) + bits(b));
+        return a + b;
+    }
+
     void require_terms(std::size_t terms) const {
         require_within(terms, limits_.expansion_terms, "expansion_terms", "the number of terms, up to");
     }
@@ -149,6 +159,7 @@ private:
 
     SparsePolynomial expression() {
         std::vector<SparsePolynomial> terms;
+        const std::size_t begin = position_;
         const bool negative = accept('-') || (accept('+'), false);
         terms.push_back(signed_term(negative));
         for (char sign = peek(); sign == '+' || sign == '-'; sign = peek()) {
@@ -160,7 +171,7 @@ private:
             });
             terms.push_back(signed_term((sign == '-') != minus));
         }
-        return sum(terms);
+        return at(begin, [&] { return budget_.sum(terms); });
     }
 
     SparsePolynomial signed_term(bool negative) {
@@ -175,7 +186,8 @@ private:
             const std::size_t start = position_;
             if (next == '/') {
                 ++position_;
-                value *= SparsePolynomial(reciprocal(start));
+                const SparsePolynomial factor = reciprocal(start);
+                value = at(start, [&] { return budget_.product(value, factor); });
             } else if (next == '*' || next == '(' || starts_name(next)) {
                 if (next == '*') ++position_;
                 const SparsePolynomial factor = power();

@@ -39,8 +39,8 @@ std::pair<Polygon, Polygon> halves(Polygon polygon) {
 
 /// The sign of the polynomial at p / q with q > 0.
 int sign_at(const Polynomial& polynomial, const Rational& t) {
-    return constructions::form_value(std::span<const Integer>(polynomial.coefficients().numerators()), t.numerator(),
-                                     t.denominator())
+    return constructions::form_value(std::span<const Integer>(polynomial.coefficients().numerators()),
+                                     t.numerator(), t.denominator())
         .sign();
 }
 
@@ -62,8 +62,8 @@ public:
 private:
     void add(const Rational& root) { found_.push_back({root, root, multiplicity_}); }
 
-    /// The roots strictly between `lower` and `upper`. The pending halves stand on a stack of their own: close roots
-    /// would nest calls deeply.
+    /// The roots strictly between `lower` and `upper`. The pending halves stand on a stack of their own:
+    /// close roots would nest calls deeply.
     void search(Polygon polygon, const Rational& lower, const Rational& upper) {
         struct Piece {
             Polygon polygon;
@@ -90,7 +90,8 @@ private:
         }
     }
 
-    /// Exactly one root lies strictly between: bisects until a rational one would be recognised and the width is reached.
+    /// Exactly one root lies strictly between: bisects until a rational one would be recognised and the width
+    /// is reached.
     void refine(Rational lower, Rational upper) {
         const Integer& leading = factor_.coefficients().numerators().back();
         const Rational enough = Rational(1, abs(leading));
@@ -130,14 +131,19 @@ private:
     std::vector<Root>& found_;
 };
 
-/// Whether two roots of coprime factors are still not told apart.
-bool overlap(const Root& a, const Root& b) { return a.lower < b.upper && b.lower < a.upper; }
+/// Whether two roots of coprime factors are still not told apart: their intervals overlap, or one root is an
+/// end of the interval of the other.
+bool overlap(const Root& a, const Root& b) {
+    if (a.is_rational() != b.is_rational()) return a.lower <= b.upper && b.lower <= a.upper;
+    return a.lower < b.upper && b.lower < a.upper;
+}
 
 }  // namespace
 
 std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynomial& polynomial) {
     if (polynomial.is_zero()) {
-        throw Error(ErrorCode::division_by_zero, "the zero polynomial has no squarefree factors: every number is a root");
+        throw Error(ErrorCode::division_by_zero,
+                    "the zero polynomial has no squarefree factors: every number is a root");
     }
     std::vector<std::pair<Polynomial, std::size_t>> factors;
     const Polynomial slope = derivative(polynomial);

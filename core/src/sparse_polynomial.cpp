@@ -262,15 +262,17 @@ SparsePolynomial sum(std::span<const SparsePolynomial> summands) {
     return sum(summands.first(half)) + sum(summands.subspan(half));
 }
 
+SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const SparsePolynomial> b) {
+    std::vector<SparsePolynomial> products;
+    products.reserve(a.size());
+    for (std::size_t i = 0; i < a.size(); ++i) products.push_back(a[i] * b[i]);
+    return sum(products);
+}
+
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
-    std::vector<SparsePolynomial> terms;
-    terms.reserve(coefficients.size());
-    SparsePolynomial power = 1;
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-        if (k > 0) power *= x;
-        terms.push_back(coefficients[k] * power);
-    }
-    return sum(terms);
+    std::vector<SparsePolynomial> powers{1};
+    while (powers.size() < coefficients.size()) powers.push_back(powers.back() * x);
+    return dot(coefficients, powers);
 }
 
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent) {

@@ -10,14 +10,15 @@ namespace blossom {
 namespace {
 
 /// One level on integers: point i becomes left * point i + right * point i + 1, coordinate by coordinate.
-std::vector<std::vector<Integer>> next_level(const std::vector<std::vector<Integer>>& rows, const Integer& left,
-                                             const Integer& right) {
+std::vector<std::vector<Integer>> next_level(const std::vector<std::vector<Integer>>& rows,
+                                             const Integer& left, const Integer& right) {
     std::vector<std::vector<Integer>> next;
     next.reserve(rows.size());
     for (const auto& row : rows) {
         std::vector<Integer>& combined = next.emplace_back();
         combined.reserve(row.size() - 1);
-        for (std::size_t i = 0; i + 1 < row.size(); ++i) combined.push_back(left * row[i] + right * row[i + 1]);
+        for (std::size_t i = 0; i + 1 < row.size(); ++i)
+            combined.push_back(left * row[i] + right * row[i + 1]);
     }
     return next;
 }
@@ -33,7 +34,8 @@ PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const
 
 }  // namespace
 
-Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> arguments, const Limits& limits) {
+Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits) {
     const std::size_t n = curve.degree();
     if (arguments.size() != n) {
         throw Error(ErrorCode::wrong_arity,
@@ -44,8 +46,8 @@ Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> ar
     const ClearedArguments cleared_arguments = cleared_one_by_one(arguments);
     const auto interval = cleared(curve.interval());
     const auto& [a, b, q] = interval;
-    require_result_bits(greatest_bit_length(curve.control_points().numbers().numerators()) + cleared_arguments.bits +
-                            n * interval.bits(),
+    require_result_bits(greatest_bit_length(curve.control_points().numbers().numerators()) +
+                            cleared_arguments.bits + n * interval.bits(),
                         limits);
 
     Pyramid pyramid{{curve.control_points()}};
@@ -61,7 +63,8 @@ Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> ar
     return pyramid;
 }
 
-std::pair<BezierCurve, BezierCurve> subdivide(const BezierCurve& curve, const Parameter& t, const Limits& limits) {
+std::pair<BezierCurve, BezierCurve> subdivide(const BezierCurve& curve, const Parameter& t,
+                                              const Limits& limits) {
     const Interval before(curve.interval().a(), t.value);
     const Interval behind(t.value, curve.interval().b());
     const std::size_t n = curve.degree();

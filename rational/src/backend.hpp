@@ -31,6 +31,14 @@ inline void add_product(Number& sum, const Number& a, const Number& b) {
     mpz_addmul(sum.backend().data(), a.backend().data(), b.backend().data());
 }
 
+inline void add_product(Number& sum, const Number& a, std::int64_t b) {
+    if (b >= 0) {
+        mpz_addmul_ui(sum.backend().data(), a.backend().data(), static_cast<std::uint64_t>(b));
+    } else {
+        mpz_submul_ui(sum.backend().data(), a.backend().data(), 0 - static_cast<std::uint64_t>(b));
+    }
+}
+
 inline Number divide_exactly(const Number& a, const Number& b) {
     Number quotient;
     mpz_divexact(quotient.backend().data(), a.backend().data(), b.backend().data());
@@ -55,6 +63,7 @@ using Number =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
 inline void add_product(Number& sum, const Number& a, const Number& b) { sum += a * b; }
+inline void add_product(Number& sum, const Number& a, std::int64_t b) { sum += a * b; }
 
 inline Number divide_exactly(const Number& a, const Number& b) { return a / b; }
 

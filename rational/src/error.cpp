@@ -32,6 +32,14 @@ std::string_view error_name(ErrorCode code) {
             return "empty_interval";
         case ErrorCode::degree_too_low:
             return "degree_too_low";
+        case ErrorCode::bad_knots:
+            return "bad_knots";
+        case ErrorCode::outside_domain:
+            return "outside_domain";
+        case ErrorCode::not_adjacent:
+            return "not_adjacent";
+        case ErrorCode::not_continuous:
+            return "not_continuous";
         case ErrorCode::mismatched_dimensions:
             return "mismatched_dimensions";
         case ErrorCode::zero_weight:

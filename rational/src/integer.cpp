@@ -107,11 +107,10 @@ Integer Integer::product_large(const Integer& a, const Integer& b) {
 }
 
 Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
-    if (a.large_ && b.large_) {
-        backend::add_product(promote().value, a.large_->value, b.large_->value);
-        return settle();
-    }
-    return *this += a * b;
+    if (!a.large_) return b.large_ ? add_product_large(b, a) : *this += a * b;
+    Number& sum = promote().value;
+    IntegerAccess::visit(b, [&](const auto& factor) { backend::add_product(sum, a.large_->value, factor); });
+    return settle();
 }
 
 void Integer::negate_large() {

@@ -56,11 +56,7 @@ template <class R>
 std::vector<R> sums_of_products(Rows<R> rows, std::span<const R> factors) {
     std::vector<R> sums;
     sums.reserve(rows.size());
-    for (const auto row : rows) {
-        R sum = R(0);
-        for (std::size_t k = 0; k < row.size(); ++k) sum += row[k] * factors[k];
-        sums.push_back(std::move(sum));
-    }
+    for (const auto row : rows) sums.push_back(dot(row, factors));
     return sums;
 }
 

@@ -13,9 +13,9 @@ namespace blossom {
 /// 11(b). Statements: goldman-thm4, goldman-dual-functional.
 BezierCurve control_points(const PolynomialCurve& curve, const Interval& interval, const Limits& limits = {});
 
-/// The control polygon over another interval, P_k = p(c^(n-k), d^k), by the triangles of figures 11(a) and 11(b).
-/// Cost: O(n^2) multiply-adds. Errors: `limit_exceeded`.
-/// Source: DeRose, section 4.2. Statements: derose-42-vi-st, blog-subcurve.
+/// The control polygon over another interval, P_k = p(c^(n-k), d^k), by the triangles of figures 11(a) and
+/// 11(b). Cost: O(n^2) multiply-adds. Errors: `limit_exceeded`. Source: DeRose, section 4.2. Statements:
+/// derose-42-vi-st, blog-subcurve.
 BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits = {});
 
 /// The n + 1 monomial coefficients, a_k = C(n, k) p(0^(n-k), delta^k); the formal degree is kept.

@@ -8,7 +8,8 @@ namespace blossom {
 
 /// How a curve is approximated by one of lower degree over its interval.
 ///
-/// - `inverse_formula`: the polarization formula with the lower degree. It keeps the ends and uses points of the curve
+/// - `inverse_formula`: the polarization formula with the lower degree. It keeps the ends and uses points of
+/// the curve
 ///   alone; for m >= 3 it interpolates nothing but the ends.
 /// - `least_squares`: the least integral of |P - Q|^2, coordinate by coordinate.
 /// - `least_squares_endpoints`: the same among the curves with the ends of P.
@@ -31,9 +32,9 @@ struct Reduction {
 /// `curve` over its interval by a curve of degree m <= n, with the exact error.
 ///
 /// Cost: O(n^3) for the inverse formula, otherwise O(n^2) products of rationals a coordinate.
-/// Errors: `degree_too_low` if m > n, if m < n - 1 for `uniform`, or if m = 0 < n for fixed ends; `limit_exceeded`.
-/// Source: Fernandez-Jambrina, section 5 and example 2. Statements: fj-ex2-reduction, fj-reduction-is-lagrange,
-/// fj-chebyshev, fj-dual-bernstein, fj-l2-endpoints.
+/// Errors: `degree_too_low` if m > n, if m < n - 1 for `uniform`, or if m = 0 < n for fixed ends;
+/// `limit_exceeded`. Source: Fernandez-Jambrina, section 5 and example 2. Statements: fj-ex2-reduction,
+/// fj-reduction-is-lagrange, fj-chebyshev, fj-dual-bernstein, fj-l2-endpoints.
 Reduction reduce(const BezierCurve& curve, std::size_t m, ReductionMethod method, const Limits& limits = {});
 
 }  // namespace blossom

@@ -9,8 +9,8 @@
 
 namespace blossom {
 
-/// One real root: lower == upper for a root that is rational and so known exactly; otherwise the open interval
-/// (lower, upper) contains this root, no other root, and its ends are not roots.
+/// One real root: lower == upper for a root that is rational and so known exactly; otherwise the open
+/// interval (lower, upper) contains this root, no other root, and its ends are not roots.
 struct Root {
     Rational lower;
     Rational upper;
@@ -21,15 +21,17 @@ struct Root {
 };
 
 /// P = c * prod factor^multiplicity with squarefree, pairwise coprime, monic factors, by rising multiplicity.
-/// Cost: gcds of polynomials of degree n. Errors: `division_by_zero` for the zero polynomial. Source: Yun's algorithm.
+/// Cost: gcds of polynomials of degree n. Errors: `division_by_zero` for the zero polynomial. Source: Yun's
+/// algorithm.
 std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynomial& polynomial);
 
 /// All real roots of `polynomial` in the closed interval, in rising order, with their multiplicities.
 ///
-/// Each squarefree factor is isolated by subdivision of its control polygon at the midpoint: the number of sign changes
-/// of the polygon exceeds the number of roots by an even number, so that 0 and 1 decide. A root that is rational is
-/// found as such: its denominator divides the leading coefficient, and an interval shorter than that leaves one candidate.
-/// With `width` > 0 the isolating intervals are refined to at most this length.
+/// Each squarefree factor is isolated by subdivision of its control polygon at the midpoint: the number of
+/// sign changes of the polygon exceeds the number of roots by an even number, so that 0 and 1 decide. A root
+/// that is rational is found as such: its denominator divides the leading coefficient, and an interval
+/// shorter than that leaves one candidate. With `width` > 0 the isolating intervals are refined to at most
+/// this length.
 ///
 /// Cost: O(n^2) additions a subdivision, and as many subdivisions as it takes to tell the roots apart.
 /// Errors: `division_by_zero` for the zero polynomial, whose roots are all numbers; `limit_exceeded`.

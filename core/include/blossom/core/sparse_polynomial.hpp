@@ -71,6 +71,9 @@ private:
 /// The sum of all by halves: for n summands the logarithm of n passes over the terms. 0 for none.
 SparsePolynomial sum(std::span<const SparsePolynomial> summands);
 
+/// The sum of a_i b_i, by halves; both spans have the same length.
+SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const SparsePolynomial> b);
+
 /// sum_k coefficients[k] x^k from the powers of x, which for a sum of few variables are smaller than what
 /// Horner's rule would multiply.
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x);

@@ -1,0 +1,99 @@
+#include "answer.hpp"
+
+#include <blossom/rational/number_text.hpp>
+
+#include <exception>
+#include <new>
+
+#include "fields.hpp"
+#include "json_text.hpp"
+#include "nearest_name.hpp"
+#include "rounding.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+Json response_to(const Json& request, bool ok) {
+    Json response;
+    if (const Json* id = request.find("id")) response["id"] = *id;
+    response["ok"] = ok;
+    return response;
+}
+
+ServedLine served(const Json& response) { return {to_text(response), outcome_of(response)}; }
+
+}  // namespace
+
+const Operation& find_operation(std::string_view name) {
+    std::vector<std::string_view> names;
+    std::string list;
+    for (const Operation& operation : operations()) {
+        if (operation.name == name) return operation;
+        names.push_back(operation.name);
+        list += (list.empty() ? "" : ", ") + std::string(operation.name);
+    }
+    throw Error(ErrorCode::unknown_op, "the operation " + quoted(name) + " is not known" +
+                                           suggestion(name, names) + "; known are: " + list);
+}
+
+Json result_of(const Json& request, const Limits& limits) {
+    Fields fields(request);
+    static_cast<void>(fields.optional("id", [](const Json& id) { return &id; }));
+    const Operation& operation = fields.required(
+        "op", [](const Json& name) -> const Operation& { return find_operation(read_text(name)); });
+    const Rounding rounding = fields.optional("numbers", read_rounding).value_or(Rounding::none);
+    Json result = operation.answer(fields, limits);
+    fields.finish();
+    add_rounded_numbers(result, rounding);
+    return result;
+}
+
+Json success_response(const Json& request, Json result) {
+    Json response = response_to(request, true);
+    response["result"] = std::move(result);
+    return response;
+}
+
+Json error_response(const Json& request, const Error& error) {
+    Json response = response_to(request, false);
+    response["error"] =
+        Json::Object{{"code", error_name(error.code())}, {"message", error.message()}, {"at", error.field()}};
+    return response;
+}
+
+Outcome outcome_of(const Json& response) {
+    const Json* result = response.find("result");
+    if (!result) return Outcome::refused;
+    const Json* agree = result->find("agree");
+    return agree && !*agree->boolean() ? Outcome::disagreement : Outcome::success;
+}
+
+Error unexpected(const std::exception& problem) {
+    if (dynamic_cast<const std::bad_alloc*>(&problem)) {
+        return {ErrorCode::limit_exceeded, "the memory of this machine does not suffice for the request"};
+    }
+    return {ErrorCode::internal, std::string("this should not have happened: ") + problem.what()};
+}
+
+ServedLine serve_line(std::string_view line, const Limits& limits) {
+    Json request;
+    try {
+        auto [value, error] = read_json(line, limits);
+        request = std::move(value);
+        if (error) return served(error_response(request, *error));
+        return served(success_response(request, result_of(request, limits)));
+    } catch (const Error& error) {
+        return served(error_response(request, error));
+    } catch (const std::exception& problem) {
+        return served(error_response(request, unexpected(problem)));
+    }
+}
+
+ServedLine refuse_long_line(const Limits& limits) {
+    return served(error_response(
+        Json(), Error(ErrorCode::limit_exceeded, "the line is longer than the limit line_bytes = " +
+                                                     std::to_string(limits.line_bytes))));
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace blossom::cli {
+
+/// Splits what `source` delivers into lines, of which none is held that is longer than allowed.
+class LineReader {
+public:
+    /// Waits for bytes, puts them at the front of `room` and says how many; 0 at the end.
+    using Source = std::function<std::size_t(std::span<char> room)>;
+
+    struct Line {
+        std::string text;  ///< without its end; empty when too long
+        bool too_long = false;
+    };
+
+    LineReader(Source source, std::size_t longest) : source_(std::move(source)), longest_(longest) {}
+
+    /// The next line, as soon as its end has arrived, or nothing at the end. The last line needs no line end.
+    std::optional<Line> next();
+
+private:
+    bool refill();
+
+    Source source_;
+    std::size_t longest_;
+    std::vector<char> buffer_ = std::vector<char>(1 << 16);
+    std::string_view rest_;  ///< what has arrived and belongs to the lines that follow
+};
+
+}  // namespace blossom::cli

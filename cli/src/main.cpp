@@ -1,0 +1,9 @@
+#include <string>
+#include <vector>
+
+#include "command_line.hpp"
+
+int main(int argc, char* argv[]) {
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    return static_cast<int>(blossom::cli::run(arguments, blossom::cli::standard_streams()));
+}

@@ -1,0 +1,127 @@
+#include <blossom/core/polynomial_text.hpp>
+
+#include <algorithm>
+
+#include "maps/kinds.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+/// One polynomial a coordinate, as a request writes them.
+struct Written {
+    std::vector<Polynomial> coordinates;
+    bool scalar = true;
+    std::string variable;  ///< "" while none has occurred
+};
+
+Polynomial read_one_text(const std::string& text, std::string& variable, const Limits& limits) {
+    UnivariateText read = parse_univariate(text, limits);
+    const bool constant = read.polynomial.degree() == 0;
+    if (!constant && !variable.empty() && variable != read.name) {
+        throw Error(ErrorCode::syntax, "the variable is called " + read.name + " here, and " + variable +
+                                           " before; it must be the same");
+    }
+    if (!constant) variable = read.name;
+    return std::move(read.polynomial);
+}
+
+Written read_texts(const Json& value, const Limits& limits) {
+    Written result;
+    if (const std::string* text = value.text()) {
+        result.coordinates = {read_one_text(*text, result.variable, limits)};
+        return result;
+    }
+    result.scalar = false;
+    result.coordinates = read_list(value, [&](const Json& element) {
+        return read_one_text(read_text(element), result.variable, limits);
+    });
+    if (result.coordinates.empty())
+        throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
+    return result;
+}
+
+Written read_coefficients(const Json& value, const Limits& limits) {
+    const Points points = read_points(value, limits);
+    const PolynomialCurve curve(points.points);
+    Written result{{}, points.scalar, ""};
+    for (std::size_t j = 0; j < curve.dimension(); ++j) result.coordinates.push_back(curve.coordinate(j));
+    return result;
+}
+
+Polynomial read_denominator(const Json& value, std::string& variable, const Limits& limits) {
+    Polynomial denominator;
+    if (const std::string* text = value.text()) {
+        denominator = read_one_text(*text, variable, limits);
+    } else {
+        const auto& elements = read_array(value);
+        require_within(elements.size(), limits.degree + 1, "degree", "one more than the degree");
+        denominator = Polynomial(std::span<const Rational>(read_numbers(value, limits)));
+    }
+    if (denominator.is_zero())
+        throw Error(ErrorCode::zero_denominator, "the denominator is the polynomial 0");
+    return denominator;
+}
+
+Written read_written(Fields& fields, const Limits& limits) {
+    auto text = fields.optional("text", [&](const Json& value) { return read_texts(value, limits); });
+    if (!text)
+        return fields.required("coefficients",
+                               [&](const Json& value) { return read_coefficients(value, limits); });
+    if (fields.has("coefficients")) {
+        throw Error(ErrorCode::wrong_kind,
+                    R"(a polynomial is given by "text" or by "coefficients", not by both)", "/coefficients");
+    }
+    return std::move(*text);
+}
+
+PointForm form_of(const Written& written, bool has_denominator, bool homogeneous) {
+    if (!homogeneous) return {.scalar = written.scalar, .rational = has_denominator};
+    if (!has_denominator && (written.scalar || written.coordinates.size() < 2)) {
+        throw Error(
+            ErrorCode::mismatched_dimensions,
+            R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
+            "/homogeneous");
+    }
+    return {.scalar = false, .rational = true, .homogeneous = true};
+}
+
+}  // namespace
+
+Map read_polynomial(Fields& fields, const Limits& limits) {
+    Written written = read_written(fields, limits);
+    const auto denominator = fields.optional(
+        "denominator", [&](const Json& value) { return read_denominator(value, written.variable, limits); });
+    const auto degree =
+        fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    const PointForm form = form_of(written, denominator.has_value(), read_homogeneous(fields));
+    if (denominator) written.coordinates.push_back(*denominator);
+
+    std::size_t formal = degree.value_or(0);
+    for (const Polynomial& coordinate : written.coordinates) formal = std::max(formal, coordinate.degree());
+    require_numbers(formal + 1, written.coordinates.size(), limits);
+    return {PolynomialCurve(written.coordinates, degree), form,
+            written.variable.empty() ? "t" : std::move(written.variable)};
+}
+
+Json polynomial_to_json(const PolynomialCurve& curve, const PointForm& form) {
+    const bool fraction = form.rational && !form.homogeneous;
+    // The numerators stand as they are: only points are divided by a weight, coefficients are not.
+    const PointForm numerators{.scalar = form.scalar};
+    Json::Array coefficients;
+    Json::Array denominator;
+    for (Coordinates& coefficient : curve.coefficients().to_points()) {
+        if (fraction) {
+            denominator.emplace_back(std::move(coefficient.back()));
+            coefficient.pop_back();
+        }
+        coefficients.push_back(to_json(coefficient, numerators));
+    }
+    Json map = Json::Object{
+        {"kind", "polynomial"}, {"degree", curve.degree()}, {"coefficients", std::move(coefficients)}};
+    if (fraction) map["denominator"] = std::move(denominator);
+    if (form.homogeneous) map["homogeneous"] = true;
+    return map;
+}
+
+}  // namespace blossom::cli

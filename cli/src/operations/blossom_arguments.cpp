@@ -1,0 +1,39 @@
+#include "operations/blossom_arguments.hpp"
+
+#include <blossom/rational/number_text.hpp>
+
+#include "nearest_name.hpp"
+#include "operations/map_options.hpp"
+
+namespace blossom::cli {
+
+std::vector<Argument> read_arguments(const Json& value, const PointForm& form, const Limits& limits) {
+    return read_list(value, [&](const Json& element) {
+        Argument argument = read_argument(element, limits);
+        if (argument.mass.is_zero() && form.rational && !form.homogeneous) {
+            throw Error(
+                ErrorCode::zero_weight,
+                "the argument has mass 0, and so has the value, which for a rational map is no point; "
+                "\"homogeneous\": true gives it with its weight");
+        }
+        return argument;
+    });
+}
+
+Construction read_construction(const Json& value) {
+    const std::string& written = read_text(value);
+    std::vector<std::string_view> names;
+    for (const Construction construction : all_constructions) {
+        names.push_back(construction_name(construction));
+        if (names.back() == written) return construction;
+    }
+    throw Error(ErrorCode::wrong_kind, quoted(written) + " is not a construction" +
+                                           suggestion(written, names) +
+                                           "; there are symmetric, polarization and casteljau");
+}
+
+Option arguments_option(std::string help) {
+    return field_option("--at", "arguments", "U1,U2,...", std::move(help), argument_list);
+}
+
+}  // namespace blossom::cli

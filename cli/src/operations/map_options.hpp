@@ -1,0 +1,43 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "operations/operation.hpp"
+
+/// How a command line becomes a request.
+
+namespace blossom::cli {
+
+/// The command line cannot be made into a request.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The parts of `text` between separators, without the spaces around them; none for an empty text.
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// "1, 2" as a list of numbers.
+Json number_list(std::string_view text);
+/// "0,0; 1,2" as a list of points, "0; 3; 0" or "0, 3, 0" as a list of numbers.
+Json point_list(std::string_view text);
+/// "1, vector:2, delta, pair:3:2" as a list of blossom arguments.
+Json argument_list(std::string_view text);
+/// Digits as a JSON integer; anything else as it stands, to be refused where it is read.
+Json count(std::string_view text);
+Json plain_text(std::string_view text);
+
+/// An option that writes one field of the request.
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text));
+
+/// The options that describe a map, and then `others`; of two of one name the one in `others` counts.
+std::vector<Option> with_map_options(std::vector<Option> others);
+
+/// Whether the request is about a control polygon, not a polynomial.
+bool has_control_points(const Json& request);
+
+}  // namespace blossom::cli

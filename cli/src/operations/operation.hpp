@@ -1,0 +1,49 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fields.hpp"
+#include "json.hpp"
+#include "readable.hpp"
+
+namespace blossom::cli {
+
+/// One option of a command: what it writes into the request.
+struct Option {
+    std::string name;   ///< "--at", or in capitals the name of a positional argument, which may be repeated
+    std::string field;  ///< the JSON Pointer of what it writes
+    std::string value;  ///< what to call its value in the help; alternatives as "a|b"; empty for a flag
+    std::string help;
+    std::function<void(Json& request, const std::vector<std::string>& values, const Limits& limits)> apply;
+};
+
+/// What a command shows to a person.
+struct Answered {
+    const Json& request;
+    const Json& result;
+    const Limits& limits;
+    Style style;
+};
+
+/// One operation of the protocol, and the command of the same name.
+struct Operation {
+    std::string_view name;
+    std::string_view summary;
+    std::vector<std::string> example;  ///< the arguments of an example for the help, which runs it
+    std::vector<Option> options;
+    Json (*answer)(Fields& request, const Limits& limits);
+    std::string (*render)(const Answered& answered);
+};
+
+/// All of them, in the order of the help.
+const std::vector<Operation>& operations();
+
+/// Field "map" of a request.
+Map read_map_field(Fields& request, const Limits& limits);
+
+}  // namespace blossom::cli

@@ -1,0 +1,17 @@
+#include "operations/table.hpp"
+
+namespace blossom::cli {
+
+const std::vector<Operation>& operations() {
+    static const std::vector<Operation> table{
+        agree_operation(),      blossom_operation(),        evaluate_operation(),
+        derivative_operation(), control_points_operation(),
+    };
+    return table;
+}
+
+Map read_map_field(Fields& request, const Limits& limits) {
+    return request.required("map", [&](const Json& value) { return read_map(value, limits); });
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,83 @@
+#include "streams.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <system_error>
+
+namespace blossom::cli {
+
+namespace {
+
+std::system_error last_error(const std::string& what) { return {errno, std::generic_category(), what}; }
+
+std::size_t read_some(int descriptor, std::span<char> room, const std::string& name) {
+    while (true) {
+        const ssize_t count = ::read(descriptor, room.data(), room.size());
+        if (count >= 0) return static_cast<std::size_t>(count);
+        if (errno != EINTR) throw last_error(name);
+    }
+}
+
+/// Writes all of it; false when the other side is closed.
+bool write_all(int descriptor, std::string_view text, const std::string& name) {
+    while (!text.empty()) {
+        const ssize_t count = ::write(descriptor, text.data(), text.size());
+        if (count >= 0) {
+            text.remove_prefix(static_cast<std::size_t>(count));
+        } else if (errno == EPIPE) {
+            return false;
+        } else if (errno != EINTR) {
+            throw last_error(name);
+        }
+    }
+    return true;
+}
+
+bool wants_colours(int descriptor) {
+    const char* no_color =
+        std::getenv("NO_COLOR");                 // NOLINT(concurrency-mt-unsafe): read before threads start
+    const char* terminal = std::getenv("TERM");  // NOLINT(concurrency-mt-unsafe)
+    if ((no_color && *no_color) || !terminal || std::string_view(terminal) == "dumb") return false;
+    return ::isatty(descriptor) == 1;
+}
+
+}  // namespace
+
+Streams standard_streams() {
+    return {
+        .input = [](std::span<char> room) { return read_some(STDIN_FILENO, room, "standard input"); },
+        .output = [](std::string_view text) { return write_all(STDOUT_FILENO, text, "standard output"); },
+        .errors = [](std::string_view text) { return write_all(STDERR_FILENO, text, "standard error"); },
+        .coloured_output = wants_colours(STDOUT_FILENO),
+        .coloured_errors = wants_colours(STDERR_FILENO),
+    };
+}
+
+LineReader::Source file_source(const std::string& path) {
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0) throw last_error(path);
+    const std::shared_ptr<const int> file(new int(descriptor), [](const int* owned) {
+        ::close(*owned);
+        delete owned;
+    });
+    return [file, path](std::span<char> room) { return read_some(*file, room, path); };
+}
+
+std::string read_all(const LineReader::Source& source, std::size_t longest) {
+    std::string text;
+    std::string room(1 << 16, '\0');
+    while (const std::size_t count = source(room)) {
+        require_within(text.size() + count, longest, "line_bytes", "the length of the input, at least");
+        text.append(room, 0, count);
+    }
+    return text;
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+#include "batch.hpp"
+#include "line_reader.hpp"
+
+namespace blossom::cli {
+
+/// Where the program reads and writes.
+struct Streams {
+    LineReader::Source input;
+    Sink output;
+    Sink errors;
+    bool coloured_output = false;
+    bool coloured_errors = false;
+};
+
+/// The standard streams. Colours are for a terminal, unless NO_COLOR is set or TERM is "dumb" or not set.
+Streams standard_streams();
+
+/// The bytes of a file. Errors: std::system_error.
+LineReader::Source file_source(const std::string& path);
+
+/// All that `source` delivers. Errors: `limit_exceeded` beyond `longest` bytes.
+std::string read_all(const LineReader::Source& source, std::size_t longest);
+
+}  // namespace blossom::cli

@@ -1,0 +1,87 @@
+#include <blossom/core/bezier_extraction.hpp>
+#include <blossom/core/continuity.hpp>
+#include <blossom/core/degree_elevation.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+
+namespace blossom {
+
+namespace {
+
+std::size_t formal_degree(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+}
+
+std::size_t dimension_of(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.dimension(); }, map);
+}
+
+Blossom blossom_of_degree(const PolynomialMap& map, std::size_t n, const Limits& limits) {
+    return std::visit(
+        [&](const auto& curve) { return Blossom(elevate(curve, n - curve.degree(), limits), limits); }, map);
+}
+
+template <class Item, class Text>
+std::string in_brackets(const std::vector<Item>& items, const Text& text) {
+    std::string result = "(";
+    for (std::size_t i = 0; i < items.size(); ++i) result += (i == 0 ? "" : ", ") + text(items[i]);
+    return result + ")";
+}
+
+std::string text(const Coordinates& point) {
+    if (point.size() == 1) return to_string(point.front());
+    return in_brackets(point, [](const Rational& coordinate) { return to_string(coordinate); });
+}
+
+}  // namespace
+
+Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rational& s,
+                const Limits& limits) {
+    if (dimension_of(left) != dimension_of(right)) {
+        throw Error(ErrorCode::mismatched_dimensions, "curves in " + std::to_string(dimension_of(left)) +
+                                                          " and in " + std::to_string(dimension_of(right)) +
+                                                          " dimensions have no contact");
+    }
+    const std::size_t n = std::max(formal_degree(left), formal_degree(right));
+    const Blossom f = blossom_of_degree(left, n, limits);
+    const Blossom g = blossom_of_degree(right, n, limits);
+    const Parameter at = s;
+    for (std::size_t k = 0; k <= n; ++k) {
+        std::vector<Argument> arguments = with_copies(with_copies({}, n - k, at), k, at + delta);
+        Coordinates of_left = f(arguments);
+        Coordinates of_right = g(arguments);
+        if (of_left == of_right) continue;
+        return {static_cast<std::ptrdiff_t>(k) - 1,
+                BlossomDifference{std::move(arguments), std::move(of_left), std::move(of_right)}};
+    }
+    return {};
+}
+
+Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limits) {
+    const KnotVector& knots = curve.knots();
+    const std::size_t before = knots.span_before(s);
+    const std::size_t behind = knots.span_at(s);
+    const Interval domain = knots.domain();
+    if (s == domain.a() || s == domain.b()) {
+        throw Error(ErrorCode::outside_domain,
+                    "the curve has no two sides at " + to_string(s) + ", an end of its domain [" +
+                        to_string(domain.a()) + ", " + to_string(domain.b()) + "]",
+                    "/at");
+    }
+    if (before == behind) return {};
+    return contact(sablonniere(curve, before, limits), sablonniere(curve, behind, limits), s, limits);
+}
+
+std::string to_string(const Contact& contact, const Rational& s) {
+    if (contact.is_infinite()) return "The curves are the same polynomial at " + to_string(s);
+    const BlossomDifference& difference = *contact.first_difference;
+    const std::string values =
+        ": the blossom values at " +
+        in_brackets(difference.arguments, [](const Argument& x) { return to_string(x.u); }) + " are " +
+        text(difference.left) + " and " + text(difference.right);
+    if (*contact.order < 0) return "The curves do not meet at " + to_string(s) + values;
+    return "The curves meet with order " + std::to_string(*contact.order) + " at " + to_string(s) + values;
+}
+
+}  // namespace blossom

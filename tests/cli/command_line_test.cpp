@@ -1,0 +1,306 @@
+#include "command_line.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "limit_table.hpp"
+#include "operations/operation.hpp"
+#include "support/catch.hpp"
+
+using namespace blossom;
+using namespace blossom::cli;
+
+namespace {
+
+struct Run {
+    int status;
+    std::string output;
+    std::string errors;
+};
+
+Run run(const std::vector<std::string>& arguments, std::string input = "", bool coloured = false) {
+    Run result{};
+    const auto source = [&](std::span<char> room) {
+        const std::size_t count = std::min(room.size(), input.size());
+        std::copy_n(input.begin(), count, room.begin());
+        input.erase(0, count);
+        return count;
+    };
+    const auto into = [](std::string& text) {
+        return [&text](std::string_view part) {
+            text += part;
+            return true;
+        };
+    };
+    result.status = static_cast<int>(
+        cli::run(arguments, {source, into(result.output), into(result.errors), coloured, coloured}));
+    return result;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    CAPTURE(text, part);
+    return text.find(part) != std::string::npos;
+}
+
+const std::string cubic = "1 + 2t + 4t^2 - t^3";
+
+}  // namespace
+
+TEST_CASE("agree shows the three values") {
+    const Run shown = run({"agree", cubic, "--at", "1,2,3"});
+    CHECK(shown.status == 0);
+    CHECK(shown.output ==
+          "P(t) = 1 + 2t + 4t^2 - t^3, formal degree 3\n\n"
+          "  symmetric functions   p(1, 2, 3) = 41/3\n"
+          "  polarization          p(1, 2, 3) = 41/3\n"
+          "  de Casteljau          p(1, 2, 3) = 41/3\n\n"
+          "The three constructions agree exactly.\n");
+}
+
+TEST_CASE("agree without arguments shows the form in e1, e2, e3 and the expansion") {
+    const Run shown = run({"agree", cubic});
+    CHECK(shown.status == 0);
+    CHECK(contains(shown.output, "p(u1, u2, u3) = 1 + 2/3 e1 + 4/3 e2 - e3\n"));
+    CHECK(contains(shown.output, " - u1*u2*u3\n"));
+    CHECK(contains(shown.output, "The three constructions agree exactly, for all arguments.\n"));
+}
+
+TEST_CASE("what was skipped is said") {
+    const Run shown = run({"agree", "t^3", "--at", "1,2,3", "--max-polarization-terms", "7"});
+    CHECK(shown.status == 0);
+    CHECK(contains(shown.output, "Skipped: polarization: "));
+    CHECK(contains(shown.output, "The two constructions that were run agree exactly.\n"));
+    CHECK_FALSE(shown.output.find("three") != std::string::npos);
+}
+
+TEST_CASE("a disagreement prints what is needed to reproduce it") {
+    const Json request = Json::Object{{"op", "agree"},
+                                      {"map", Json::Object{{"kind", "polynomial"}, {"text", "t"}}},
+                                      {"arguments", Json::Array{"5"}}};
+    const Json result =
+        Json::Object{{"agree", false},
+                     {"degree", std::size_t{1}},
+                     {"values", Json::Object{{"symmetric", Rational(5)}, {"casteljau", Rational(6)}}},
+                     {"skipped", Json::Array{}}};
+    const auto agree = std::ranges::find(operations(), "agree", &Operation::name);
+    const std::string text = agree->render({request, result, Limits{}, Style(false)});
+    CHECK(contains(text, "symmetric functions   p(5) = 5\n"));
+    CHECK(contains(text, "de Casteljau          p(5) = 6\n"));
+    CHECK(contains(text, "DISAGREE"));
+    CHECK(contains(text, R"({"op": "agree", "map": {"kind": "polynomial", "text": "t"}, "arguments": ["5"]})"
+                         "\n"));
+}
+
+TEST_CASE("arguments may be points, vectors, delta and pairs") {
+    CHECK(
+        contains(run({"blossom", cubic, "--at", "delta,2,pair:3:2"}).output, "p(delta, 2, (3, 2)) = 14/3\n"));
+    CHECK(contains(run({"blossom", cubic, "--at", "vector:1, 2, pair:3:2"}).output, "= 14/3\n"));
+    CHECK(contains(run({"blossom", "t", "--at", "vector:-1/2"}).output, "p(vector -1/2) = -1/2\n"));
+    CHECK(contains(run({"blossom", "5", "--at", ""}).output, "p() = 5\n"));
+    CHECK(contains(run({"blossom", "t", "--at", "pair:1"}).errors, "a homogeneous argument is a pair"));
+}
+
+TEST_CASE("negative numbers and polynomials are no options") {
+    CHECK(contains(run({"evaluate", "-t^2", "--at", "-1/2,3"}).output, "P(-1/2) = -1/4\n"));
+    CHECK(contains(run({"evaluate", "--at", "-1/2", "-t^2"}).output, "P(-1/2) = -1/4\n"));
+    CHECK(contains(run({"evaluate", "-h^2", "--at=-2"}).output, "P(-2) = -4\n"));
+    CHECK(contains(run({"control-points", "--control-points", "-1,0; -2,5", "--interval", "-1,1"}).output,
+                   "P1 = p(1) = (-2, 5)\n"));
+}
+
+TEST_CASE("a map may be given in several ways") {
+    CHECK(contains(run({"evaluate", "1 - t^2; 2t", "--at", "2"}).output, "P(2) = (-3, 4)\n"));
+    CHECK(contains(run({"evaluate", "1 - t^2", "-2t", "--at", "2"}).output, "P(2) = (-3, -4)\n"));
+    CHECK(contains(run({"evaluate", "1 - x^2; 2x", "--denominator", "1 + x^2", "--at", "1/2"}).output,
+                   "P(x) = (1 - x^2, 2x) / (1 + x^2), formal degree 2\n\n  P(1/2) = (3/5, 4/5)\n"));
+    CHECK(contains(run({"evaluate", "--control-points", "0;3;0", "--at", "1/2"}).output, "P(1/2) = 3/2\n"));
+    CHECK(contains(run({"evaluate", "--control-points", "0, 3, 0", "--interval", "0,2", "--at", "1"}).output,
+                   "P(1) = 3/2\n"));
+    CHECK(contains(
+        run({"evaluate", "--control-points", "1,0; 1,1; 0,1", "--weights", "1,1,2", "--at", "1/2"}).output,
+        "P(1/2) = (3/5, 4/5)\n"));
+    CHECK(contains(run({"evaluate", "--control-points", "1,1; 1,0", "--homogeneous", "--at", "1"}).output,
+                   "P(1) = (1, 0)\n"));
+    CHECK(contains(
+        run({"evaluate", "--map", R"({"kind": "bezier", "control_points": [0, 3]})", "--at", "1/2"}).output,
+        "P(1/2) = 3/2\n"));
+    CHECK(contains(run({"blossom", "t", "--degree", "2", "--at", "1,2"}).output, "p(1, 2) = 3/2\n"));
+    CHECK(run({"evaluate", "t", "--control-points", "0;1", "--at", "1"}).status == 2);
+    CHECK(run({"evaluate", "t", "--map", "{}", "--at", "1"}).status == 2);
+    CHECK(run({"evaluate", "--degree", "2", "--at", "1"}).status == 2);
+}
+
+TEST_CASE("the interval of control points is theirs, else the one that is wanted") {
+    CHECK(contains(run({"control-points", cubic, "--interval", "2,-1"}).output, "P1 = p(2, 2, -1) = 7\n"));
+    CHECK(contains(run({"control-points", cubic, "--over", "2,-1"}).output, "P1 = p(2, 2, -1) = 7\n"));
+    const Run both = run({"control-points", "--control-points", "0;2", "--interval", "1,3", "--over", "1,2"});
+    CHECK(contains(both.output, "over [1, 3]: 0, 2"));
+    CHECK(contains(both.output, "P1 = p(2) = 1\n"));
+    CHECK(contains(run({"control-points", "t", "--degree", "2"}).output, "P1 = p(0, 1) = 1/2\n"));
+    CHECK(contains(run({"control-points", "--control-points", "0;2", "--degree", "2"}).output,
+                   "P1 = p(0, 1) = 1\n"));
+}
+
+TEST_CASE("derivatives are shown as values or as a map") {
+    CHECK(contains(run({"derivative", cubic, "--order", "2", "--at", "1/2,0"}).output,
+                   "P''(1/2) = 5\n  P''(0) = 8\n"));
+    CHECK(contains(run({"derivative", cubic}).output, "P'(t) = 2 + 8t - 3t^2\n"));
+    CHECK(contains(run({"derivative", cubic, "--order", "4"}).output, "P^(4)(t) = 0\n"));
+    CHECK(contains(run({"derivative", "--control-points", "0;1;4"}).output,
+                   "P': control points over [0, 1]: 2, 6\n"));
+}
+
+TEST_CASE("rounded numbers are shown beside the exact ones") {
+    CHECK(contains(run({"evaluate", "t/3", "--at", "1", "--numbers", "double"}).output,
+                   "P(1) = 1/3 ≈ 0.3333333333333333\n"));
+    CHECK(contains(run({"evaluate", "t/2", "--at", "1", "--numbers", "hexfloat"}).output,
+                   "P(1) = 1/2 ≈ 0x1p-1\n"));
+    CHECK(run({"evaluate", "t", "--at", "1", "--numbers", "float"}).status == 1);
+}
+
+TEST_CASE("values come from files and the standard input") {
+    const auto file = std::filesystem::temp_directory_path() / "blossom-command-line-test.txt";
+    std::ofstream(file) << "1 + t\r\n";
+    CHECK(contains(run({"evaluate", "@" + file.string(), "--at", "1"}).output, "P(1) = 2\n"));
+    CHECK(contains(run({"evaluate", "t", "--at", "-"}, "1,2\n").output, "P(2) = 2\n"));
+    CHECK(contains(run({"batch", file.string()}).output, "\"syntax\""));
+    CHECK(contains(run({"evaluate", "@" + file.string(), "--at", "1", "--max-line-bytes", "3"}).errors,
+                   "line_bytes = 3"));
+    std::filesystem::remove(file);
+    CHECK(run({"evaluate", "@" + file.string(), "--at", "1"}).status == 2);
+    CHECK(run({"batch", file.string()}).status == 2);
+}
+
+TEST_CASE("a syntax error has a caret below its column") {
+    const Run refused = run({"evaluate", "1 + * t", "--at", "1"});
+    CHECK(refused.status == 1);
+    CHECK(refused.output.empty());
+    CHECK(contains(refused.errors, "error: column 5: "));
+    CHECK(contains(refused.errors, "\n  1 + * t\n      ^\n"));
+    CHECK(contains(run({"evaluate", "t; 2 ^", "--at", "1"}).errors, "\n  2 ^\n     ^\n"));
+    CHECK(contains(run({"evaluate", "--map", "{\"é\": x}", "--at", "1"}).errors,
+                   "\n  {\"é\": x}\n        ^\n"));
+    const Run far = run({"evaluate", std::string(500, ' ') + "*" + std::string(500, ' '), "--at", "1"});
+    const std::string line(38, ' ');
+    CHECK(contains(far.errors, "\n  " + line + "*"));
+    CHECK(contains(far.errors, "\n  " + line + "^\n"));
+}
+
+TEST_CASE("other errors name the place and the option") {
+    CHECK(contains(run({"evaluate", "t", "--at", "1,1/0"}).errors, "at --at, /at/1: \"1/0\"\n"));
+    CHECK(contains(run({"blossom", "t", "--at", "1,2"}).errors, "at --at, /arguments: [\"1\", \"2\"]\n"));
+    CHECK(contains(run({"evaluate", "--at", "1"}).errors, "at POLYNOMIAL, /map\n"));
+    CHECK(contains(run({"evaluate", "t", "--degree", "x", "--at", "1"}).errors,
+                   "at --degree, /map/degree: \"x\"\n"));
+}
+
+TEST_CASE("--json prints the response of a batch, also for an error") {
+    CHECK(run({"evaluate", "t", "--at", "1/2", "--json"}).output ==
+          "{\"ok\": true, \"result\": {\"values\": [\"1/2\"]}}\n");
+    const Run refused = run({"evaluate", "t", "--at", "x", "--json"});
+    CHECK(refused.status == 1);
+    CHECK(refused.errors.empty());
+    CHECK(contains(refused.output, R"({"ok": false, "error": {"code": "not_a_number", )"));
+    CHECK(contains(run({"evaluate", "--map", "{", "--at", "x", "--json"}).output, R"("code": "syntax")"));
+}
+
+TEST_CASE("wrong usage has the status 2 and prints nothing on the output") {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{},
+                                                      {"frobnicate"},
+                                                      {"evaluate", "t", "--att", "1"},
+                                                      {"evaluate", "t", "--at"},
+                                                      {"evaluate", "t", "--at", "1", "--at", "2"},
+                                                      {"batch", "--jobs", "0"},
+                                                      {"batch", "--jobs", "x"},
+                                                      {"batch", "--jobs", "-1"},
+                                                      {"batch", "a", "b"},
+                                                      {"batch", "/nonexistent"},
+                                                      {"completion", "tcsh"},
+                                                      {"completion"},
+                                                      {"evaluate", "t", "--at", "1", "--max-degree", "many"},
+                                                      {"batch", "--max-nesting", "100000"}}) {
+        CAPTURE(arguments);
+        const Run refused = run(arguments);
+        CHECK(refused.status == 2);
+        CHECK(refused.output.empty());
+        CHECK(refused.errors.starts_with("error: "));
+    }
+}
+
+TEST_CASE("colours appear only where they are wanted") {
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"agree", "t", "--at", "1"},
+                                                      {"agree", "t"},
+                                                      {"evaluate", "t", "--at", "1"},
+                                                      {"blossom", "t", "--at", "1"},
+                                                      {"derivative", "t"},
+                                                      {"control-points", "t"},
+                                                      {"evaluate", "*", "--at", "1"},
+                                                      {"nothing"}}) {
+        const Run plain = run(arguments);
+        const Run coloured = run(arguments, "", true);
+        CHECK((plain.output + plain.errors).find('\033') == std::string::npos);
+        CHECK((coloured.output + coloured.errors).find("\033[") != std::string::npos);
+    }
+    CHECK(run({"agree", "t", "--json"}, "", true).output.find('\033') == std::string::npos);
+}
+
+TEST_CASE("every command has a summary and an example with its output") {
+    const std::string help = run({"--help"}).output;
+    for (const Operation& operation : operations()) {
+        CAPTURE(operation.name);
+        CHECK(contains(help, std::string(operation.summary)));
+        const Run own = run({std::string(operation.name), "--help"});
+        CHECK(own.status == 0);
+        CHECK(contains(own.output, "Example:\n  $ blossom " + std::string(operation.name) + " "));
+        CHECK(run(operation.example).status == 0);
+        CHECK(contains(own.output, "\n  P(t) = "));
+    }
+    CHECK(contains(run({"batch", "--help"}).output, "{\"ok\": true, \"result\": {\"values\": [\"1/4\"]}}"));
+}
+
+TEST_CASE("the version is that of the project") {
+    CHECK(run({"--version"}).output == "blossom " BLOSSOM_VERSION "\n");
+}
+
+TEST_CASE("limits are flags of every command") {
+    for (const LimitEntry& entry : limit_table()) {
+        std::string flag = "--max-" + std::string(entry.name);
+        std::ranges::replace(flag, '_', '-');
+        for (const std::string command : {"agree", "evaluate", "batch"}) {
+            CHECK(contains(run({command, "--help"}).output, flag + " N "));
+        }
+    }
+    CHECK(contains(run({"evaluate", "t^4", "--at", "1", "--max-degree", "3"}).errors, "degree = 3"));
+    CHECK(contains(run({"batch", "--max-digits", "3"},
+                       R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": [1234]})")
+                       .output,
+                   "digits = 3"));
+}
+
+TEST_CASE("batch serves the standard input") {
+    const std::string line = R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": [5]})";
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"batch"}, {"batch", "-"}, {"batch", "--jobs", "3"}}) {
+        const Run served = run(arguments, line + "\n");
+        CHECK(served.status == 0);
+        CHECK(served.output == "{\"ok\": true, \"result\": {\"values\": [\"5\"]}}\n");
+        CHECK(run(arguments, line + "\nx\n").status == 1);
+    }
+}
+
+TEST_CASE("completion scripts know every command and option") {
+    for (const std::string shell : {"bash", "zsh", "fish"}) {
+        const Run script = run({"completion", shell});
+        CHECK(script.status == 0);
+        for (const Operation& operation : operations())
+            CHECK(contains(script.output, std::string(operation.name)));
+        for (const std::string word :
+             {"max-degree", "control-points", "hexfloat", "casteljau", "jobs", "completion", "fish"}) {
+            CHECK(contains(script.output, word));
+        }
+    }
+}

@@ -1,0 +1,43 @@
+# cmake -D compiler=... -D program=... -D includes=... -P check.cmake
+#
+# The program names its misuses in lines such as
+#     // MISUSE_POINT_PLUS_POINT: no match for 'operator\+'|invalid operands
+# and has each one between #ifdef MISUSE_POINT_PLUS_POINT and #endif. Without any of these macros it must compile, with each
+# one alone it must not, and the compiler's message must match the regular expression after the colon.
+
+cmake_minimum_required(VERSION 3.25)
+set(ENV{LC_ALL} C)
+list(TRANSFORM includes PREPEND -I)
+
+function(compile out_status out_message)
+  execute_process(
+    COMMAND ${compiler} -std=c++20 -fsyntax-only ${includes} ${ARGN} ${program}
+    RESULT_VARIABLE status
+    OUTPUT_VARIABLE message
+    ERROR_VARIABLE message
+  )
+  set(${out_status} ${status} PARENT_SCOPE)
+  set(${out_message} "${message}" PARENT_SCOPE)
+endfunction()
+
+compile(status message)
+if(NOT status EQUAL 0)
+  message(FATAL_ERROR "${program} must compile without misuse, and does not:\n${message}")
+endif()
+
+file(STRINGS ${program} misuses REGEX "^// MISUSE_[A-Z_]+: .+$")
+if(NOT misuses)
+  message(FATAL_ERROR "${program} names no misuse")
+endif()
+foreach(line IN LISTS misuses)
+  string(REGEX MATCH "^// (MISUSE_[A-Z_]+): (.+)$" line "${line}")
+  set(misuse ${CMAKE_MATCH_1})
+  set(expected "${CMAKE_MATCH_2}")
+  compile(status message -D${misuse})
+  if(status EQUAL 0)
+    message(FATAL_ERROR "${program} compiles with ${misuse}, and must not")
+  elseif(NOT message MATCHES "${expected}")
+    message(FATAL_ERROR "${program} fails with ${misuse} as it must, but not with '${expected}':\n${message}")
+  endif()
+  message(STATUS "${misuse} does not compile")
+endforeach()

@@ -1,0 +1,156 @@
+// The axioms that define a blossom, for every construction, on polynomials and on control polygons of any
+// interval.
+
+#include <blossom/core/blossom.hpp>
+
+#include <algorithm>
+
+#include "support/every_construction.hpp"
+#include "support/map_generators.hpp"
+#include "support/map_printing.hpp"
+#include "support/textbook_blossom.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+constexpr int cases = 700;
+
+Coordinates combined(const Rational& a, const Coordinates& x, const Rational& b, const Coordinates& y) {
+    Coordinates result;
+    for (std::size_t j = 0; j < x.size(); ++j) result.push_back(a * x[j] + b * y[j]);
+    return result;
+}
+
+/// A map of either kind of degree 0 to 6, and its value by the definition.
+struct Sample {
+    PolynomialMap map;
+    std::vector<std::string> value_at_t;
+};
+
+Sample sample(Random& random, std::size_t degree, const Rational& t) {
+    const Size size = random.one_in(4) ? Size::any : Size::small;
+    if (random.one_in(2)) {
+        const PolynomialRecipe recipe = polynomial_map(random, degree, size);
+        return {recipe.curve(), textbook::polynomial_value(recipe.coefficients, t)};
+    }
+    const BezierRecipe recipe = bezier_map(random, degree, size);
+    return {recipe.curve(), textbook::bernstein_value(recipe.control_points, recipe.interval, t)};
+}
+
+std::vector<Argument> with(std::vector<Argument> arguments, std::size_t slot, const Argument& argument) {
+    arguments[slot] = argument;
+    return arguments;
+}
+
+void shuffle(std::vector<Argument>& arguments, Random& random) {
+    for (std::size_t i = arguments.size(); i > 1; --i)
+        std::swap(arguments[i - 1], arguments[random.below(i)]);
+}
+
+}  // namespace
+
+TEST_CASE("every construction is symmetric", "[blossom][axioms]") {
+    Random random(201);
+    for (const auto& [name, construct] : every_construction()) {
+        for (int i = 0; i < cases; ++i) {
+            const std::size_t n = random.below(7);
+            const PolynomialMap map = sample(random, n, 0).map;
+            std::vector<Argument> list = arguments(random, n, Size::small);
+            const Coordinates value = construct(map, list);
+            shuffle(list, random);
+            CAPTURE(name, list);
+            CHECK(construct(map, list) == value);
+        }
+    }
+}
+
+TEST_CASE("every construction is affine in each point", "[blossom][axioms]") {
+    Random random(202);
+    for (const auto& [name, construct] : every_construction()) {
+        for (int i = 0; i < cases; ++i) {
+            const std::size_t n = 1 + random.below(6);
+            const PolynomialMap map = sample(random, n, 0).map;
+            const std::vector<Argument> list = arguments(random, n, Size::small);
+            const std::size_t slot = random.below(n);
+            const Rational u = point(random, Size::any).value;
+            const Rational v = point(random, Size::small).value;
+            const Rational alpha = number(random, Size::small);
+            CAPTURE(name, list, slot, u, v, alpha);
+            const Parameter mean((Rational(1) - alpha) * u + alpha * v);
+            CHECK(construct(map, with(list, slot, mean)) ==
+                  combined(Rational(1) - alpha, construct(map, with(list, slot, Parameter(u))), alpha,
+                           construct(map, with(list, slot, Parameter(v)))));
+        }
+    }
+}
+
+TEST_CASE("every construction gives the map on the diagonal", "[blossom][axioms]") {
+    Random random(203);
+    for (const auto& [name, construct] : every_construction()) {
+        for (int i = 0; i < cases; ++i) {
+            const std::size_t n = random.below(7);
+            const Rational t = number(random, random.one_in(4) ? Size::any : Size::small);
+            const Sample chosen = sample(random, n, t);
+            CAPTURE(name, n, t);
+            CHECK(textbook::text(construct(chosen.map, with_copies({}, n, Parameter(t)))) ==
+                  chosen.value_at_t);
+        }
+    }
+}
+
+TEST_CASE("every construction is linear in each pair", "[blossom][axioms]") {
+    Random random(204);
+    for (const auto& [name, construct] : every_construction()) {
+        for (int i = 0; i < cases; ++i) {
+            const std::size_t n = 1 + random.below(6);
+            const PolynomialMap map = sample(random, n, 0).map;
+            const std::vector<Argument> list = arguments(random, n, Size::small);
+            const std::size_t slot = random.below(n);
+            const Argument x = argument(random, Size::any);
+            const Argument y = argument(random, Size::small);
+            const Rational a = number(random, Size::small);
+            const Rational b = number(random, Size::small);
+            CAPTURE(name, list, slot, x, y, a, b);
+            const Argument both(a * x.u + b * y.u, a * x.mass + b * y.mass);
+            CHECK(construct(map, with(list, slot, both)) ==
+                  combined(a, construct(map, with(list, slot, x)), b, construct(map, with(list, slot, y))));
+        }
+    }
+}
+
+TEST_CASE("every construction scales with each pair, and vanishes at the zero pair", "[blossom][axioms]") {
+    Random random(205);
+    for (const auto& [name, construct] : every_construction()) {
+        for (int i = 0; i < cases; ++i) {
+            const std::size_t n = 1 + random.below(6);
+            const PolynomialMap map = sample(random, n, 0).map;
+            const std::vector<Argument> list = arguments(random, n, Size::small);
+            const std::size_t slot = random.below(n);
+            const Rational c = number(random, Size::any);
+            CAPTURE(name, list, slot, c);
+            const Coordinates value = construct(map, list);
+            const Argument longer(c * list[slot].u, c * list[slot].mass);
+            CHECK(construct(map, with(list, slot, longer)) == combined(c, value, 0, value));
+            CHECK(construct(map, with(list, slot, Argument(0, 0))) == Coordinates(value.size()));
+        }
+    }
+}
+
+TEST_CASE("a point is its neighbour plus a vector in every construction", "[blossom][axioms]") {
+    Random random(206);
+    for (const auto& [name, construct] : every_construction()) {
+        for (int i = 0; i < cases / 4; ++i) {
+            const std::size_t n = 1 + random.below(6);
+            const PolynomialMap map = sample(random, n, 0).map;
+            const std::vector<Argument> list = arguments(random, n, Size::small);
+            const std::size_t slot = random.below(n);
+            const Parameter u = point(random, Size::small);
+            const Parameter v = point(random, Size::small);
+            CAPTURE(name, list, slot, u.value, v.value);
+            CHECK(construct(map, with(list, slot, v - u)) ==
+                  combined(1, construct(map, with(list, slot, v)), -1, construct(map, with(list, slot, u))));
+        }
+    }
+}

@@ -1,0 +1,89 @@
+#include <blossom/core/conversion.hpp>
+#include <blossom/core/derivative.hpp>
+#include <blossom/core/evaluation.hpp>
+
+#include "support/map_generators.hpp"
+#include "support/map_printing.hpp"
+#include "support/textbook_blossom.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+Coordinates value(const PolynomialMap& map, const Parameter& t) {
+    return std::visit([&](const auto& curve) { return evaluate(curve, t); }, map);
+}
+
+std::size_t degree(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+}
+
+}  // namespace
+
+TEST_CASE("derivatives of polynomial maps against those of their powers", "[derivative]") {
+    Random random(241);
+    for (int i = 0; i < 800; ++i) {
+        const std::size_t n = random.below(7);
+        const PolynomialRecipe recipe = polynomial_map(random, n, Size::any);
+        const PolynomialMap map = recipe.curve();
+        const Parameter t = point(random, Size::small);
+        for (std::size_t order = 0; order <= n + 2; ++order) {
+            CAPTURE(n, order, t.value);
+            const auto expected = textbook::polynomial_value(recipe.coefficients, t.value, order);
+            CHECK(textbook::text(derivative(map, order, t)) == expected);
+            const PolynomialMap derived = derivative_map(map, order);
+            CHECK(degree(derived) == (order > n ? 0 : n - order));
+            CHECK(std::holds_alternative<PolynomialCurve>(derived));
+            CHECK(textbook::text(value(derived, t)) == expected);
+        }
+    }
+}
+
+TEST_CASE("derivatives of control polygons are those of the same polynomial", "[derivative]") {
+    Random random(242);
+    for (int i = 0; i < 800; ++i) {
+        const std::size_t n = random.below(7);
+        const BezierRecipe recipe = bezier_map(random, n, Size::small);
+        const PolynomialMap map = recipe.curve();
+        const PolynomialMap monomial = monomial_form(recipe.curve());
+        const Parameter t = point(random, Size::small);
+        for (std::size_t order = 0; order <= n + 2; ++order) {
+            CAPTURE(n, order, t.value, recipe.interval.a(), recipe.interval.b());
+            const Coordinates expected = value(derivative_map(monomial, order), t);
+            CHECK(derivative(map, order, t) == expected);
+            const PolynomialMap derived = derivative_map(map, order);
+            CHECK(degree(derived) == (order > n ? 0 : n - order));
+            REQUIRE(std::holds_alternative<BezierCurve>(derived));
+            CHECK(std::get<BezierCurve>(derived).interval() == recipe.interval);
+            CHECK(value(derived, t) == expected);
+        }
+    }
+}
+
+TEST_CASE("derivatives of derivatives add their orders", "[derivative]") {
+    Random random(243);
+    for (int i = 0; i < 300; ++i) {
+        const std::size_t n = random.below(7);
+        const PolynomialMap map = random.one_in(2)
+                                      ? PolynomialMap(polynomial_map(random, n, Size::any).curve())
+                                      : PolynomialMap(bezier_map(random, n, Size::any).curve());
+        const std::size_t first = random.below(n + 2);
+        const std::size_t second = random.below(n + 2);
+        CAPTURE(n, first, second);
+        CHECK(derivative_map(derivative_map(map, first), second) == derivative_map(map, first + second));
+        CHECK(derivative_map(map, 0) == map);
+    }
+}
+
+TEST_CASE("a derivative is a vector: it does not move with the curve", "[derivative]") {
+    Random random(244);
+    for (int i = 0; i < 100; ++i) {
+        const std::size_t n = 1 + random.below(5);
+        PolynomialRecipe recipe = polynomial_map(random, n, Size::small);
+        const Parameter t = point(random, Size::small);
+        const Coordinates before = derivative(recipe.curve(), 1, t);
+        for (Rational& coordinate : recipe.coefficients.front()) coordinate += Rational(7, 3);
+        CHECK(derivative(recipe.curve(), 1, t) == before);
+    }
+}

@@ -1,0 +1,71 @@
+#include "support/number_generators.hpp"
+#include "support/textbook_arithmetic.hpp"
+
+#include <vector>
+
+#include "support/number_printing.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+TEST_CASE("greatest common divisors and least common multiples", "[integer]") {
+    Random random(31);
+    for (int i = 0; i < 3000; ++i) {
+        // Multiples of a shared factor, since random integers of many digits are nearly always coprime.
+        const Integer factor = integer(random);
+        const Integer a = integer(random) * factor;
+        const Integer b = integer(random) * factor;
+        CAPTURE(a, b);
+        CHECK(to_string(gcd(a, b)) == textbook::greatest_common_divisor(a, b));
+        CHECK(to_string(lcm(a, b)) == textbook::least_common_multiple(a, b));
+    }
+    CHECK(gcd(0, 0) == 0);
+    CHECK(lcm(0, 5) == 0);
+    CHECK(gcd(0, -5) == 5);
+    CHECK(gcd(-4, 6) == 2);
+    CHECK(lcm(-4, 6) == 12);
+}
+
+TEST_CASE("powers of integers", "[integer]") {
+    Random random(32);
+    for (int i = 0; i < 400; ++i) {
+        const Integer base = integer(random);
+        const auto exponent = static_cast<unsigned>(random.below(12));
+        CAPTURE(base, exponent);
+        CHECK(to_string(pow(base, exponent)) == textbook::power(base, exponent));
+    }
+    CHECK(pow(Integer(0), 0) == 1);
+    CHECK(pow(Integer(0), 5) == 0);
+    CHECK(pow(Integer(-1), 1'000'001) == -1);
+    CHECK(pow(Integer(-2), 63) == INT64_MIN);
+    CHECK(pow(Integer(2), 63) == -Integer(INT64_MIN));
+}
+
+TEST_CASE("exact division undoes multiplication", "[integer]") {
+    Random random(33);
+    for (int i = 0; i < 3000; ++i) {
+        const Integer a = integer(random);
+        Integer b = integer(random);
+        if (b.is_zero()) b = 1;
+        CAPTURE(a, b);
+        const Integer quotient = divide_exactly(a * b, b);
+        CHECK(quotient == a);
+        CHECK(quotient.to_int64() == a.to_int64());
+    }
+}
+
+TEST_CASE("the dot product is the sum of the products", "[integer]") {
+    Random random(34);
+    for (int i = 0; i < 300; ++i) {
+        std::vector<Integer> a;
+        std::vector<Integer> b;
+        Integer expected;
+        for (std::uint64_t k = random.below(8); k > 0; --k) {
+            a.push_back(integer(random));
+            b.push_back(integer(random));
+            expected = expected + a.back() * b.back();
+        }
+        CHECK(dot(a, b) == expected);
+    }
+    CHECK(dot({}, {}) == 0);
+}

@@ -1,0 +1,23 @@
+#pragma once
+
+// The oracle of the representations: a curve as polynomials, by the definition of its representation and ring
+// operations alone.
+
+#include <blossom/core/bezier_curve.hpp>
+#include <blossom/core/polynomial_curve.hpp>
+#include <blossom/core/taylor_curve.hpp>
+
+#include <vector>
+
+namespace blossom::testing {
+
+/// sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n, one polynomial a coordinate.
+std::vector<Polynomial> expanded(const BezierCurve& curve);
+std::vector<Polynomial> expanded(const PolynomialCurve& curve);
+/// sum_k m_k (t - center)^k.
+std::vector<Polynomial> expanded(const TaylorCurve& curve);
+
+/// The integral over [a, b] from the coefficients; negative for a reversed interval of a positive polynomial.
+Rational integral(const Polynomial& polynomial, const Interval& interval = {});
+
+}  // namespace blossom::testing

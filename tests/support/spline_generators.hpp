@@ -1,0 +1,53 @@
+#pragma once
+
+#include <blossom/core/bspline_curve.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "support/map_generators.hpp"
+#include "support/random.hpp"
+#include "support/textbook_spline.hpp"
+
+namespace blossom::testing {
+
+/// What stands before the beginning and behind the end of a domain.
+enum class Ends {
+    clamped,   ///< the end itself, as often as the convention has room for: n + 1 or n copies in all
+    open,      ///< other knots, in increasing order and partly repeated
+    repeated,  ///< some copies of the end, and other knots
+};
+
+/// A B-spline as the numbers that it was made of.
+struct SplineRecipe {
+    std::size_t degree;
+    std::vector<Rational> knots;
+    std::vector<Coordinates> points;
+
+    BSplineCurve curve() const { return {degree, knots, points}; }
+    textbook::Spline oracle() const { return textbook::with_end_knots(degree, knots, points); }
+};
+
+textbook::Spline oracle(const BSplineCurve& curve);
+
+/// One span more than there are inner multiplicities, each of them 1 to degree + 1. Every control point has
+/// influence.
+SplineRecipe spline(Random& random, std::size_t degree, std::span<const std::size_t> inner_multiplicities,
+                    KnotConvention convention, Ends begin, Ends end, Size size = Size::small);
+
+/// Any of these, with at most 8 spans.
+SplineRecipe spline(Random& random, std::size_t degree, Size size = Size::small);
+
+/// Calls `visit` with every list of at most `most` multiplicities from 1 to `greatest`.
+void for_each_pattern(std::size_t most, std::size_t greatest,
+                      const std::function<void(std::span<const std::size_t>)>& visit);
+
+/// A parameter in the domain: a knot in a third of the cases, the ends among them.
+Rational parameter(Random& random, const KnotVector& knots);
+
+/// At most `most` knots that can be inserted, some equal to knots of the curve and to each other, in any
+/// order.
+std::vector<Rational> insertable(Random& random, const KnotVector& knots, std::size_t most);
+
+}  // namespace blossom::testing

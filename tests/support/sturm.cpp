@@ -1,0 +1,41 @@
+#include "support/sturm.hpp"
+
+namespace blossom::testing {
+
+namespace {
+
+/// A positive multiple with coprime integers as coefficients.
+Polynomial primitive(const Polynomial& polynomial) {
+    Integer content;
+    for (const Integer& coefficient : polynomial.coefficients().numerators())
+        content = gcd(content, coefficient);
+    return Polynomial(Rational(polynomial.coefficients().denominator(), content)) * polynomial;
+}
+
+}  // namespace
+
+// The common divisor of P and P' divides the whole sequence, so that it counts distinct roots; dividing by it
+// makes the signs at multiple roots right as well.
+SturmSequence::SturmSequence(const Polynomial& polynomial) {
+    const Polynomial simple = divide_exactly(polynomial, gcd(polynomial, derivative(polynomial)));
+    sequence_.push_back(primitive(simple));
+    Polynomial next = derivative(simple);
+    while (!next.is_zero()) {
+        sequence_.push_back(primitive(next));
+        next = -divide(sequence_[sequence_.size() - 2], sequence_.back()).second;
+    }
+}
+
+std::size_t SturmSequence::sign_changes(const Rational& t) const {
+    std::size_t changes = 0;
+    int last = 0;
+    for (const Polynomial& polynomial : sequence_) {
+        const int sign = polynomial(t).sign();
+        if (sign == 0) continue;
+        if (last != 0 && sign != last) ++changes;
+        last = sign;
+    }
+    return changes;
+}
+
+}  // namespace blossom::testing

@@ -1,0 +1,38 @@
+#pragma once
+
+// The oracle of the blossoms: the definitions, written out over all subsets, on another library's numbers.
+
+#include <blossom/core/argument.hpp>
+#include <blossom/core/interval.hpp>
+#include <blossom/core/point_array.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace blossom::textbook {
+
+/// sum_k c_k times the average, over the subsets S of k arguments, of prod_{i in S} u_i prod_{i not in S}
+/// v_i.
+std::vector<std::string> blossom_of_coefficients(std::span<const Coordinates> coefficients,
+                                                 std::span<const Argument> arguments);
+
+/// sum_k P_k times the sum, over the subsets S of k arguments, of prod_{i in S} (u_i - a v_i) / (b - a) and
+/// of prod_{i not in S} (b v_i - u_i) / (b - a).
+std::vector<std::string> blossom_of_control_points(std::span<const Coordinates> control_points,
+                                                   const Interval& interval,
+                                                   std::span<const Argument> arguments);
+
+/// sum_k c_k t^k, and its derivative of some order.
+std::vector<std::string> polynomial_value(std::span<const Coordinates> coefficients, const Rational& t,
+                                          std::size_t order = 0);
+
+/// sum_k P_k C(n, k) s^k (1 - s)^(n-k) with s = (t - a) / (b - a).
+std::vector<std::string> bernstein_value(std::span<const Coordinates> control_points,
+                                         const Interval& interval, const Rational& t);
+
+/// The engine's value as the oracle writes it.
+std::vector<std::string> text(const Coordinates& value);
+
+}  // namespace blossom::textbook
