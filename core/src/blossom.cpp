@@ -15,7 +15,7 @@ PointArray prepared(const PolynomialMap& map) {
     const PointArray& coefficients = std::get<PolynomialCurve>(map).coefficients();
     std::vector<Quotients<Integer>> rows;
     for (const auto row : coefficients.rows()) rows.push_back(constructions::normalised_coefficients(row));
-    return point_array(std::move(rows), coefficients.denominator());
+    return point_array(rows, coefficients.denominator());
 }
 
 const PointArray& numbers_of(const PolynomialMap& map) {

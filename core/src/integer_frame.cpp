@@ -66,16 +66,15 @@ Coordinates reduced(const Quotients<Integer>& value, const Integer& denominator)
     return point;
 }
 
-PointArray point_array(std::vector<Quotients<Integer>> rows, const Integer& denominator) {
+PointArray point_array(const std::vector<Quotients<Integer>>& rows, const Integer& denominator) {
     Integer common = 1;
     for (const auto& row : rows) common = lcm(common, row.denominator);
     std::vector<Integer> numerators;
-    const std::size_t dimension = rows.size();
-    for (auto& row : rows) {
+    for (const auto& row : rows) {
         const Integer scale = divide_exactly(common, row.denominator);
-        for (Integer& numerator : row.numerators) numerators.push_back(std::move(numerator) * scale);
+        for (const Integer& numerator : row.numerators) numerators.push_back(numerator * scale);
     }
-    PointArray points(dimension, RationalVector(std::move(numerators), common * denominator));
+    PointArray points(rows.size(), RationalVector(std::move(numerators), common * denominator));
     points.make_canonical();
     return points;
 }

@@ -40,6 +40,7 @@ BezierCurve control_points_from_values(std::size_t n, const Interval& interval,
                                        const Limits& limits) {
     const InverseFormula formula = inverse_formula(n, interval, limits);
     std::vector<Coordinates> values;
+    values.reserve(formula.nodes.size());
     for (const Rational& node : formula.nodes) values.push_back(map(node));
     const PointArray known(values);
     std::vector<Coordinates> points;

@@ -7,7 +7,7 @@ namespace blossom {
 
 namespace {
 
-RationalVector trimmed(RationalVector coefficients) {
+RationalVector trimmed(const RationalVector& coefficients) {
     std::vector<Integer> numerators = coefficients.numerators();
     while (!numerators.empty() && numerators.back().is_zero()) numerators.pop_back();
     RationalVector result(std::move(numerators), coefficients.denominator());
@@ -43,7 +43,7 @@ Polynomial monic(const Polynomial& polynomial) {
 
 Polynomial::Polynomial(const Rational& constant) : Polynomial(RationalVector({&constant, 1})) {}
 
-Polynomial::Polynomial(RationalVector coefficients) : coefficients_(trimmed(std::move(coefficients))) {}
+Polynomial::Polynomial(const RationalVector& coefficients) : coefficients_(trimmed(coefficients)) {}
 
 Polynomial Polynomial::monomial(std::size_t k) {
     std::vector<Integer> numerators(k + 1);

@@ -213,7 +213,7 @@ private:
     SparsePolynomial power() {
         peek();
         const std::size_t start = position_;
-        const SparsePolynomial base = primary();
+        SparsePolynomial base = primary();
         if (!accept('^')) return base;
         const std::size_t exponent = natural_number();
         if (peek() == '^') fail("an operator; write (a^b)^c or a^(b*c) out");

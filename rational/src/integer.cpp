@@ -237,11 +237,11 @@ Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words
 void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {
     if (!value.large_) {
         const auto low = static_cast<std::uint64_t>(value.small_);
-        std::fill(words.begin(), words.end(), value.small_ < 0 ? ~std::uint64_t{0} : 0);
+        std::ranges::fill(words, value.small_ < 0 ? ~std::uint64_t{0} : 0);
         words[0] = low;
         return;
     }
-    std::fill(words.begin(), words.end(), 0);
+    std::ranges::fill(words, 0);
     const Number& number = value.large_->value;
     if (number.sign() > 0) {
         backend::to_words(number, words);

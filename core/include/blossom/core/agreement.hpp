@@ -12,7 +12,7 @@ namespace blossom {
 /// What one construction gave, or why it was not run.
 template <class Value>
 struct ConstructionResult {
-    Construction construction;
+    Construction construction = Construction::symmetric;
     std::optional<Value> value;
     std::string skipped;  ///< the reason, when there is no value
 };

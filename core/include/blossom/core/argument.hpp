@@ -38,9 +38,10 @@ inline const Direction delta{1};
 /// An argument of a homogeneous blossom: Goldman's pair (u, v), where the mass v is 1 for a point and 0 for a
 /// vector. Source: Goldman, section 4.1. Statements: goldman-haxioms, goldman-hblossom-dehom.
 struct Argument {
-    Argument(Parameter point) : u(std::move(point.value)), mass(1) {}  // NOLINT(google-explicit-constructor)
-    Argument(Direction direction)
-        : u(std::move(direction.value)), mass(0) {}  // NOLINT(google-explicit-constructor)
+    // NOLINTBEGIN(google-explicit-constructor): points and vectors are arguments
+    Argument(Parameter point) : u(std::move(point.value)), mass(1) {}
+    Argument(Direction direction) : u(std::move(direction.value)), mass(0) {}
+    // NOLINTEND(google-explicit-constructor)
     Argument(Rational first, Rational second) : u(std::move(first)), mass(std::move(second)) {}
 
     Rational u;

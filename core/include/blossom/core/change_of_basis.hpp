@@ -14,8 +14,10 @@ namespace blossom::constructions {
 template <class R>
 std::vector<R> substitute_line(std::span<const R> coefficients, const Integer& a, const Integer& d,
                                const Integer& q) {
+    // NOLINTBEGIN(performance-unnecessary-copy-initialization): R need not be Integer
     const R constant(a);
     const R slope(d);
+    // NOLINTEND(performance-unnecessary-copy-initialization)
     std::vector<R> result{coefficients.back()};
     Integer power = 1;
     for (std::size_t k = coefficients.size() - 1; k-- > 0;) {

@@ -18,7 +18,7 @@ public:
     Polynomial(const Rational& constant);  // NOLINT(google-explicit-constructor): a constant is a polynomial
     Polynomial(int constant) : Polynomial(Rational(constant)) {}  // NOLINT(google-explicit-constructor)
     /// Lowest first; leading zeros are dropped, and the common denominator is made the least.
-    explicit Polynomial(RationalVector coefficients);
+    explicit Polynomial(const RationalVector& coefficients);
     explicit Polynomial(std::span<const Rational> coefficients) : Polynomial(RationalVector(coefficients)) {}
     /// t^k.
     static Polynomial monomial(std::size_t k);
