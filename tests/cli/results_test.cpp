@@ -191,11 +191,11 @@ TEST_CASE("rounded numbers stand beside the exact ones, in the same shape") {
 }
 
 TEST_CASE("nested and mixed shapes are rounded too") {
-    Json result = Json::Object{
-        {"maps",
-         Json::Array{Json::Object{{"net", Json::Array{Json::Array{Json(std::size_t{2}), Rational(1, 4)}}}}}},
-        {"name", "x"},
-        {"empty", Json::Array{}}};
+    // A count, not braces: compilers differ on a list in braces whose one element is a list.
+    const Json::Array row{Json(std::size_t{2}), Rational(1, 4)};
+    const Json::Array net(1, Json(row));
+    const Json::Array maps(1, Json(Json::Object{{"net", Json(net)}}));
+    Json result = Json::Object{{"maps", Json(maps)}, {"name", "x"}, {"empty", Json::Array{}}};
     add_rounded_numbers(result, Rounding::binary64);
     CHECK(cli::to_text(result) ==
           R"({"maps": [{"net": [[2, "1/4"]], "net_double": [[2, 0.25]]}], "name": "x", "empty": []})");
