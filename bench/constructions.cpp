@@ -97,7 +97,7 @@ void add_rows(std::size_t degree, int bits) {
 int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-    for (const int bits : {7, 64}) {
+    for (const int bits : {4, 7, 64}) {
         for (const std::size_t degree : {3, 10, 20, 100}) add_rows(degree, bits);
     }
     benchmark::RunSpecifiedBenchmarks();
