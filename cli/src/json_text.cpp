@@ -67,10 +67,8 @@ public:
     }
 
     JsonReading take() {
-        if (error_) {
-            // What is open is handed out as far as it was read.
-            while (!open_.empty()) static_cast<void>(close());
-        }
+        // Of what is open only the outermost is handed out, with the members that were read whole.
+        if (error_ && !open_.empty()) root_ = std::move(open_.front());
         return {std::move(root_), std::move(error_)};
     }
     void fail(Error error) {
