@@ -21,6 +21,27 @@ Json response_to(const Json& request, bool ok) {
     return response;
 }
 
+std::size_t digits_in(const Json& value) {
+    if (const Rational* number = value.exact()) {
+        // log10(2) < 1/3
+        return (number->numerator().bit_length() + number->denominator().bit_length()) / 3 + 1;
+    }
+    std::size_t digits = 0;
+    if (const Json::Array* elements = value.array()) {
+        for (const Json& element : *elements) digits += digits_in(element);
+    }
+    if (const Json::Object* members = value.object()) {
+        for (const auto& [name, member] : *members) digits += digits_in(member);
+    }
+    return digits;
+}
+
+/// Refuses what would be long to write before it is written.
+void require_output_digits(const Json& result, const Limits& limits) {
+    require_within(digits_in(result), limits.output_digits, "output_digits",
+                   "the size of the result in decimal digits, at most");
+}
+
 ServedLine served(const Json& response) { return {to_text(response), outcome_of(response)}; }
 
 }  // namespace
@@ -45,6 +66,7 @@ Json result_of(const Json& request, const Limits& limits) {
     const Rounding rounding = fields.optional("numbers", read_rounding).value_or(Rounding::none);
     Json result = operation.answer(fields, limits);
     fields.finish();
+    require_output_digits(result, limits);
     add_rounded_numbers(result, rounding);
     return result;
 }

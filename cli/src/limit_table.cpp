@@ -19,6 +19,7 @@ constexpr LimitEntry table[] = {
     {"expansion_terms", &Limits::expansion_terms, "terms of one polynomial in several variables", any},
     {"expansion_work", &Limits::expansion_work, "term operations of one symbolic computation", any},
     {"numbers", &Limits::numbers, "numbers that make up one map or one result", any},
+    {"output_digits", &Limits::output_digits, "decimal digits of one whole result", any},
     {"line_bytes", &Limits::line_bytes, "bytes of one line of a batch, or of one file or argument", any},
 };
 

@@ -22,6 +22,14 @@ std::size_t symbolic_work(std::size_t n) {
     return small ? static_cast<std::size_t>(*small) : std::numeric_limits<std::size_t>::max();
 }
 
+/// Bounds the bits of a coefficient of the blossom written out: a change of basis and the common denominator
+/// of the binomials.
+std::size_t coefficient_bits(const PolynomialMap& map) {
+    const auto* bezier = std::get_if<BezierCurve>(&map);
+    const std::size_t bits_a_degree = 4 + (bezier ? cleared(bezier->interval()).bits() : 0);
+    return greatest_bit_length(numbers_of(map).numbers().numerators()) + degree_of(map) * bits_a_degree;
+}
+
 /// Runs all three; `excess(construction)` says why one is not run, or nothing.
 template <class Value, class Excess, class Run>
 Agreement<Value> collect(const Excess& excess, const Run& run) {
@@ -61,6 +69,7 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Polyn
     const std::size_t bits = std::numeric_limits<std::size_t>::digits - 1;
     require_within(std::size_t{1} << std::min(n, bits), limits.expansion_terms, "expansion_terms",
                    "the number of terms of the blossom of formal degree " + std::to_string(n) + ", at least");
+    require_result_bits(coefficient_bits(map), limits, (std::size_t{1} << n) * numbers_of(map).dimension());
 
     std::vector<HomogeneousPair<SparsePolynomial>> symbols;
     symbols.reserve(n);
@@ -83,6 +92,7 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Polyn
 }
 
 std::vector<SparsePolynomial> elementary_symmetric_form(const PolynomialMap& map, const Limits& limits) {
+    require_result_bits(coefficient_bits(map), limits, numbers_of(map).numbers().size());
     const PolynomialCurve curve = monomial(map, limits);
     std::vector<SparsePolynomial> forms;
     for (const auto row : curve.coefficients().rows()) {

@@ -18,11 +18,6 @@ PointArray prepared(const PolynomialMap& map) {
     return point_array(rows, coefficients.denominator());
 }
 
-const PointArray& numbers_of(const PolynomialMap& map) {
-    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return curve->coefficients();
-    return std::get<BezierCurve>(map).control_points();
-}
-
 void require_bits(const PolynomialMap& map, const ClearedArguments& arguments, const Limits& limits) {
     std::size_t bits = greatest_bit_length(numbers_of(map).numbers().numerators()) + arguments.bits;
     if (const auto* bezier = std::get_if<BezierCurve>(&map)) {

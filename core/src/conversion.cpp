@@ -9,7 +9,7 @@ namespace {
 
 void require_size(const PointArray& points, std::size_t bits_a_degree, const Limits& limits) {
     require_result_bits(greatest_bit_length(points.numbers().numerators()) + points.size() * bits_a_degree,
-                        limits);
+                        limits, points.numbers().size());
 }
 
 }  // namespace

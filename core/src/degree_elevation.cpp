@@ -20,6 +20,8 @@ void require_degree(std::size_t n, std::size_t r, const Limits& limits) {
 BezierCurve elevate(const BezierCurve& curve, std::size_t r, const Limits& limits) {
     const std::size_t n = curve.degree();
     require_degree(n, r, limits);
+    require_result_bits(greatest_bit_length(curve.control_points().numbers().numerators()) + 4 * (n + r),
+                        limits, (n + r + 1) * curve.dimension());
     const std::vector<Integer> binomials = binomial_row(r);
     std::vector<Quotients<Integer>> rows;
     for (const auto row : curve.control_points().rows()) {

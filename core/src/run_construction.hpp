@@ -143,6 +143,12 @@ Quotients<R> run_construction(const PolynomialMap& map, Construction constructio
     return value;
 }
 
+/// The coefficients or the control points.
+inline const PointArray& numbers_of(const PolynomialMap& map) {
+    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return curve->coefficients();
+    return std::get<BezierCurve>(map).control_points();
+}
+
 inline std::size_t degree_of(const PolynomialMap& map) {
     return std::visit([](const auto& curve) { return curve.degree(); }, map);
 }

@@ -48,7 +48,7 @@ Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> ar
     const auto& [a, b, q] = interval;
     require_result_bits(greatest_bit_length(curve.control_points().numbers().numerators()) +
                             cleared_arguments.bits + n * interval.bits(),
-                        limits);
+                        limits, (n + 1) * (n + 2) / 2 * curve.dimension());
 
     Pyramid pyramid{{curve.control_points()}};
     std::vector<std::vector<Integer>> rows;

@@ -13,7 +13,7 @@ PointArray shifted(const PointArray& coefficients, const Rational& shift, const 
     const std::size_t n = coefficients.size() - 1;
     require_result_bits(greatest_bit_length(coefficients.numbers().numerators()) +
                             n * (shift.numerator().bit_length() + q.bit_length() + 1),
-                        limits);
+                        limits, coefficients.numbers().size());
     std::vector<Quotients<Integer>> rows;
     for (const auto row : coefficients.rows()) {
         rows.push_back({constructions::substitute_line(row, shift.numerator(), q, q), pow(q, n)});

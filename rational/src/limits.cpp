@@ -16,9 +16,16 @@ void require_within(std::size_t value, std::size_t limit, std::string_view name,
     throw Error(ErrorCode::limit_exceeded, message, std::string(field));
 }
 
-void require_result_bits(std::size_t bits, const Limits& limits) {
+void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count) {
     // log10(2) < 1/3, so that bits / 3 bounds the decimal digits from above, up to the last one.
-    require_within(bits / 3, limits.digits, "digits", "the size of the result in decimal digits, at most");
+    const std::size_t digits = bits / 3;
+    require_within(digits, limits.digits, "digits", "the size of the result in decimal digits, at most");
+    if (digits != 0 && count > limits.output_digits / digits) {
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "a result of " + std::to_string(count) + " numbers of up to " + std::to_string(digits) +
+                " decimal digits exceeds the limit output_digits = " + std::to_string(limits.output_digits));
+    }
 }
 
 }  // namespace blossom

@@ -47,6 +47,19 @@ TEST_CASE("a number of 50 million digits is refused") {
                 "digits"));
 }
 
+TEST_CASE("a result that is long in all is refused before it is written") {
+    Limits limits;
+    limits.output_digits = 40;
+    const auto parameters = [](std::size_t count) {
+        std::string line =
+            R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": ["1000000000")";
+        for (std::size_t i = 1; i < count; ++i) line += R"(, "1000000000")";
+        return line + "]}";
+    };
+    CHECK(served_at("/ok", parameters(3), limits) == "true");
+    CHECK(names(excess(parameters(4), limits), "output_digits"));
+}
+
 TEST_CASE("a formal degree and a dimension may not multiply beyond what fits") {
     std::string texts = "\"1\"";
     for (int i = 0; i < 1000; ++i) texts += ", \"1\"";

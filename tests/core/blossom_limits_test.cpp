@@ -1,9 +1,13 @@
 // Results with too many digits are refused before they are computed.
 
+#include <blossom/core/agreement.hpp>
 #include <blossom/core/blossom.hpp>
 #include <blossom/core/conversion.hpp>
+#include <blossom/core/degree_elevation.hpp>
 #include <blossom/core/derivative.hpp>
 #include <blossom/core/evaluation.hpp>
+#include <blossom/core/subdivision.hpp>
+#include <blossom/core/taylor_curve.hpp>
 
 #include "support/every_construction.hpp"
 #include "support/failure.hpp"
@@ -68,6 +72,29 @@ TEST_CASE("the limit of digits is the caller's", "[blossom][limits]") {
         CHECK_FALSE(failure([&] { blossom_value(square, with_copies({}, 2, fine), construction, limits); }));
         check_refused([&] { blossom_value(square, with_copies({}, 2, large), construction, limits); });
     }
+}
+
+TEST_CASE("many numbers that are each within the limit are refused together", "[blossom][limits]") {
+    // 10^4 control points of up to 10^5 digits
+    const PolynomialCurve curve(Polynomial(1), 9'999);
+    const Rational end(pow(Integer(10), 5));
+    const std::size_t before = peak_memory();
+    check_refused([&] { control_points(curve, Interval(0, end)); });
+    check_refused([&] { taylor_form(curve, end); });
+    check_refused([&] { subdivide(BezierCurve(curve.coefficients(), Interval()), end); });
+    check_refused(
+        [&] { elevate(BezierCurve(std::vector<Coordinates>(2, Coordinates{huge * huge})), 2'000); });
+    CHECK(peak_memory() < before + 64);
+
+    Limits limits;
+    limits.output_digits = 8 * 40;
+    const PolynomialCurve cubic(std::vector<Coordinates>{{pow(Integer(10), 30)}, {0}, {0}, {1}});
+    CHECK_FALSE(failure([&] { agreement_for_all_arguments(cubic, limits); }));
+    CHECK_FALSE(failure([&] { elementary_symmetric_form(cubic, limits); }));
+    limits.output_digits = 8 * 30;
+    check_refused([&] { agreement_for_all_arguments(cubic, limits); });
+    limits.output_digits = 4 * 30;
+    check_refused([&] { elementary_symmetric_form(cubic, limits); });
 }
 
 TEST_CASE("a formal degree beyond the limit is refused", "[blossom][limits]") {

@@ -17,6 +17,7 @@ struct Limits {
     std::size_t expansion_terms = 1 << 17;     ///< terms of one polynomial in several variables
     std::size_t expansion_work = 100'000'000;  ///< term operations of one symbolic computation
     std::size_t numbers = 1 << 22;             ///< numbers that make up one map or one result
+    std::size_t output_digits = 250'000'000;   ///< decimal digits of one whole result, estimated from above
     std::size_t line_bytes = 16 << 20;         ///< one line of a batch
 };
 
@@ -25,8 +26,8 @@ struct Limits {
 void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
                     std::string_view field = "");
 
-/// Throws `limit_exceeded` when a result of `bits` binary digits would have more than `limits.digits` decimal
-/// ones.
-void require_result_bits(std::size_t bits, const Limits& limits);
+/// Throws `limit_exceeded` when a result of `count` numbers of at most `bits` binary digits each might have
+/// more than `limits.digits` decimal ones a number, or more than `limits.output_digits` in all.
+void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count = 1);
 
 }  // namespace blossom
