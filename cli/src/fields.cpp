@@ -3,7 +3,6 @@
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
-#include <limits>
 
 #include "nearest_name.hpp"
 
@@ -17,6 +16,20 @@ namespace {
 }
 
 bool is_integer_text(std::string_view text) { return text.find_first_of(".eE") == std::string_view::npos; }
+
+/// An integer from 0 to the limit `most`.
+std::size_t read_whole(const Json& value, const Limits& limits, std::size_t most, std::string_view name) {
+    const Rational number = read_number(value, limits);
+    if (!number.is_integer() || number.sign() < 0) {
+        throw Error(ErrorCode::wrong_kind, to_string(number) + " is not an integer of at least 0");
+    }
+    const auto small = number.numerator().to_int64();
+    if (!small || static_cast<std::size_t>(*small) > most) {
+        throw Error(ErrorCode::limit_exceeded, to_string(number) + " exceeds the limit " + std::string(name) +
+                                                   " = " + std::to_string(most));
+    }
+    return static_cast<std::size_t>(*small);
+}
 
 }  // namespace
 
@@ -65,18 +78,11 @@ Rational read_number(const Json& value, const Limits& limits) {
 }
 
 std::size_t read_count(const Json& value, const Limits& limits) {
-    const Rational number = read_number(value, limits);
-    if (!number.is_integer() || number.sign() < 0) {
-        throw Error(ErrorCode::wrong_kind, to_string(number) + " is not an integer of at least 0");
-    }
-    const auto small = number.numerator().to_int64();
-    const std::size_t count =
-        small ? static_cast<std::size_t>(*small) : std::numeric_limits<std::size_t>::max();
-    if (!small || count > limits.degree) {
-        throw Error(ErrorCode::limit_exceeded,
-                    to_string(number) + " exceeds the limit degree = " + std::to_string(limits.degree));
-    }
-    return count;
+    return read_whole(value, limits, limits.degree, "degree");
+}
+
+std::size_t read_index(const Json& value, const Limits& limits) {
+    return read_whole(value, limits, limits.numbers, "numbers");
 }
 
 bool read_boolean(const Json& value) {
@@ -87,6 +93,18 @@ bool read_boolean(const Json& value) {
 const std::string& read_text(const Json& value) {
     if (const std::string* text = value.text()) return *text;
     wrong_kind("a string", value);
+}
+
+std::size_t read_alternative(const Json& value, std::span<const std::string_view> names,
+                             std::string_view what) {
+    const std::string& written = read_text(value);
+    std::string list;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == written) return i;
+        list += (i == 0 ? "" : ", ") + std::string(names[i]);
+    }
+    throw Error(ErrorCode::wrong_kind, quoted(written) + " is not " + std::string(what) +
+                                           suggestion(written, names) + "; there are: " + list);
 }
 
 const Json::Array& read_array(const Json& value) {

@@ -6,6 +6,7 @@
 #include <blossom/rational/limits.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -78,8 +79,16 @@ Rational read_number(const Json& value, const Limits& limits);
 /// A count such as a degree, at most `limits.degree`. Errors: `wrong_kind`, `limit_exceeded`.
 std::size_t read_count(const Json& value, const Limits& limits);
 
+/// The index of something that a request lists, at most `limits.numbers`. Errors: `wrong_kind`,
+/// `limit_exceeded`.
+std::size_t read_index(const Json& value, const Limits& limits);
+
 bool read_boolean(const Json& value);
 const std::string& read_text(const Json& value);
+
+/// The index of the word among `names`; `what` is what they are, "a method". Errors: `wrong_kind`.
+std::size_t read_alternative(const Json& value, std::span<const std::string_view> names,
+                             std::string_view what);
 
 /// The elements of a list, each through `read`. Errors: `wrong_kind` unless it is an array.
 const Json::Array& read_array(const Json& value);

@@ -1,7 +1,9 @@
 #include "readable.hpp"
 
 #include <fmt/format.h>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
 
 #include "rounding.hpp"
 
@@ -41,40 +43,6 @@ std::string argument_text(const Json& argument) {
     return leaf_text(argument);
 }
 
-std::string tuple_of_polynomials(const PolynomialCurve& curve, std::size_t first, std::size_t last,
-                                 bool scalar, std::string_view variable) {
-    std::string text;
-    for (std::size_t j = first; j < last; ++j) {
-        text += (j == first ? "" : ", ") + blossom::to_text(curve.coordinate(j), variable);
-    }
-    return scalar ? text : "(" + text + ")";
-}
-
-std::string polynomial_text(const PolynomialCurve& curve, const PointForm& form, std::string_view variable) {
-    const std::size_t dimension = curve.dimension();
-    if (!form.rational || form.homogeneous)
-        return tuple_of_polynomials(curve, 0, dimension, form.scalar, variable);
-    const std::string numerators = tuple_of_polynomials(curve, 0, dimension - 1, form.scalar, variable);
-    return fmt::format("{} / ({})", form.scalar ? "(" + numerators + ")" : numerators,
-                       blossom::to_text(curve.coordinate(dimension - 1), variable));
-}
-
-std::string polygon_text(const BezierCurve& curve, const PointForm& form) {
-    const Json map = to_json({curve, form, "t"});
-    std::string text;
-    for (const std::string& point : member_texts(map, "control_points"))
-        text += (text.empty() ? "" : ", ") + point;
-    if (map.find("weights")) {
-        text += ", weights ";
-        std::string weights;
-        for (const std::string& weight : member_texts(map, "weights")) {
-            weights += (weights.empty() ? "" : ", ") + weight;
-        }
-        text += weights;
-    }
-    return text;
-}
-
 }  // namespace
 
 std::string Style::in(std::string_view code, std::string_view text) const {
@@ -107,20 +75,18 @@ std::string arguments_text(const Json& arguments) {
     return text;
 }
 
-std::string formula(const Map& map, std::string_view name) {
-    if (const auto* curve = std::get_if<PolynomialCurve>(&map.curve)) {
-        return fmt::format("{}({}) = {}", name, map.variable,
-                           polynomial_text(*curve, map.form, map.variable));
+std::string table_text(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t j = 0; j < row.size(); ++j) widths[j] = std::max(widths[j], row[j].size());
     }
-    const auto& curve = std::get<BezierCurve>(map.curve);
-    return fmt::format("{}: control points over [{}, {}]: {}", name, to_string(curve.interval().a()),
-                       to_string(curve.interval().b()), polygon_text(curve, map.form));
-}
-
-std::string description(const Map& map) {
-    return fmt::format("{}, {}degree {}{}", formula(map, "P"),
-                       std::holds_alternative<PolynomialCurve>(map.curve) ? "formal " : "", degree_of(map),
-                       map.form.homogeneous ? ", points with their weight last" : "");
+    std::string text;
+    for (const auto& row : rows) {
+        for (std::size_t j = 0; j < row.size(); ++j) text += fmt::format("  {:>{}}", row[j], widths[j]);
+        text += "\n";
+    }
+    return text;
 }
 
 }  // namespace blossom::cli

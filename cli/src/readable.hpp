@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "json.hpp"
-#include "maps/map.hpp"
 
 /// How results are written for a person.
 
@@ -38,10 +37,7 @@ std::vector<std::string> member_texts(const Json& result, std::string_view name)
 /// The arguments of a request: "1, 2, delta".
 std::string arguments_text(const Json& arguments);
 
-/// What the map is: "P(t) = 1 + 2t, formal degree 1" or its control polygon.
-std::string description(const Map& map);
-
-/// "P(t) = ..." alone, or for a control polygon its points.
-std::string formula(const Map& map, std::string_view name);
+/// Rows of texts in columns, aligned on the right.
+std::string table_text(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace blossom::cli

@@ -78,6 +78,11 @@ std::string_view rounding_suffix(Rounding rounding) {
     return rounding == Rounding::hexadecimal ? "_hex" : "_double";
 }
 
+bool is_rounded_twin(std::string_view name) {
+    return name.ends_with(rounding_suffix(Rounding::binary64)) ||
+           name.ends_with(rounding_suffix(Rounding::hexadecimal));
+}
+
 void add_rounded_numbers(Json& result, Rounding rounding) {
     if (rounding == Rounding::none) return;
     try {

@@ -58,8 +58,7 @@ Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rat
     return {};
 }
 
-Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limits) {
-    const KnotVector& knots = curve.knots();
+std::pair<std::size_t, std::size_t> sides(const KnotVector& knots, const Rational& s) {
     const std::size_t before = knots.span_before(s);
     const std::size_t behind = knots.span_at(s);
     const Interval domain = knots.domain();
@@ -69,6 +68,11 @@ Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limi
                         to_string(domain.a()) + ", " + to_string(domain.b()) + "]",
                     "/at");
     }
+    return {before, behind};
+}
+
+Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limits) {
+    const auto [before, behind] = sides(curve.knots(), s);
     if (before == behind) return {};
     return contact(sablonniere(curve, before, limits), sablonniere(curve, behind, limits), s, limits);
 }

@@ -32,6 +32,14 @@ void require_determined(std::span<const Rational> knots, std::size_t n) {
     }
 }
 
+void require_arity(std::span<const Argument> arguments, std::size_t degree) {
+    if (arguments.size() == degree) return;
+    throw Error(ErrorCode::wrong_arity,
+                "the blossom of a map of formal degree " + std::to_string(degree) + " takes " +
+                    std::to_string(degree) + " arguments, not " + std::to_string(arguments.size()),
+                "/arguments");
+}
+
 }  // namespace
 
 ProgressiveCurve::ProgressiveCurve(std::vector<Rational> knots, std::span<const Coordinates> control_points)
@@ -47,14 +55,27 @@ ProgressiveCurve::ProgressiveCurve(std::vector<Rational> knots, std::span<const 
 
 Coordinates blossom_value(const ProgressiveCurve& curve, std::span<const Argument> arguments,
                           const Limits& limits) {
-    if (arguments.size() != curve.degree()) {
-        throw Error(ErrorCode::wrong_arity,
-                    "the blossom of a map of formal degree " + std::to_string(curve.degree()) + " takes " +
-                        std::to_string(curve.degree()) + " arguments, not " +
-                        std::to_string(arguments.size()),
-                    "/arguments");
-    }
+    require_arity(arguments, curve.degree());
     return ProgressiveFrame(curve, limits).value(arguments);
+}
+
+std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& curve,
+                                                      std::span<const Argument> arguments,
+                                                      const Limits& limits) {
+    const std::size_t n = curve.degree();
+    require_arity(arguments, n);
+    require_within((n + 1) * (n + 2) / 2 * curve.dimension(), limits.numbers, "numbers",
+                   "the count of numbers");
+    const ProgressiveFrame frame(curve, limits);
+    ProgressiveDescent descent(frame);
+    std::vector<std::vector<Coordinates>> levels{curve.control_points().to_points()};
+    for (std::size_t k = 0; k < n; ++k) {
+        descent.descend(arguments[k]);
+        std::vector<Coordinates> level;
+        for (std::size_t l = 0; l < n - k; ++l) level.push_back(descent.entry(l));
+        levels.push_back(std::move(level));
+    }
+    return levels;
 }
 
 Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Limits& limits) {

@@ -40,4 +40,18 @@ std::pair<BSplineCurve, BSplineCurve> split(const BSplineCurve& curve, const Rat
             BSplineCurve(n, std::move(right), {right_begin, points.end()})};
 }
 
+BSplineCurve restricted(const BSplineCurve& curve, const Interval& interval, const Limits& limits) {
+    const Interval domain = curve.knots().domain();
+    const Rational& a = interval.a();
+    const Rational& b = interval.b();
+    if (a < domain.a() || domain.b() < b || b < a) {
+        throw Error(ErrorCode::outside_domain, "[" + to_string(a) + ", " + to_string(b) +
+                                                   "] is not an increasing interval within the domain [" +
+                                                   to_string(domain.a()) + ", " + to_string(domain.b()) +
+                                                   "]");
+    }
+    const BSplineCurve part = b < domain.b() ? split(curve, b, limits).first : curve;
+    return domain.a() < a ? split(part, a, limits).second : part;
+}
+
 }  // namespace blossom

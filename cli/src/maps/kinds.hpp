@@ -2,14 +2,38 @@
 
 #include "maps/map.hpp"
 
+/// What each kind of map defines: how it is read, how it is written as JSON, and how a person reads it.
+
 namespace blossom::cli {
 
 /// {"kind": "polynomial", "coefficients" or "text", "degree"?, "denominator"?, "homogeneous"?}
 Map read_polynomial(Fields& fields, const Limits& limits);
-Json polynomial_to_json(const PolynomialCurve& curve, const PointForm& form);
+Json write(const PolynomialCurve& curve, const PointForm& form);
+std::string formula(const PolynomialCurve& curve, const Map& map, std::string_view name);
 
 /// {"kind": "bezier", "control_points", "interval"?, "weights"?, "degree"?, "homogeneous"?}
 Map read_bezier(Fields& fields, const Limits& limits);
-Json bezier_to_json(const BezierCurve& curve, const PointForm& form);
+Json write(const BezierCurve& curve, const PointForm& form);
+std::string formula(const BezierCurve& curve, const Map& map, std::string_view name);
+
+/// {"kind": "taylor", "center", "coefficients", "degree"?, "denominator"?, "homogeneous"?}
+Map read_taylor(Fields& fields, const Limits& limits);
+Json write(const TaylorCurve& curve, const PointForm& form);
+std::string formula(const TaylorCurve& curve, const Map& map, std::string_view name);
+
+/// {"kind": "bspline", "degree", "knots", "control_points", "weights"?, "homogeneous"?}
+Map read_bspline(Fields& fields, const Limits& limits);
+Json write(const BSplineCurve& curve, const PointForm& form);
+std::string formula(const BSplineCurve& curve, const Map& map, std::string_view name);
+
+/// {"kind": "progressive", "knots", "control_points", "weights"?, "degree"?, "homogeneous"?}
+Map read_progressive(Fields& fields, const Limits& limits);
+Json write(const ProgressiveCurve& curve, const PointForm& form);
+std::string formula(const ProgressiveCurve& curve, const Map& map, std::string_view name);
+
+/// {"kind": "samples", "degree", "interval"?, "values": [[t, point], ...]}
+Map read_samples(Fields& fields, const Limits& limits);
+Json write(const Samples& samples, const PointForm& form);
+std::string formula(const Samples& samples, const Map& map, std::string_view name);
 
 }  // namespace blossom::cli

@@ -3,6 +3,7 @@
 #include <blossom/rational/number_text.hpp>
 
 #include "maps/kinds.hpp"
+#include "maps/serve.hpp"
 #include "nearest_name.hpp"
 
 namespace blossom::cli {
@@ -15,8 +16,8 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {"polynomial", read_polynomial},
-    {"bezier", read_bezier},
+    {"polynomial", read_polynomial}, {"bezier", read_bezier},           {"taylor", read_taylor},
+    {"bspline", read_bspline},       {"progressive", read_progressive}, {"samples", read_samples},
 };
 
 const Kind& read_kind(const Json& value) {
@@ -32,19 +33,12 @@ const Kind& read_kind(const Json& value) {
                                            suggestion(written, names) + "; known are: " + list);
 }
 
-Coordinates read_point(const Json& value, bool scalar, const Limits& limits) {
-    if (scalar) return {read_number(value, limits)};
-    return read_numbers(value, limits);
-}
-
 }  // namespace
 
-std::size_t degree_of(const Map& map) {
-    return std::visit([](const auto& curve) { return curve.degree(); }, map.curve);
-}
-
 std::size_t dimension_of(const Map& map) {
-    return std::visit([](const auto& curve) { return curve.dimension(); }, map.curve);
+    return std::visit(Overloads{[](const TaylorCurve& curve) { return curve.coefficients.dimension(); },
+                                [](const auto& value) { return value.dimension(); }},
+                      map.value);
 }
 
 Map read_map(const Json& value, const Limits& limits) {
@@ -56,65 +50,20 @@ Map read_map(const Json& value, const Limits& limits) {
 }
 
 Json to_json(const Map& map) {
-    if (const auto* polynomial = std::get_if<PolynomialCurve>(&map.curve)) {
-        return polynomial_to_json(*polynomial, map.form);
-    }
-    return bezier_to_json(std::get<BezierCurve>(map.curve), map.form);
+    return std::visit([&](const auto& value) { return write(value, map.form); }, map.value);
 }
 
-Json to_json(const Coordinates& point, const PointForm& form) {
-    const bool divided = form.rational && !form.homogeneous;
-    const Rational weight = divided ? point.back() : Rational(1);
-    if (weight.is_zero()) {
-        throw Error(ErrorCode::zero_weight,
-                    "the weight is 0, so that there is no such point; \"homogeneous\": true gives it with "
-                    "its weight");
-    }
-    const std::size_t dimension = point.size() - (divided ? 1 : 0);
-    if (form.scalar) return point.front() / weight;
-    Json::Array coordinates;
-    coordinates.reserve(dimension);
-    for (std::size_t i = 0; i < dimension; ++i) coordinates.emplace_back(point[i] / weight);
-    return coordinates;
+std::string formula(const Map& map, std::string_view name) {
+    return std::visit([&](const auto& value) { return formula(value, map, name); }, map.value);
 }
 
-Points read_points(const Json& value, const Limits& limits) {
-    const Json::Array& elements = read_array(value);
-    if (elements.empty()) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
-    require_within(elements.size() - 1, limits.degree, "degree", "the degree");
-    Points result{{}, !elements.front().array()};
-    result.points.reserve(elements.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        within(i, [&] {
-            const bool scalar = !elements[i].array();
-            result.points.push_back(read_point(elements[i], scalar, limits));
-            if (scalar != result.scalar || result.points[i].size() != result.points[0].size() ||
-                result.points[i].empty()) {
-                throw Error(ErrorCode::mismatched_dimensions,
-                            "point " + std::to_string(i) +
-                                " is not of the form of point 0; all are numbers, or all are "
-                                "arrays of the same length of at least 1");
-            }
-        });
-    }
-    return result;
-}
-
-bool read_homogeneous(Fields& fields) { return fields.optional("homogeneous", read_boolean).value_or(false); }
-
-PointForm homogeneous_form(const Points& points) {
-    if (points.scalar || points.points.front().size() < 2) {
-        throw Error(
-            ErrorCode::mismatched_dimensions,
-            "with \"homogeneous\": true a point is an array of its coordinates, at least 1, and its weight");
-    }
-    return {.scalar = false, .rational = true, .homogeneous = true};
-}
-
-void require_numbers(std::size_t count, std::size_t dimension, const Limits& limits) {
-    std::size_t numbers = 0;
-    if (__builtin_mul_overflow(count, dimension, &numbers)) numbers = limits.numbers + 1;
-    require_within(numbers, limits.numbers, "numbers", "the count of numbers");
+std::string description(const Map& map) {
+    const auto degree = Overloads{
+        [](const PolynomialCurve& curve) { return ", formal degree " + std::to_string(curve.degree()); },
+        [](const BezierCurve& curve) { return ", degree " + std::to_string(curve.degree()); },
+        [](const auto&) { return std::string(); }};
+    return formula(map, "P") + std::visit(degree, map.value) +
+           (map.form.homogeneous ? ", points with their weight last" : "");
 }
 
 }  // namespace blossom::cli

@@ -1,31 +1,40 @@
 #pragma once
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/bezier_curve.hpp>
+#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/polynomial_curve.hpp>
+#include <blossom/core/progressive.hpp>
+#include <blossom/core/taylor_curve.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <string>
+#include <string_view>
+#include <variant>
 
 #include "fields.hpp"
 #include "json.hpp"
+#include "maps/points.hpp"
+#include "maps/samples.hpp"
 
 namespace blossom::cli {
 
-/// How the points of a map are written.
-struct PointForm {
-    bool scalar = true;        ///< as a number, not as an array
-    bool rational = false;     ///< the last coordinate of the engine's points is a weight
-    bool homogeneous = false;  ///< a rational map whose points are written with the weight, undivided
-};
+/// What a map is made of, one alternative a kind.
+using AnyMap =
+    std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve, Samples>;
 
-/// A map of one parameter as a request gives it. A rational one is a polynomial map into one dimension more:
-/// (w x, w), the weight last.
+/// What messages call each alternative of `AnyMap`.
+inline constexpr std::string_view map_names[] = {"polynomial", "bezier",      "taylor",
+                                                 "bspline",    "progressive", "samples"};
+static_assert(std::size(map_names) == std::variant_size_v<AnyMap>, "one name an alternative");
+
+/// A map as a request gives it. A rational one is a polynomial map into one dimension more: (w x, w), the
+/// weight last.
 struct Map {
-    PolynomialMap curve;
+    AnyMap value;
     PointForm form;
     std::string variable = "t";  ///< what its text called the parameter
 };
 
-std::size_t degree_of(const Map& map);
 std::size_t dimension_of(const Map& map);
 
 /// A map of any kind. Errors: `wrong_kind` for a kind that is not known, those of the kind.
@@ -34,25 +43,10 @@ Map read_map(const Json& value, const Limits& limits);
 /// The map as a request may give it again.
 Json to_json(const Map& map);
 
-/// One point of a map. Errors: `zero_weight` for a point without place, unless the form is homogeneous.
-Json to_json(const Coordinates& point, const PointForm& form);
+/// "P(t) = ..." for a polynomial, otherwise its points.
+std::string formula(const Map& map, std::string_view name);
 
-/// Points as they stand in a request: all numbers, or all arrays of one length.
-struct Points {
-    std::vector<Coordinates> points;
-    bool scalar;
-};
-/// Errors: `wrong_arity` for none, `mismatched_dimensions`, `limit_exceeded` for more than `limits.degree`
-/// + 1.
-Points read_points(const Json& value, const Limits& limits);
-
-/// Whether "homogeneous" is asked for.
-bool read_homogeneous(Fields& fields);
-/// The form of points that carry their weight. Errors: `mismatched_dimensions` when there is nothing but a
-/// weight.
-PointForm homogeneous_form(const Points& points);
-
-/// Errors: `limit_exceeded` when `count` points of `dimension` coordinates exceed `limits.numbers`.
-void require_numbers(std::size_t count, std::size_t dimension, const Limits& limits);
+/// `formula` for P with what else a reader needs to know: "P(t) = 1 + 2t, formal degree 1".
+std::string description(const Map& map);
 
 }  // namespace blossom::cli

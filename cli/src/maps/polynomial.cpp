@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <blossom/core/polynomial_text.hpp>
 
 #include <algorithm>
@@ -43,6 +44,7 @@ Written read_texts(const Json& value, const Limits& limits) {
 
 Written read_coefficients(const Json& value, const Limits& limits) {
     const Points points = read_points(value, limits);
+    require_degree(points.points.size(), limits);
     const PolynomialCurve curve(points.points);
     Written result{{}, points.scalar, ""};
     for (std::size_t j = 0; j < curve.dimension(); ++j) result.coordinates.push_back(curve.coordinate(j));
@@ -86,6 +88,16 @@ PointForm form_of(const Written& written, bool has_denominator, bool homogeneous
     return {.scalar = false, .rational = true, .homogeneous = true};
 }
 
+/// The first coordinates of the map, "(1 - t^2, 2t)".
+std::string tuple_of_polynomials(const PolynomialCurve& curve, std::size_t count, bool scalar,
+                                 std::string_view variable) {
+    std::string text;
+    for (std::size_t j = 0; j < count; ++j) {
+        text += (j == 0 ? "" : ", ") + to_text(curve.coordinate(j), variable);
+    }
+    return scalar ? text : "(" + text + ")";
+}
+
 }  // namespace
 
 Map read_polynomial(Fields& fields, const Limits& limits) {
@@ -104,24 +116,24 @@ Map read_polynomial(Fields& fields, const Limits& limits) {
             written.variable.empty() ? "t" : std::move(written.variable)};
 }
 
-Json polynomial_to_json(const PolynomialCurve& curve, const PointForm& form) {
-    const bool fraction = form.rational && !form.homogeneous;
-    // The numerators stand as they are: only points are divided by a weight, coefficients are not.
-    const PointForm numerators{.scalar = form.scalar};
-    Json::Array coefficients;
-    Json::Array denominator;
-    for (Coordinates& coefficient : curve.coefficients().to_points()) {
-        if (fraction) {
-            denominator.emplace_back(std::move(coefficient.back()));
-            coefficient.pop_back();
-        }
-        coefficients.push_back(to_json(coefficient, numerators));
-    }
-    Json map = Json::Object{
-        {"kind", "polynomial"}, {"degree", curve.degree()}, {"coefficients", std::move(coefficients)}};
-    if (fraction) map["denominator"] = std::move(denominator);
-    if (form.homogeneous) map["homogeneous"] = true;
+Json write(const PolynomialCurve& curve, const PointForm& form) {
+    Json map = Json::Object{{"kind", "polynomial"}, {"degree", curve.degree()}};
+    write_coefficients(map, curve.coefficients().to_points(), form);
     return map;
+}
+
+std::string formula(const PolynomialCurve& curve, const Map& map, std::string_view name) {
+    const std::size_t dimension = curve.dimension();
+    const PointForm& form = map.form;
+    std::string text;
+    if (form.separate_weights()) {
+        const std::string numerators = tuple_of_polynomials(curve, dimension - 1, form.scalar, map.variable);
+        text = fmt::format("{} / ({})", form.scalar ? "(" + numerators + ")" : numerators,
+                           to_text(curve.coordinate(dimension - 1), map.variable));
+    } else {
+        text = tuple_of_polynomials(curve, dimension, form.scalar, map.variable);
+    }
+    return fmt::format("{}({}) = {}", name, map.variable, text);
 }
 
 }  // namespace blossom::cli

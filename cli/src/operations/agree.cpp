@@ -2,6 +2,7 @@
 #include <blossom/core/agreement.hpp>
 #include <blossom/core/polynomial_text.hpp>
 
+#include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
@@ -37,13 +38,18 @@ Json texts(const std::vector<SparsePolynomial>& coordinates, const PointForm& fo
     return list;
 }
 
-Json agree_at(const Map& map, std::span<const Argument> arguments, const Limits& limits) {
-    const Agreement<Coordinates> agreement = blossom::agreement(map.curve, arguments, limits);
+std::size_t degree_of(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+}
+
+Json agree_at(const PolynomialMap& map, const PointForm& form, std::span<const Argument> arguments,
+              const Limits& limits) {
+    const Agreement<Coordinates> agreement = blossom::agreement(map, arguments, limits);
     Json::Object values;
     for (const auto& [construction, value, reason] : agreement.results) {
         if (!value) continue;
         values.emplace_back(construction_name(construction),
-                            within("arguments", [&] { return to_json(*value, map.form); }));
+                            within("arguments", [&] { return to_json(*value, form); }));
     }
     return Json::Object{{"agree", agreement.agree()},
                         {"degree", degree_of(map)},
@@ -51,16 +57,16 @@ Json agree_at(const Map& map, std::span<const Argument> arguments, const Limits&
                         {"skipped", skipped(agreement)}};
 }
 
-Json agree_for_all_arguments(const Map& map, const Limits& limits) {
-    const auto agreement = within("map", [&] { return agreement_for_all_arguments(map.curve, limits); });
+Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, const Limits& limits) {
+    const auto agreement = within("map", [&] { return agreement_for_all_arguments(map, limits); });
     Json result = Json::Object{
         {"agree", agreement.agree()},
         {"for_all_arguments", agreement.agree()},
         {"degree", degree_of(map)},
-        {"elementary", texts(elementary_symmetric_form(map.curve, limits), map.form, "e", degree_of(map))}};
+        {"elementary", texts(elementary_symmetric_form(map, limits), form, "e", degree_of(map))}};
     Json expansions;
     for (const auto& [construction, value, reason] : agreement.results) {
-        if (value) expansions[construction_name(construction)] = texts(*value, map.form, "u", degree_of(map));
+        if (value) expansions[construction_name(construction)] = texts(*value, form, "u", degree_of(map));
     }
     result["expansion"] = expansions.object()->front().second;
     // Where they differ, each of them is needed to see how.
@@ -74,7 +80,9 @@ Json answer(Fields& request, const Limits& limits) {
     const auto arguments = request.optional(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     request.finish();
-    return arguments ? agree_at(map, *arguments, limits) : agree_for_all_arguments(map, limits);
+    const PolynomialMap curve = one_polynomial(map, limits);
+    return arguments ? agree_at(curve, map.form, *arguments, limits)
+                     : agree_for_all_arguments(curve, map.form, limits);
 }
 
 std::string values_text(const Answered& answered, const std::string& arguments) {
@@ -135,7 +143,7 @@ std::string verdict(const Answered& answered) {
 std::string render(const Answered& answered) {
     const Json* arguments = answered.request.find("arguments");
     return fmt::format(
-        "{}\n\n{}\n{}", description(read_map(*answered.request.find("map"), answered.limits)),
+        "{}\n\n{}\n{}", description(map_of(answered)),
         arguments ? values_text(answered, arguments_text(*arguments)) : expansion_text(answered),
         verdict(answered));
 }

@@ -1,31 +1,54 @@
 #include <fmt/format.h>
 #include <blossom/core/blossom.hpp>
+#include <blossom/core/de_boor.hpp>
 
 #include <algorithm>
 
+#include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
 #include "operations/map_options.hpp"
+#include "operations/segment.hpp"
 #include "operations/table.hpp"
 
 namespace blossom::cli {
 
 namespace {
 
+struct Value {
+    std::span<const Argument> arguments;
+    std::optional<Construction> construction;
+    std::optional<std::size_t> span;
+    const Limits& limits;
+
+    Coordinates operator()(const OnePolynomial auto& curve) const {
+        const PolynomialMap map = polynomial_map(curve, limits);
+        return construction ? blossom_value(map, arguments, *construction, limits)
+                            : Blossom(map, limits)(arguments);
+    }
+    Coordinates operator()(const ProgressiveCurve& curve) const {
+        if (construction)
+            return blossom_value(polynomial_map(curve, limits), arguments, *construction, limits);
+        return blossom_value(curve, arguments, limits);
+    }
+    Coordinates operator()(const BSplineCurve& curve) const {
+        return (*this)(segment(curve, chosen_span(curve, span)));
+    }
+};
+
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     const std::vector<Argument> arguments = request.required(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     const auto construction = request.optional("construction", read_construction);
+    const auto span = read_span(request, map, limits);
     request.finish();
 
-    const Coordinates value = construction ? blossom_value(map.curve, arguments, *construction, limits)
-                                           : Blossom(map.curve, limits)(arguments);
+    const auto value = serve<Coordinates>(map, Value{arguments, construction, span, limits});
     return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
 }
 
 std::string render(const Answered& answered) {
-    return fmt::format("{}\n\n  p({}) = {}\n",
-                       description(read_map(*answered.request.find("map"), answered.limits)),
+    return fmt::format("{}\n\n  p({}) = {}\n", description(map_of(answered)),
                        arguments_text(*answered.request.find("arguments")),
                        answered.style.bold(member_text(answered.result, "value")));
 }
@@ -41,6 +64,7 @@ Operation blossom_operation() {
             arguments_option("the arguments, as many as the formal degree: T, vector:V, delta, pair:U:MASS"),
             field_option("--construction", "construction", "symmetric|polarization|casteljau",
                          "by which construction; by default the one that suits the map", plain_text),
+            segment_option(),
         }),
         .answer = answer,
         .render = render,

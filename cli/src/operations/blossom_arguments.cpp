@@ -1,8 +1,5 @@
 #include "operations/blossom_arguments.hpp"
 
-#include <blossom/rational/number_text.hpp>
-
-#include "nearest_name.hpp"
 #include "operations/map_options.hpp"
 
 namespace blossom::cli {
@@ -21,15 +18,10 @@ std::vector<Argument> read_arguments(const Json& value, const PointForm& form, c
 }
 
 Construction read_construction(const Json& value) {
-    const std::string& written = read_text(value);
     std::vector<std::string_view> names;
-    for (const Construction construction : all_constructions) {
+    for (const Construction construction : all_constructions)
         names.push_back(construction_name(construction));
-        if (names.back() == written) return construction;
-    }
-    throw Error(ErrorCode::wrong_kind, quoted(written) + " is not a construction" +
-                                           suggestion(written, names) +
-                                           "; there are symmetric, polarization and casteljau");
+    return all_constructions[read_alternative(value, names, "a construction")];
 }
 
 Option arguments_option(std::string help) {

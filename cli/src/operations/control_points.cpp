@@ -1,6 +1,11 @@
-#include <fmt/format.h>
+#include <blossom/core/bezier_extraction.hpp>
 #include <blossom/core/conversion.hpp>
+#include <blossom/core/degree_elevation.hpp>
+#include <blossom/core/spline_elevation.hpp>
+#include <blossom/core/spline_split.hpp>
 
+#include "maps/serve.hpp"
+#include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
 
@@ -8,32 +13,46 @@ namespace blossom::cli {
 
 namespace {
 
-/// The same map with a greater formal degree.
-PolynomialCurve raised(const PolynomialCurve& curve, std::size_t degree) {
-    std::vector<Polynomial> coordinates;
-    coordinates.reserve(curve.dimension());
-    for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
-    return PolynomialCurve(coordinates, degree);
-}
-
 struct ControlPoints {
     std::optional<std::size_t> degree;
-    Interval interval;
+    std::optional<Interval> interval;
     const Limits& limits;
 
-    BezierCurve operator()(const PolynomialCurve& curve) const {
-        return control_points(degree ? raised(curve, *degree) : curve, interval, limits);
+    AnyMap operator()(const PolynomialCurve& curve) const {
+        const std::size_t formal = degree.value_or(curve.degree());
+        return control_points(formal == curve.degree() ? curve : PolynomialCurve(coordinates(curve), formal),
+                              interval.value_or(Interval()), limits);
     }
-    BezierCurve operator()(const BezierCurve& curve) const {
-        if (degree && *degree != curve.degree()) return (*this)(monomial_form(curve, limits));
-        return curve.interval() == interval ? curve : control_points(curve, interval, limits);
+    AnyMap operator()(const BezierCurve& curve) const {
+        const Interval wanted = interval.value_or(curve.interval());
+        if (degree && *degree != curve.degree()) {
+            return ControlPoints{degree, wanted, limits}(monomial_form(curve, limits));
+        }
+        return curve.interval() == wanted ? curve : control_points(curve, wanted, limits);
+    }
+    AnyMap operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    AnyMap operator()(const ProgressiveCurve& curve) const {
+        return (*this)(control_points(curve, interval.value_or(own_interval(curve)), limits));
+    }
+    AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
+    /// A Bezier curve where there is only one polynomial, otherwise a spline.
+    AnyMap operator()(const BSplineCurve& curve) const {
+        const BSplineCurve part =
+            interval ? within("interval", [&] { return restricted(curve, *interval, limits); }) : curve;
+        if (part.knots().spans().size() == 1) return (*this)(bezier_segments(part, limits).front());
+        if (!degree || *degree == part.degree()) return part;
+        if (*degree > part.degree()) return elevate(part, *degree - part.degree(), limits);
+        throw Error(ErrorCode::degree_too_low, "the spline has degree " + std::to_string(part.degree()),
+                    "/degree");
+    }
+
+private:
+    static std::vector<Polynomial> coordinates(const PolynomialCurve& curve) {
+        std::vector<Polynomial> polynomials;
+        for (std::size_t j = 0; j < curve.dimension(); ++j) polynomials.push_back(curve.coordinate(j));
+        return polynomials;
     }
 };
-
-Interval own_interval(const Map& map) {
-    const auto* curve = std::get_if<BezierCurve>(&map.curve);
-    return curve ? curve->interval() : Interval();
-}
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
@@ -44,44 +63,20 @@ Json answer(Fields& request, const Limits& limits) {
     request.finish();
     require_numbers(degree.value_or(0) + 1, dimension_of(map), limits);
 
-    const BezierCurve curve =
-        std::visit(ControlPoints{degree, interval.value_or(own_interval(map)), limits}, map.curve);
-    return Json::Object{{"map", within("map", [&] { return to_json({curve, map.form, map.variable}); })}};
-}
-
-/// The arguments a, ..., a, b, ..., b of control point k, with k copies of b.
-std::string label(std::size_t degree, std::size_t k, const std::vector<std::string>& ends) {
-    constexpr std::size_t readable = 6;
-    if (degree > readable) return "";
-    std::string arguments;
-    for (std::size_t i = 0; i < degree; ++i) arguments += (i == 0 ? "" : ", ") + ends[i < degree - k ? 0 : 1];
-    return " = p(" + arguments + ")";
-}
-
-std::string render(const Answered& answered) {
-    const Json& map = *answered.result.find("map");
-    const std::vector<std::string> ends = member_texts(map, "interval");
-    const std::vector<std::string> points = member_texts(map, "control_points");
-    const bool weighted = map.find("weights");
-    const std::vector<std::string> weights =
-        weighted ? member_texts(map, "weights") : std::vector<std::string>{};
-    const Json::Array& exact_ends = *map.find("interval")->array();
-    std::string text = description(read_map(*answered.request.find("map"), answered.limits)) + "\n\n";
-    text += fmt::format("Control points over [{}, {}]:\n", ends[0], ends[1]);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        text +=
-            fmt::format("  P{}{} = {}", k,
-                        label(points.size() - 1, k, {point_text(exact_ends[0]), point_text(exact_ends[1])}),
-                        answered.style.bold(points[k]));
-        text += weighted ? fmt::format(", weight {}\n", weights[k]) : "\n";
-    }
-    return text;
+    const Map answered{serve<AnyMap>(map, ControlPoints{degree, interval, limits}), map.form, map.variable};
+    return Json::Object{{"map", within("map", [&] { return to_json(answered); })}};
 }
 
 /// For control points --interval says where those that are given live, otherwise where they are wanted.
 void apply_interval(Json& request, const std::vector<std::string>& values, const Limits&) {
-    Json& owner = has_control_points(request) ? request["map"] : request;
+    Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;
     owner["interval"] = number_list(values.front());
+}
+
+/// A B-spline has to say its degree, so that --degree says this one.
+void apply_degree(Json& request, const std::vector<std::string>& values, const Limits&) {
+    Json& owner = has_knots(request) ? request["map"] : request;
+    owner["degree"] = count(values.front());
 }
 
 }  // namespace
@@ -89,7 +84,7 @@ void apply_interval(Json& request, const std::vector<std::string>& values, const
 Operation control_points_operation() {
     return {
         .name = "control-points",
-        .summary = "The Bezier control points of a map over any interval",
+        .summary = "The control points of a map over any interval: its Bezier curve, or part of a spline",
         .example = {"control-points", "1 + 2t + 4t^2 - t^3", "--interval", "2,-1"},
         .options = with_map_options({
             {"--interval", "/interval", "A,B",
@@ -97,11 +92,12 @@ Operation control_points_operation() {
              apply_interval},
             field_option("--over", "interval", "A,B", "the interval of the control points wanted",
                          number_list),
-            field_option("--degree", "degree", "N", "the formal degree wanted; by default that of the map",
-                         count),
+            {"--degree", "/degree", "N",
+             "the formal degree wanted, by default that of the map; with --knots the degree of the spline",
+             apply_degree},
         }),
         .answer = answer,
-        .render = render,
+        .render = described_listing,
     };
 }
 

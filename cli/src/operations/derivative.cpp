@@ -1,6 +1,12 @@
 #include <fmt/format.h>
+#include <blossom/core/de_boor.hpp>
 #include <blossom/core/derivative.hpp>
+#include <blossom/core/rational_curve.hpp>
+#include <blossom/core/rational_spline.hpp>
 
+#include "maps/serve.hpp"
+#include "operations/evaluator.hpp"
+#include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
 
@@ -8,35 +14,44 @@ namespace blossom::cli {
 
 namespace {
 
-Map read_polynomial_map(Fields& request, const Limits& limits) {
-    Map map = read_map_field(request, limits);
-    if (map.form.rational) {
-        throw Error(ErrorCode::wrong_kind,
-                    "derivatives are known for polynomial maps, and this one is rational", "/map");
+struct DerivativeMap {
+    std::size_t order;
+    bool divided;  ///< of the map divided by its weight
+    const Limits& limits;
+
+    AnyMap operator()(const OnePolynomial auto& curve) const {
+        const PolynomialMap map = polynomial_map(curve, limits);
+        const PolynomialMap derived =
+            divided ? rational_derivative_map(map, order, limits) : derivative_map(map, order);
+        return std::visit([](const auto& one) { return AnyMap(one); }, derived);
     }
-    return map;
+    AnyMap operator()(const TaylorCurve& curve) const {
+        const AnyMap derived = (*this)(monomial_form(curve, limits));
+        return taylor_form(std::get<PolynomialCurve>(derived), curve.center, limits);
+    }
+    AnyMap operator()(const BSplineCurve& curve) const {
+        return divided ? rational_derivative_curve(curve, order, limits)
+                       : derivative_curve(curve, order, limits);
+    }
+};
+
+Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
+    const DerivativeMap derive{order, map.form.separate_weights(), limits};
+    return {serve<AnyMap>(map, derive), map.form, map.variable};
 }
 
 Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_polynomial_map(request, limits);
+    const Map map = read_map_field(request, limits);
     const std::size_t order =
         request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
     const auto parameters =
         request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
     request.finish();
-    if (!parameters) {
-        return Json::Object{{"map", to_json({derivative_map(map.curve, order), map.form, map.variable})}};
-    }
-    require_numbers(parameters->size(), dimension_of(map), limits);
-    Json::Array values;
-    within("at", [&] {
-        for (std::size_t i = 0; i < parameters->size(); ++i) {
-            within(i, [&] {
-                values.push_back(to_json(derivative(map.curve, order, (*parameters)[i], limits), map.form));
-            });
-        }
-    });
-    return Json::Object{{"values", std::move(values)}};
+    if (!parameters) return Json::Object{{"map", to_json(derived_map(map, order, limits))}};
+    // The derivative of a rational map comes divided.
+    const PointForm form = map.form.separate_weights() ? PointForm{.scalar = map.form.scalar} : map.form;
+    return Json::Object{{"values", values_at(derivative_evaluator(map, order, limits), *parameters, form,
+                                             dimension_of(map), limits)}};
 }
 
 /// P', P'', P''', P^(4), ...
@@ -45,15 +60,10 @@ std::string derivative_name(std::size_t order) {
 }
 
 std::string render(const Answered& answered) {
-    const Map map = read_map(*answered.request.find("map"), answered.limits);
     const Json* order = answered.request.find("order");
     const std::string name = derivative_name(order ? read_count(*order, answered.limits) : 1);
-    std::string text = description(map) + "\n\n";
-    if (!answered.result.find("values")) {
-        const PolynomialMap derived =
-            derivative_map(map.curve, order ? read_count(*order, answered.limits) : 1);
-        return text + "  " + answered.style.bold(formula({derived, map.form, map.variable}, name)) + "\n";
-    }
+    std::string text = description(map_of(answered)) + "\n\n";
+    if (const Json* derived = answered.result.find("map")) return text + line_of(*derived, name, answered);
     const Json::Array& parameters = *answered.request.find("at")->array();
     const std::vector<std::string> values = member_texts(answered.result, "values");
     for (std::size_t i = 0; i < values.size(); ++i) {

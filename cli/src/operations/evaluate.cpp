@@ -1,7 +1,8 @@
 #include <fmt/format.h>
-#include <blossom/core/evaluation.hpp>
 
+#include "operations/evaluator.hpp"
 #include "operations/map_options.hpp"
+#include "operations/pyramid.hpp"
 #include "operations/table.hpp"
 
 namespace blossom::cli {
@@ -12,29 +13,24 @@ Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     const auto parameters =
         request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
+    const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);
     request.finish();
-    require_numbers(parameters.size(), dimension_of(map), limits);
 
-    Json::Array values;
-    within("at", [&] {
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
-            within(i, [&] {
-                const auto at = [&](const auto& curve) { return evaluate(curve, parameters[i], limits); };
-                values.push_back(to_json(std::visit(at, map.curve), map.form));
-            });
-        }
-    });
-    return Json::Object{{"values", std::move(values)}};
+    const std::size_t dimension = dimension_of(map);
+    Json result = Json::Object{
+        {"values", values_at(value_evaluator(map, limits), parameters, map.form, dimension, limits)}};
+    if (pyramid) add_pyramids(result, map, parameters, limits);
+    return result;
 }
 
 std::string render(const Answered& answered) {
-    std::string text = description(read_map(*answered.request.find("map"), answered.limits)) + "\n\n";
+    std::string text = description(map_of(answered)) + "\n\n";
     const Json::Array& parameters = *answered.request.find("at")->array();
     const std::vector<std::string> values = member_texts(answered.result, "values");
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += fmt::format("  P({}) = {}\n", point_text(parameters[i]), answered.style.bold(values[i]));
     }
-    return text;
+    return text + pyramids_text(answered);
 }
 
 }  // namespace
@@ -44,8 +40,10 @@ Operation evaluate_operation() {
         .name = "evaluate",
         .summary = "The values of a map at parameters, exactly",
         .example = {"evaluate", "1 + 1/2t^2; t - 3t^2", "--at", "0,1/3,-0.25"},
-        .options = with_map_options(
-            {field_option("--at", "at", "T1,T2,...", "the parameters; any rational numbers", number_list)}),
+        .options = with_map_options({
+            field_option("--at", "at", "T1,T2,...", "the parameters; any rational numbers", number_list),
+            flag_option("--pyramid", "pyramid", "show every node of de Casteljau's or de Boor's triangle"),
+        }),
         .answer = answer,
         .render = render,
     };

@@ -48,6 +48,13 @@ void apply_control_points(Json& request, const std::vector<std::string>& values,
     request["map"]["control_points"] = point_list(values.front());
 }
 
+/// Knots make a B-spline of control points.
+void apply_knots(Json& request, const std::vector<std::string>& values, const Limits&) {
+    if (!has_control_points(request)) throw UsageError("--knots needs --control-points");
+    request["map"]["kind"] = "bspline";
+    request["map"]["knots"] = number_list(values.front());
+}
+
 void apply_map(Json& request, const std::vector<std::string>& values, const Limits& limits) {
     if (request.find("map")) {
         throw UsageError(
@@ -75,6 +82,8 @@ std::vector<Option> map_options() {
          apply_polynomial},
         {"--control-points", "/map/control_points", "P0;P1;...",
          "a Bezier curve by its control points, \"0,0; 1,2; 3,0\"", apply_control_points},
+        {"--knots", "/map/knots", "T0,T1,...",
+         "makes the control points those of a B-spline over these knots, of degree --degree", apply_knots},
         {"--map", "/map", "JSON", "any map of the protocol", apply_map},
         map_option("--degree", "degree", "N", "the formal degree; by default the actual one", count),
         map_option("--denominator", "denominator", "TEXT",
@@ -138,6 +147,13 @@ Option field_option(std::string name, const std::string& field, std::string valu
     return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
 }
 
+Option flag_option(std::string name, const std::string& field, std::string help) {
+    const auto apply = [field](Json& request, const std::vector<std::string>&, const Limits&) {
+        request[field] = true;
+    };
+    return {std::move(name), "/" + field, "", std::move(help), apply};
+}
+
 std::vector<Option> with_map_options(std::vector<Option> others) {
     std::vector<Option> options;
     for (Option& option : map_options()) {
@@ -151,6 +167,10 @@ std::vector<Option> with_map_options(std::vector<Option> others) {
 bool has_control_points(const Json& request) {
     const Json* map = request.find("map");
     return map && map->find("control_points");
+}
+
+bool has_knots(const Json& request) {
+    return has_control_points(request) && request.find("map")->find("knots");
 }
 
 }  // namespace blossom::cli

@@ -34,10 +34,15 @@ Json plain_text(std::string_view text);
 Option field_option(std::string name, const std::string& field, std::string value, std::string help,
                     Json (*read)(std::string_view text));
 
+/// An option without value that makes one field of the request true.
+Option flag_option(std::string name, const std::string& field, std::string help);
+
 /// The options that describe a map, and then `others`; of two of one name the one in `others` counts.
 std::vector<Option> with_map_options(std::vector<Option> others);
 
 /// Whether the request is about a control polygon, not a polynomial.
 bool has_control_points(const Json& request);
+/// Whether its control points are those of a B-spline.
+bool has_knots(const Json& request);
 
 }  // namespace blossom::cli

@@ -9,6 +9,7 @@
 
 #include "fields.hpp"
 #include "json.hpp"
+#include "maps/map.hpp"
 #include "readable.hpp"
 
 namespace blossom::cli {
@@ -45,5 +46,7 @@ const std::vector<Operation>& operations();
 
 /// Field "map" of a request.
 Map read_map_field(Fields& request, const Limits& limits);
+/// The same of an answered request.
+Map map_of(const Answered& answered);
 
 }  // namespace blossom::cli

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace blossom {
@@ -41,6 +42,10 @@ struct Contact {
 /// Source: DeRose, theorem 2 and equations (5) to (7). Statements: derose-thm2, derose-eq6, derose-ck-def.
 Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rational& s,
                 const Limits& limits = {});
+
+/// The spans on the two sides of s, which are the same where s is not a knot.
+/// Errors: `outside_domain` unless s lies strictly inside the domain.
+std::pair<std::size_t, std::size_t> sides(const KnotVector& knots, const Rational& s);
 
 /// The contact of the segments on the two sides of s: at a knot of multiplicity m at least order n - m, and
 /// infinite where s is not a knot. Errors: `outside_domain` unless s lies inside the domain, not at an end;

@@ -115,6 +115,14 @@ private:
 Coordinates blossom_value(const ProgressiveCurve& curve, std::span<const Argument> arguments,
                           const Limits& limits = {});
 
+/// De Boor's triangle as data, one argument a level: point l of level k is
+/// f(u_1, ..., u_k, t_(k+l), ..., t_(n+l-1)). Level 0 are the control points, the last level is the value.
+/// Cost: n^2 / 2 combinations of points. Errors: those of `blossom_value`. Source: DeRose, figure 10.
+/// Statement: derose-fig10.
+std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& curve,
+                                                      std::span<const Argument> arguments,
+                                                      const Limits& limits = {});
+
 /// f(t, ..., t), for any t.
 Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Limits& limits = {});
 

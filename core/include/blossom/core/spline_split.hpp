@@ -17,4 +17,9 @@ namespace blossom {
 std::pair<BSplineCurve, BSplineCurve> split(const BSplineCurve& curve, const Rational& u,
                                             const Limits& limits = {});
 
+/// The curve over [a, b] alone, two splits. Ends that are those of the domain leave their side as it is.
+/// Errors: `outside_domain` unless [a, b] lies in the domain and a < b; `limit_exceeded`. Source: Hart, "De
+/// Boor". Statement: hart-deboor-subdivide.
+BSplineCurve restricted(const BSplineCurve& curve, const Interval& interval, const Limits& limits = {});
+
 }  // namespace blossom

@@ -1,0 +1,55 @@
+#include "operations/evaluator.hpp"
+
+#include <blossom/core/de_boor.hpp>
+#include <blossom/core/derivative.hpp>
+#include <blossom/core/evaluation.hpp>
+#include <blossom/core/rational_curve.hpp>
+#include <blossom/core/rational_spline.hpp>
+
+#include "maps/serve.hpp"
+
+namespace blossom::cli {
+
+Evaluator value_evaluator(const Map& map, const Limits& limits) {
+    const auto of_polynomial = [&](const OnePolynomial auto& curve) -> Evaluator {
+        return [&limits, converted = polynomial_map(curve, limits)](const Rational& t) {
+            return std::visit([&](const auto& one) { return evaluate(one, t, limits); }, converted);
+        };
+    };
+    const auto of_spline = [&](const BSplineCurve& curve) -> Evaluator {
+        return [&](const Rational& t) { return evaluate(curve, t, limits); };
+    };
+    return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});
+}
+
+Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& limits) {
+    const bool divided = map.form.separate_weights();
+    const auto of_polynomial = [&](const OnePolynomial auto& curve) -> Evaluator {
+        return [&limits, order, divided, converted = polynomial_map(curve, limits)](const Rational& t) {
+            return divided ? rational_derivative(converted, order, t, limits)
+                           : derivative(converted, order, t, limits);
+        };
+    };
+    const auto of_spline = [&](const BSplineCurve& curve) -> Evaluator {
+        return [&, order, divided](const Rational& t) {
+            return divided ? rational_derivative(curve, order, t, limits)
+                           : derivative(curve, order, t, limits);
+        };
+    };
+    return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});
+}
+
+Json values_at(const Evaluator& evaluator, const std::vector<Rational>& parameters, const PointForm& form,
+               std::size_t dimension, const Limits& limits) {
+    require_numbers(parameters.size(), dimension, limits);
+    Json::Array values;
+    values.reserve(parameters.size());
+    within("at", [&] {
+        for (std::size_t i = 0; i < parameters.size(); ++i) {
+            within(i, [&] { values.push_back(to_json(evaluator(parameters[i]), form)); });
+        }
+    });
+    return values;
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "operations/operation.hpp"
+
+/// Maps of a result for a person.
+
+namespace blossom::cli {
+
+/// A map of a result as a value again. Its rounded twins are left out.
+Map result_map(const Json& map, const Limits& limits);
+
+/// The map in one line, "P'(t) = 2 + 8t - 3t^2", or "P': control points over [0, 1]: 2, 6".
+std::string line_of(const Json& map, std::string_view name, const Answered& answered);
+
+/// Its points, one a line, each as the blossom value that it is; a polynomial in one line.
+std::string listing(const Json& map, const Answered& answered);
+
+/// What was asked about, and the listings of the members "map" or "maps" of the result.
+std::string described_listing(const Answered& answered);
+
+}  // namespace blossom::cli

@@ -1,0 +1,27 @@
+#include "operations/segment.hpp"
+
+#include <blossom/core/de_boor.hpp>
+
+#include "operations/map_options.hpp"
+
+namespace blossom::cli {
+
+std::optional<std::size_t> read_span(Fields& request, const Map& map, const Limits& limits) {
+    if (!std::holds_alternative<BSplineCurve>(map.value)) return std::nullopt;
+    return request.optional("segment", [&](const Json& value) { return read_index(value, limits); });
+}
+
+std::size_t chosen_span(const BSplineCurve& curve, std::optional<std::size_t> span) {
+    if (!span) return only_span(curve.knots());
+    curve.knots().require_span(*span);
+    return *span;
+}
+
+Option segment_option() {
+    return field_option("--segment", "segment", "I",
+                        "of a B-spline, the index of the knot with which the segment begins; by default "
+                        "the only one",
+                        count);
+}
+
+}  // namespace blossom::cli
