@@ -4,6 +4,7 @@
 #include <string>
 
 #include "integer_frame.hpp"
+#include "integer_tuple.hpp"
 
 namespace blossom {
 
@@ -21,15 +22,6 @@ std::vector<std::vector<Integer>> next_level(const std::vector<std::vector<Integ
             combined.push_back(left * row[i] + right * row[i + 1]);
     }
     return next;
-}
-
-PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator) {
-    std::vector<Integer> numerators;
-    numerators.reserve(rows.size() * rows.front().size());
-    for (const auto& row : rows) numerators.insert(numerators.end(), row.begin(), row.end());
-    PointArray points(rows.size(), RationalVector(std::move(numerators), denominator));
-    points.make_canonical();
-    return points;
 }
 
 }  // namespace

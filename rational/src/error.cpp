@@ -42,6 +42,14 @@ std::string_view error_name(ErrorCode code) {
             return "not_continuous";
         case ErrorCode::mismatched_dimensions:
             return "mismatched_dimensions";
+        case ErrorCode::incomplete_net:
+            return "incomplete_net";
+        case ErrorCode::degenerate_simplex:
+            return "degenerate_simplex";
+        case ErrorCode::not_affine:
+            return "not_affine";
+        case ErrorCode::different_spaces:
+            return "different_spaces";
         case ErrorCode::zero_weight:
             return "zero_weight";
         case ErrorCode::missing_sample:

@@ -33,6 +33,10 @@ enum class ErrorCode {
     not_adjacent,
     not_continuous,
     mismatched_dimensions,
+    incomplete_net,
+    degenerate_simplex,
+    not_affine,        ///< weights whose sum is not 1, or not 0 for a vector
+    different_spaces,  ///< points or vectors of two affine spaces
     zero_weight,
     missing_sample,
     limit_exceeded,

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <blossom/rational/integer.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// Exponents (i_0, ..., i_s) of the vertices of a simplex of dimension s; their sum is a degree.
+using MultiIndex = std::vector<std::size_t>;
+
+/// C(degree + dimension, dimension), the number of multi-indices of a simplex.
+/// Errors: `limit_exceeded` when it is greater than `limits.numbers`.
+std::size_t multi_index_count(std::size_t dimension, std::size_t degree, const Limits& limits = {});
+
+/// All of them, lexicographically descending: (n, 0, ..., 0), (n-1, 1, 0, ..., 0), ..., (0, ..., 0, n). For a
+/// segment this is the order of the control points of a curve.
+std::vector<MultiIndex> multi_indices(std::size_t dimension, std::size_t degree);
+
+/// The place of an index in that order. Cost: O(s^2).
+std::size_t position(std::span<const std::size_t> index);
+
+/// n! / (i_0! ... i_s!).
+Integer multinomial(std::span<const std::size_t> index);
+
+/// One factor of the domain of a patch: a simplex of some dimension, with the degree that the map has in it.
+struct SimplexFactor {
+    std::size_t dimension = 1;
+    std::size_t degree = 0;
+
+    friend bool operator==(const SimplexFactor&, const SimplexFactor&) = default;
+};
+
+/// The shape of a control net over a product of simplices: one multi-index a factor.
+///
+/// A curve is one segment, a triangular patch one triangle, a tensor-product patch several segments, a prism
+/// a triangle and a segment. The points of a net follow each other with the index of the last factor moving
+/// fastest, and the indices of one factor in lexicographically descending order.
+class NetShape {
+public:
+    /// Errors: `limit_exceeded` when a degree is greater than `limits.degree` or the net would have more than
+    /// `limits.numbers` points.
+    explicit NetShape(std::vector<SimplexFactor> factors, const Limits& limits = {});
+    /// One simplex.
+    static NetShape simplex(std::size_t dimension, std::size_t degree, const Limits& limits = {});
+    /// One segment a degree.
+    static NetShape tensor(std::span<const std::size_t> degrees, const Limits& limits = {});
+
+    std::size_t factors() const { return factors_.size(); }
+    const SimplexFactor& operator[](std::size_t factor) const { return factors_[factor]; }
+    /// The number of points of the net.
+    std::size_t size() const { return size_; }
+    /// The number of indices of one factor.
+    std::size_t count(std::size_t factor) const { return counts_[factor]; }
+    /// The product of the counts of all factors before, and of all behind.
+    std::size_t before(std::size_t factor) const;
+    std::size_t behind(std::size_t factor) const;
+    /// The sum of the dimensions.
+    std::size_t dimension() const;
+
+    /// The same with another degree in one factor. Errors: `limit_exceeded`.
+    NetShape with_degree(std::size_t factor, std::size_t degree, const Limits& limits = {}) const;
+    /// The place in the net of the point with one multi-index a factor.
+    std::size_t position_of(std::span<const MultiIndex> indices) const;
+
+    friend bool operator==(const NetShape&, const NetShape&) = default;
+
+private:
+    std::vector<SimplexFactor> factors_;
+    std::vector<std::size_t> counts_;
+    std::size_t size_ = 1;
+};
+
+/// For every point of a net the product of the multinomial coefficients of its indices.
+std::vector<Integer> multinomials(const NetShape& shape);
+
+/// For every index of degree n - 1 in dimension s the places of the s + 1 indices of degree n above it, index
+/// + e_0, ..., index + e_s.
+std::vector<std::size_t> raised_positions(std::size_t dimension, std::size_t lower_degree);
+
+}  // namespace blossom

@@ -1,0 +1,84 @@
+#include "integer_tuple.hpp"
+
+#include <algorithm>
+#include <bit>
+
+namespace blossom {
+
+namespace {
+
+Tuple<Integer> scaled(const Coordinates& tuple, const Integer& scale) {
+    Tuple<Integer> entries;
+    entries.reserve(tuple.size());
+    for (const Rational& entry : tuple) {
+        entries.push_back(entry.numerator() * divide_exactly(scale, entry.denominator()));
+    }
+    return entries;
+}
+
+Integer least_denominator(std::span<const Coordinates> tuples, const Limits& limits) {
+    Integer scale = 1;
+    for (const Coordinates& tuple : tuples) {
+        for (const Rational& entry : tuple) scale = lcm(scale, entry.denominator());
+        require_result_bits(tuples.size() * (scale.bit_length() - 1), limits);
+    }
+    return scale;
+}
+
+}  // namespace
+
+std::size_t IntegerTuple::bits() const {
+    return std::max(greatest_bit_length(entries) + std::bit_width(entries.size()), scale.bit_length());
+}
+
+IntegerTuple cleared(const Coordinates& tuple) {
+    Integer scale = 1;
+    for (const Rational& entry : tuple) scale = lcm(scale, entry.denominator());
+    Tuple<Integer> entries = scaled(tuple, scale);
+    return {std::move(entries), std::move(scale)};
+}
+
+IntegerArguments cleared_one_by_one(const PatchArguments& arguments, std::size_t net_bits,
+                                    const Limits& limits) {
+    IntegerArguments result;
+    for (const auto& list : arguments) {
+        auto& tuples = result.tuples.emplace_back();
+        for (const Coordinates& tuple : list) {
+            IntegerTuple integers = cleared(tuple);
+            result.bits += integers.bits();
+            require_result_bits(net_bits + result.bits, limits);
+            result.denominator *= integers.scale;
+            tuples.push_back(std::move(integers.entries));
+        }
+    }
+    return result;
+}
+
+IntegerArguments cleared_together(const PatchArguments& arguments, std::size_t net_bits,
+                                  const Limits& limits) {
+    IntegerArguments result;
+    for (const auto& list : arguments) {
+        const Integer scale = least_denominator(list, limits);
+        auto& tuples = result.tuples.emplace_back();
+        for (const Coordinates& tuple : list) {
+            tuples.push_back(scaled(tuple, scale));
+            result.bits += greatest_bit_length(tuples.back()) + std::bit_width(tuple.size() * list.size());
+            require_result_bits(net_bits + result.bits, limits);
+            result.denominator *= scale;
+        }
+    }
+    return result;
+}
+
+std::size_t bits_of(const PointArray& points) { return greatest_bit_length(points.numbers().numerators()); }
+
+PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator) {
+    std::vector<Integer> numerators;
+    numerators.reserve(rows.size() * rows.front().size());
+    for (const auto& row : rows) numerators.insert(numerators.end(), row.begin(), row.end());
+    PointArray points(rows.size(), RationalVector(std::move(numerators), denominator));
+    points.make_canonical();
+    return points;
+}
+
+}  // namespace blossom

@@ -1,0 +1,175 @@
+#include "patch_kernel.hpp"
+
+#include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+#include <string>
+
+#include "integer_frame.hpp"
+
+namespace blossom {
+
+namespace {
+
+using IntegerGroups = constructions::TupleGroups<Integer>;
+
+/// prod_j sum_k argument_jk X_k: the power of the most frequent argument by the multinomial theorem, then one
+/// factor after the other.
+std::vector<Integer> weights(const SimplexFactor& factor, const IntegerGroups& groups) {
+    const auto most = std::ranges::max_element(groups, {}, [](const auto& group) { return group.second; });
+    if (most == groups.end()) return {1};
+    std::vector<Integer> power = constructions::monomials(most->first, most->second);
+    const std::vector<Integer> coefficients = multinomials(NetShape({{factor.dimension, most->second}}));
+    for (std::size_t i = 0; i < power.size(); ++i) power[i] *= coefficients[i];
+    std::vector<Tuple<Integer>> forms;
+    for (auto group = groups.begin(); group != groups.end(); ++group) {
+        if (group != most) forms.insert(forms.end(), group->second, group->first);
+    }
+    return constructions::times_linear_forms<Integer>(factor.dimension, most->second, std::move(power),
+                                                      forms);
+}
+
+Coordinates contracted_points(const PointArray& points, const std::vector<std::vector<Integer>>& weights,
+                              const Integer& denominator) {
+    Quotients<Integer> value{{}, points.denominator()};
+    for (const auto row : points.rows()) {
+        value.numerators.push_back(
+            constructions::contracted(std::vector<Integer>(row.begin(), row.end()), std::span(weights)));
+    }
+    return reduced(value, denominator);
+}
+
+/// prod n_f! / (n_f - k_f)!
+Integer derivative_factor(const NetShape& shape, const PatchArguments& directions) {
+    Integer factor = 1;
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        factor *= falling_factorial(shape[f].degree, directions[f].size());
+    }
+    return factor;
+}
+
+void require_length(std::size_t given, std::size_t needed, ErrorCode code, const std::string& what,
+                    const std::string& field) {
+    if (given == needed) return;
+    throw Error(code, what + " must have length " + std::to_string(needed) + ", not " + std::to_string(given),
+                field);
+}
+
+}  // namespace
+
+Coordinates polar_value(const NetShape& shape, const PointArray& polar, const PatchArguments& arguments,
+                        const Limits& limits) {
+    require_arguments(shape, arguments);
+    const IntegerArguments integers = cleared_one_by_one(arguments, bits_of(polar), limits);
+    std::vector<std::vector<Integer>> factors;
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        factors.push_back(weights(shape[f], constructions::grouped<Integer>(integers.tuples[f])));
+    }
+    return contracted_points(polar, factors, integers.denominator);
+}
+
+std::vector<Coordinates> form_values(const NetShape& shape, const PointArray& coefficients,
+                                     std::span<const PatchPoint> points, const Limits& limits) {
+    require_within(points.size(), limits.numbers / coefficients.dimension(), "numbers",
+                   "the number of parameters", "/at");
+    std::vector<Coordinates> values;
+    values.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        require_point(shape, points[i], "/at/" + std::to_string(i));
+        std::size_t bits = bits_of(coefficients);
+        std::vector<std::vector<Integer>> factors;
+        Integer denominator = 1;
+        for (std::size_t f = 0; f < shape.factors(); ++f) {
+            const IntegerTuple tuple = cleared(points[i][f]);
+            bits += shape[f].degree * tuple.bits();
+            require_result_bits(bits, limits);
+            factors.push_back(constructions::monomials(tuple.entries, shape[f].degree));
+            denominator *= pow(tuple.scale, shape[f].degree);
+        }
+        values.push_back(contracted_points(coefficients, factors, denominator));
+    }
+    return values;
+}
+
+PointArray form_of(const NetShape& shape, const PointArray& polar) {
+    const std::vector<Integer> factors = multinomials(shape);
+    const auto rows = each_row(polar, [&](std::span<const Integer> row) {
+        std::vector<Integer> product(row.begin(), row.end());
+        for (std::size_t i = 0; i < product.size(); ++i) product[i] *= factors[i];
+        return product;
+    });
+    return canonical_points(rows, polar.denominator());
+}
+
+PointArray polar_of(const NetShape& shape, const PointArray& form) {
+    const std::vector<Integer> factors = multinomials(shape);
+    Integer common = 1;
+    for (const Integer& factor : factors) common = lcm(common, factor);
+    const auto rows = each_row(form, [&](std::span<const Integer> row) {
+        std::vector<Integer> quotient(row.begin(), row.end());
+        for (std::size_t i = 0; i < quotient.size(); ++i) quotient[i] *= divide_exactly(common, factors[i]);
+        return quotient;
+    });
+    return canonical_points(rows, form.denominator() * common);
+}
+
+Coordinates polar_derivative_at(const NetShape& shape, const PointArray& polar,
+                                const PatchArguments& directions, const PatchPoint& at,
+                                const Limits& limits) {
+    const Integer factor = derivative_factor(shape, directions);
+    if (factor.is_zero()) return Coordinates(polar.dimension());
+    PatchArguments arguments = directions;
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        arguments[f].insert(arguments[f].begin(), shape[f].degree - directions[f].size(), at[f]);
+    }
+    Coordinates value = polar_value(shape, polar, arguments, limits);
+    for (Rational& coordinate : value) coordinate *= factor;
+    return value;
+}
+
+std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArray& polar,
+                                                 const PatchArguments& directions, const Limits& limits) {
+    const Integer factor = derivative_factor(shape, directions);
+    if (factor.is_zero()) {
+        for (std::size_t f = 0; f < shape.factors(); ++f) shape = shape.with_degree(f, 0);
+        const std::size_t size = polar.dimension();
+        return {std::move(shape), PointArray(size, RationalVector(std::vector<Integer>(size), 1))};
+    }
+    const IntegerArguments integers = cleared_one_by_one(directions, bits_of(polar), limits);
+    auto rows = each_row(polar, [&](std::span<const Integer> row) {
+        std::vector<Integer> scaled(row.begin(), row.end());
+        for (Integer& entry : scaled) entry *= factor;
+        return scaled;
+    });
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        for (const Tuple<Integer>& direction : integers.tuples[f]) {
+            for (auto& row : rows) row = constructions::fold<Integer>(shape, f, row, direction);
+            shape = shape.with_degree(f, shape[f].degree - 1);
+        }
+    }
+    return {std::move(shape), canonical_points(rows, integers.denominator * polar.denominator())};
+}
+
+void require_point(const NetShape& shape, const PatchPoint& point, const std::string& field) {
+    require_length(point.size(), shape.factors(), ErrorCode::wrong_arity,
+                   "a point with one argument a factor", field);
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        require_length(point[f].size(), shape[f].dimension + 1, ErrorCode::mismatched_dimensions,
+                       "the argument of factor " + std::to_string(f), field + "/" + std::to_string(f));
+    }
+}
+
+void require_directions(const NetShape& shape, const PatchArguments& directions) {
+    require_length(directions.size(), shape.factors(), ErrorCode::wrong_arity,
+                   "the list of direction lists, one a factor,", "/directions");
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        for (std::size_t i = 0; i < directions[f].size(); ++i) {
+            require_length(directions[f][i].size(), shape[f].dimension + 1, ErrorCode::mismatched_dimensions,
+                           "direction " + std::to_string(i) + " of factor " + std::to_string(f),
+                           "/directions/" + std::to_string(f) + "/" + std::to_string(i));
+        }
+    }
+}
+
+}  // namespace blossom

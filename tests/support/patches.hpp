@@ -1,0 +1,49 @@
+#pragma once
+
+// Patches over products of simplices as the numbers that they were made of, and the definitions written out.
+
+#include <blossom/core/bezier_patch.hpp>
+#include <blossom/core/sparse_polynomial.hpp>
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "support/map_generators.hpp"
+
+namespace blossom::testing {
+
+/// The dimensions of the factors of every product of simplices of total dimension 1 to 4.
+std::vector<std::vector<std::size_t>> products_of_simplices();
+
+/// A control net by its multi-indices, one a factor.
+struct PatchRecipe {
+    std::vector<SimplexFactor> factors;
+    std::map<std::vector<MultiIndex>, Coordinates, std::greater<>> points;
+
+    BezierPatch patch() const;
+    std::size_t dimension() const { return points.begin()->second.size(); }
+};
+
+/// Degrees 0 to 4, fewer where the net would have more than `most_points`.
+PatchRecipe patch(Random& random, const std::vector<std::size_t>& dimensions, Size size,
+                  std::size_t most_points = 100);
+
+/// s + 1 numbers of sum `mass`; a vertex, or the difference of two, in a quarter of the cases.
+Coordinates tuple_of_mass(Random& random, std::size_t dimension, const Rational& mass, Size size);
+/// Points in half of the cases, then vectors, then tuples of any mass.
+Coordinates tuple(Random& random, std::size_t dimension, Size size);
+/// One list a factor; each argument repeats an earlier one in a third of the cases.
+PatchArguments patch_arguments(Random& random, const std::vector<SimplexFactor>& factors, Size size);
+PatchPoint patch_point(Random& random, const std::vector<SimplexFactor>& factors, Size size);
+
+/// The sum over all ways to assign a vertex of its factor to every argument, of the product of the
+/// coordinates that belong to them times the control point with these vertices.
+Coordinates textbook_value(const PatchRecipe& recipe, const PatchArguments& arguments);
+
+/// One coordinate as a polynomial in the barycentric coordinates of all factors, by Bernstein polynomials.
+SparsePolynomial expanded(const BezierPatch& patch, std::size_t coordinate);
+/// Variables for the barycentric coordinates, one list a factor.
+std::vector<std::vector<SparsePolynomial>> barycentric_variables(const NetShape& shape);
+
+}  // namespace blossom::testing
