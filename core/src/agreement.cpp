@@ -49,7 +49,7 @@ Agreement<Value> collect(const Excess& excess, const Run& run) {
 
 Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments,
                                  const Limits& limits) {
-    require_arity(map, arguments.size());
+    require_arity(degree_of(map), arguments.size());
     const ClearedArguments cleared = cleared_together(arguments, limits);
     const std::size_t terms = polarization_terms(
         multiplicities(std::span<const HomogeneousPair<Integer>>(cleared.pairs)), limits.polarization_terms);

@@ -154,7 +154,7 @@ inline std::size_t degree_of(const PolynomialMap& map) {
 }
 
 /// Errors: `wrong_arity` unless there are as many arguments as the formal degree.
-void require_arity(const PolynomialMap& map, std::size_t arguments);
+void require_arity(std::size_t degree, std::size_t arguments);
 
 /// The number of terms prod(m_i + 1) of polarization at these arguments, or `limit + 1` when it is greater
 /// than `limit`.

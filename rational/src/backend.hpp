@@ -4,6 +4,7 @@
 
 #include <blossom/rational/integer.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -45,10 +46,15 @@ inline Number divide_exactly(const Number& a, const Number& b) {
     return quotient;
 }
 
+inline void negate(Number& value) { mpz_neg(value.backend().data(), value.backend().data()); }
+
 /// The number whose binary digits are `words`, least significant first.
 inline Number from_words(std::span<const std::uint64_t> words) {
+    static_assert(GMP_NUMB_BITS == 64);
     Number value;
-    mpz_import(value.backend().data(), words.size(), -1, sizeof(std::uint64_t), 0, 0, words.data());
+    const auto size = static_cast<mp_size_t>(words.size());
+    std::ranges::copy(words, mpz_limbs_write(value.backend().data(), size));
+    mpz_limbs_finish(value.backend().data(), size);
     return value;
 }
 
@@ -66,6 +72,8 @@ inline void add_product(Number& sum, const Number& a, const Number& b) { sum += 
 inline void add_product(Number& sum, const Number& a, std::int64_t b) { sum += a * b; }
 
 inline Number divide_exactly(const Number& a, const Number& b) { return a / b; }
+
+inline void negate(Number& value) { value = -value; }
 
 inline Number from_words(std::span<const std::uint64_t> words) {
     Number value;
@@ -102,6 +110,8 @@ struct IntegerAccess {
         return operation(value.small_);
     }
 
+    /// The integer with these binary digits, least significant first, at least one word, and this sign.
+    static Integer from_magnitude(std::span<const std::uint64_t> words, bool negative);
     /// The integer whose two's complement is `words`, least significant first, at least one.
     static Integer from_twos_complement(std::span<const std::uint64_t> words);
     /// The two's complement of `value` in `words`, which must be enough for it and its sign.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "factor_blocks.hpp"
+
 namespace blossom::fixed_width {
 
 LimbRow::LimbRow(std::size_t size, std::size_t start_bits, std::size_t final_bits)
@@ -85,6 +87,20 @@ void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree)
             }
             entry(k)[i] = static_cast<std::uint64_t>(total);
             carry = static_cast<SignedWide>(total - (Wide{excess} << 64)) >> 64;
+        }
+    }
+}
+
+void LimbRow::multiply_out(std::span<const WordFactor> factors) {
+    FactorBlock block;
+    for (std::size_t degree = 0; degree < factors.size(); degree += block.degree()) {
+        block.fill(factors.subspan(degree));
+        if (block.fits()) {
+            multiply(block.coefficients(), degree);
+        } else {
+            set_weights(factors[degree].constant, factors[degree].slope);
+            for (std::size_t k = degree + 1; k > 0; --k) combine(k, k - 1);
+            scale(0);
         }
     }
 }

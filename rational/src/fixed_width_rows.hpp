@@ -3,7 +3,7 @@
 // Rows of integers in two's complement of a width that is known to suffice, so that no step allocates or can
 // overflow.
 
-#include <blossom/rational/integer.hpp>
+#include <blossom/rational/linear_factor_sums.hpp>
 
 #include <bit>
 #include <cstddef>
@@ -12,16 +12,10 @@
 #include <vector>
 
 #include "backend.hpp"
+#include "limb_sums.hpp"
+#include "wide.hpp"
 
 namespace blossom::fixed_width {
-
-__extension__ using Wide = unsigned __int128;
-__extension__ using SignedWide = __int128;
-
-inline std::uint64_t magnitude(std::int64_t value) {
-    const auto bits = static_cast<std::uint64_t>(value);
-    return value < 0 ? 0 - bits : bits;
-}
 
 /// A bound on the bits of a product of positive numbers, in integers throughout: factors are multiplied
 /// exactly as long as they fit in a word, and each full word is charged its bit width.
@@ -114,8 +108,15 @@ public:
     /// than 2^63.
     void multiply(std::span<const std::int64_t> factor, std::size_t degree);
 
+    /// Multiplies entry 0, the others being zero, by the factors, in as few passes as words allow: as many as
+    /// have a product with coefficients of one word are multiplied together first.
+    void multiply_out(std::span<const WordFactor> factors);
+
     void set(std::size_t k, const Integer& value);
     Integer integer(std::size_t k) const;
+    /// The entries as they are held, and whether they stand for their negatives.
+    LimbView limbs() const { return {words_.data(), width_, stride_}; }
+    bool negated() const { return negated_; }
 
 private:
     static std::size_t words_for(std::size_t bits) { return bits / 64 + 1; }

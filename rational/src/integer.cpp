@@ -3,21 +3,16 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <vector>
 
 #include "backend.hpp"
+#include "wide.hpp"
 
 namespace blossom {
 
 using backend::Number;
 
 namespace {
-
-std::uint64_t magnitude(std::int64_t value) {
-    const auto bits = static_cast<std::uint64_t>(value);
-    return value < 0 ? 0 - bits : bits;
-}
 
 void require_divisor(const Integer& divisor) {
     if (divisor.is_zero()) throw Error(ErrorCode::division_by_zero, "an integer cannot be divided by 0");
@@ -184,7 +179,7 @@ Integer abs(Integer value) {
 Integer gcd(const Integer& a, const Integer& b) {
     const auto x = a.to_int64();
     const auto y = b.to_int64();
-    if (x && y) return std::gcd(magnitude(*x), magnitude(*y));
+    if (x && y) return *y == 0 ? magnitude(*x) : gcd_of_words(magnitude(*x), magnitude(*y));
     return IntegerAccess::from_number(
         boost::multiprecision::gcd(IntegerAccess::to_number(a), IntegerAccess::to_number(b)));
 }
@@ -219,19 +214,32 @@ Integer dot(std::span<const Integer> a, std::span<const Integer> b) {
 
 // ---- words
 
-Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
-    const bool negative = static_cast<std::int64_t>(words.back()) < 0;
+Integer IntegerAccess::from_magnitude(std::span<const std::uint64_t> words, bool negative) {
     std::size_t used = words.size();
-    const std::uint64_t filler = negative ? ~std::uint64_t{0} : 0;
-    while (used > 1 && words[used - 1] == filler &&
-           (static_cast<std::int64_t>(words[used - 2]) < 0) == negative) {
-        --used;
+    while (used > 1 && words[used - 1] == 0) --used;
+    if (used == 1 && words[0] <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+        const auto value = static_cast<std::int64_t>(words[0]);
+        return negative ? -value : value;
     }
-    if (used == 1) return static_cast<std::int64_t>(words[0]);
-    if (!negative) return from_number(backend::from_words(words.first(used)));
-    std::vector<std::uint64_t> complement(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(used));
-    for (auto& word : complement) word = ~word;
-    return from_number(Number(-backend::from_words(complement) - 1));
+    Number number = backend::from_words(words.first(used));
+    if (negative) backend::negate(number);
+    return from_number(std::move(number));
+}
+
+Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
+    if (static_cast<std::int64_t>(words.back()) >= 0) return from_magnitude(words, false);
+    constexpr std::size_t most_in_place = 16;
+    std::uint64_t in_place[most_in_place];
+    std::vector<std::uint64_t> on_heap;
+    if (words.size() > most_in_place) on_heap.resize(words.size());
+    const std::span<std::uint64_t> magnitude =
+        words.size() > most_in_place ? std::span(on_heap) : std::span(in_place).first(words.size());
+    bool carry = true;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        magnitude[i] = ~words[i] + static_cast<std::uint64_t>(carry);
+        carry = carry && magnitude[i] == 0;
+    }
+    return from_magnitude(magnitude, true);
 }
 
 void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {

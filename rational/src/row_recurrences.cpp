@@ -12,8 +12,6 @@ namespace {
 
 using fixed_width::BitBound;
 using fixed_width::LimbRow;
-using fixed_width::magnitude;
-using fixed_width::Wide;
 using fixed_width::WordRow;
 
 /// The weights of all levels as words.
@@ -55,32 +53,12 @@ void multiply_factors(Row& row, const WordWeights& weights) {
     row_recurrences::multiply_linear_factors(row, std::span(weights.own), std::span(weights.neighbours));
 }
 
-/// The same in as few passes as words allow: as many factors as have a product with coefficients of one word
-/// are multiplied together first.
 void multiply_factors(LimbRow& row, const WordWeights& weights) {
-    constexpr Wide limit = Wide{1} << 63;
-    const std::size_t n = weights.own.size();
-    for (std::size_t i = 0; i < n;) {
-        const std::size_t degree = i;
-        std::vector<std::int64_t> block{1};
-        for (Wide sum = 1; i < n; ++i) {
-            sum *= Wide{magnitude(weights.own[i])} + magnitude(weights.neighbours[i]);
-            if (sum >= limit) break;
-            block.push_back(0);
-            for (std::size_t k = block.size() - 1; k > 0; --k) {
-                block[k] = weights.own[i] * block[k] + weights.neighbours[i] * block[k - 1];
-            }
-            block[0] *= weights.own[i];
-        }
-        if (i > degree) {
-            row.multiply(block, degree);
-        } else {
-            row.set_weights(weights.own[i], weights.neighbours[i]);
-            ++i;
-            for (std::size_t k = i; k > 0; --k) row.combine(k, k - 1);
-            row.scale(0);
-        }
-    }
+    std::vector<WordFactor> factors;
+    factors.reserve(weights.own.size());
+    for (std::size_t i = 0; i < weights.own.size(); ++i)
+        factors.push_back({weights.own[i], weights.neighbours[i], 1});
+    row.multiply_out(factors);
 }
 
 /// Calls run(row) with the narrowest row of `size` entries that holds `final_bits` and a sign.

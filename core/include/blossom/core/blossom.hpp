@@ -6,9 +6,11 @@
 #include <blossom/rational/limits.hpp>
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace blossom {
 
@@ -36,23 +38,34 @@ public:
     explicit Blossom(BezierCurve curve, Limits limits = {})
         : Blossom(PolynomialMap(std::move(curve)), limits) {}
 
-    std::size_t degree() const;
-    std::size_t dimension() const;
+    std::size_t degree() const { return degree_; }
+    std::size_t dimension() const { return dimension_; }
 
     /// p(arguments) by the formula that suits the representation: elementary symmetric functions for monomial
     /// coefficients, the Bernstein sum of DeRose, section 4.2, for a control polygon.
     ///
-    /// Cost: n^2 / 2 multiply-adds on integers, then n and one reduction a coordinate.
-    /// Errors: `wrong_arity` unless there are n arguments; `limit_exceeded`.
+    /// Cost: n^2 / 2 multiply-adds on integers, then n and one reduction a coordinate; for n <= 64 words
+    /// nothing is allocated but the result. Errors: `wrong_arity` unless there are n arguments;
+    /// `limit_exceeded`.
     Coordinates operator()(std::span<const Argument> arguments) const;
     Coordinates operator()(std::initializer_list<Argument> arguments) const {
         return (*this)(std::span<const Argument>(arguments.begin(), arguments.size()));
     }
 
+    /// Coordinate j < dimension() of p(arguments).
+    Rational coordinate(std::size_t j, std::span<const Argument> arguments) const;
+
+    /// The values at many tuples of n arguments, dimension() coordinates each, one after the other.
+    ///
+    /// Cost: what the values cost one by one, and less where words hold all numbers; on `jobs` threads.
+    std::vector<Rational> values(std::span<const std::vector<Argument>> tuples, std::size_t jobs = 1) const;
+
 private:
-    PolynomialMap map_;
-    Limits limits_;
-    PointArray prepared_;  ///< normalised coefficients c_k / C(n, k), or the control points
+    struct Kernel;
+
+    std::size_t degree_;
+    std::size_t dimension_;
+    std::shared_ptr<const Kernel> kernel_;  ///< immutable, shared by copies
 };
 
 /// p(arguments) by one named construction, each from its own source: symmetric functions from monomial

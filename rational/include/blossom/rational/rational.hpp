@@ -50,6 +50,8 @@ public:
     friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
 private:
+    friend struct RationalAccess;
+
     /// Already in lowest terms with a positive denominator.
     struct Reduced {};
     Rational(Integer numerator, Integer denominator, Reduced)

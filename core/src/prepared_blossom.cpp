@@ -1,0 +1,115 @@
+// The blossom as an object that is prepared once and asked many times.
+
+#include <blossom/core/blossom.hpp>
+#include <blossom/rational/error.hpp>
+
+#include "blossom_bits.hpp"
+#include "on_threads.hpp"
+#include "run_construction.hpp"
+#include "word_factors.hpp"
+
+namespace blossom {
+
+namespace {
+
+/// Normalised coefficients, or the control points.
+LinearFactorSums prepared(const PolynomialMap& map) {
+    if (const auto* bezier = std::get_if<BezierCurve>(&map))
+        return {bezier->control_points().numbers(), bezier->dimension()};
+    const PointArray& coefficients = std::get<PolynomialCurve>(map).coefficients();
+    std::vector<Quotients<Integer>> rows;
+    for (const auto row : coefficients.rows()) rows.push_back(constructions::normalised_coefficients(row));
+    return {point_array(rows, coefficients.denominator()).numbers(), coefficients.dimension()};
+}
+
+/// The most factors for which there is room on the stack.
+constexpr std::size_t most_word_factors = 64;
+
+/// The bits of an argument whose numerator and denominator are words.
+constexpr std::size_t word_argument_bits = 65;
+
+}  // namespace
+
+struct Blossom::Kernel {
+    Kernel(const PolynomialMap& map, const Limits& given)
+        : limits(given), sums(prepared(map)), bits(numerator_bits(map) + degree_of(map) * frame_bits(map)) {
+        if (const auto* bezier = std::get_if<BezierCurve>(&map)) {
+            interval = cleared(bezier->interval());
+            frame = WordFrame(*interval);
+        }
+        // A decimal digit has more than three bits.
+        words_are_within_limits = (bits + sums.degree() * word_argument_bits) / 3 < limits.digits;
+    }
+
+    void evaluate(std::span<const Argument> arguments, std::size_t first_row,
+                  std::span<Rational> coordinates) const {
+        if (words_are_within_limits && arguments.size() <= most_word_factors) {
+            WordFactor factors[most_word_factors];
+            std::size_t read = 0;
+            while (read < arguments.size() && frame.read(arguments[read], factors[read])) ++read;
+            if (read == arguments.size()) {
+                return sums.evaluate(std::span<const WordFactor>(factors, read), first_row, coordinates);
+            }
+        }
+        sums.evaluate(integer_factors(arguments), first_row, coordinates);
+    }
+
+    std::vector<IntegerFactor> integer_factors(std::span<const Argument> arguments) const {
+        const ClearedArguments cleared_arguments = cleared_one_by_one(arguments);
+        require_result_bits(bits + cleared_arguments.bits, limits);
+        std::vector<IntegerFactor> factors;
+        factors.reserve(arguments.size());
+        for (std::size_t i = 0; i < arguments.size(); ++i) {
+            const auto& [u, mass] = cleared_arguments.pairs[i];
+            const Integer& scale = cleared_arguments.scales[i];
+            if (interval) {
+                const auto& [a, b, q] = *interval;
+                factors.push_back({b * mass - q * u, q * u - a * mass, scale * (b - a)});
+            } else {
+                factors.push_back({mass, u, scale});
+            }
+        }
+        return factors;
+    }
+
+    Limits limits;
+    LinearFactorSums sums;
+    std::size_t bits;  ///< bounds those of a value, but for the arguments
+    std::optional<ClearedInterval> interval;
+    WordFrame frame;
+    bool words_are_within_limits;
+};
+
+Blossom::Blossom(PolynomialMap map, Limits limits)
+    : degree_(degree_of(map)),
+      dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
+    require_within(degree_, limits.degree, "degree", "the formal degree", "/degree");
+    kernel_ = std::make_shared<const Kernel>(map, limits);
+}
+
+Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
+    require_arity(degree_, arguments.size());
+    Coordinates value(dimension_);
+    kernel_->evaluate(arguments, 0, value);
+    return value;
+}
+
+Rational Blossom::coordinate(std::size_t j, std::span<const Argument> arguments) const {
+    require_arity(degree_, arguments.size());
+    Rational value;
+    kernel_->evaluate(arguments, j, {&value, 1});
+    return value;
+}
+
+std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tuples, std::size_t jobs) const {
+    for (const auto& arguments : tuples) require_arity(degree_, arguments.size());
+    std::vector<Rational> values(tuples.size() * dimension_);
+    on_threads(tuples.size(), jobs, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            kernel_->evaluate(tuples[i], 0, std::span(values).subspan(i * dimension_, dimension_));
+        }
+    });
+    return values;
+}
+
+}  // namespace blossom

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <blossom/rational/rational_vector.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace blossom {
+
+/// (constant + slope X) / denominator, with denominator > 0.
+template <class R>
+struct LinearFactor {
+    R constant;
+    R slope;
+    R denominator;
+};
+
+/// In machine words, none of which is the least value of 64 bits.
+using WordFactor = LinearFactor<std::int64_t>;
+using IntegerFactor = LinearFactor<Integer>;
+
+/// The ways to compute the sums below; the first that provably suffices is taken.
+enum class SumKernel { word, wide, limbs, integers };
+
+/// A kernel and when it is taken.
+struct SumKernelRule {
+    SumKernel kernel;
+    std::string_view name;
+    std::string_view condition;
+};
+/// One entry a kernel, in the order in which they are considered.
+std::span<const SumKernelRule> sum_kernel_rules();
+
+/// Rows of numbers c_j0, ..., c_jn over one denominator, prepared for the sums
+///
+///     s_j = sum_k c_jk e_k,   sum_k e_k X^k = prod_{i = 1..n} (constant_i + slope_i X) / denominator_i,
+///
+/// which is what a blossom is in the monomial and in the Bernstein basis. No denominator is inverted:
+/// numerators are combined, and each sum is reduced once.
+///
+/// Which kernel runs follows from the bound max |c_jk| * prod (|constant_i| + |slope_i|) on the numerators of
+/// the sums, taken in integers. Copies share what was prepared.
+class LinearFactorSums {
+public:
+    /// `numbers` are `rows` rows of equal length, one after the other.
+    LinearFactorSums(RationalVector numbers, std::size_t rows);
+
+    std::size_t rows() const;
+    /// n
+    std::size_t degree() const;
+    const RationalVector& numbers() const;
+
+    /// s_j for the rows j from `first_row` on, as many as there are places in `sums`; n factors.
+    /// Cost: n^2 / 2 multiply-adds, n a row, and one reduction a row.
+    void evaluate(std::span<const WordFactor> factors, std::size_t first_row, std::span<Rational> sums) const;
+    void evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
+                  std::span<Rational> sums) const;
+
+    /// What `evaluate` chooses.
+    SumKernel kernel(std::span<const WordFactor> factors) const;
+
+    struct Prepared;  ///< the rows in the forms that the kernels read, defined in the private sources
+
+private:
+    std::shared_ptr<const Prepared> prepared_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <blossom/rational/rational.hpp>
+
+#include "backend.hpp"
+#include "wide.hpp"
+
+namespace blossom {
+
+/// The private door of Rational for the sources of this layer.
+struct RationalAccess {
+    /// numerator / denominator as they are: in lowest terms, with a positive denominator.
+    static Rational from_lowest_terms(Integer numerator, Integer denominator) {
+        return {std::move(numerator), std::move(denominator), Rational::Reduced{}};
+    }
+    static void set_words(Rational& value, std::int64_t numerator, std::int64_t denominator) {
+        value.numerator_ = numerator;
+        value.denominator_ = denominator;
+    }
+};
+
+}  // namespace blossom

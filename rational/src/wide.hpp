@@ -1,0 +1,45 @@
+#pragma once
+
+// Numbers of one and two machine words.
+
+#include <bit>
+#include <cstdint>
+#include <utility>
+
+namespace blossom {
+
+__extension__ using Wide = unsigned __int128;
+__extension__ using SignedWide = __int128;
+
+inline std::uint64_t magnitude(std::int64_t value) {
+    const auto bits = static_cast<std::uint64_t>(value);
+    return value < 0 ? 0 - bits : bits;
+}
+
+inline Wide magnitude(SignedWide value) {
+    const auto bits = static_cast<Wide>(value);
+    return value < 0 ? 0 - bits : bits;
+}
+
+/// The greatest common divisor of a and an odd b > 0, by Stein's algorithm: a subtraction, a shift and no
+/// branch but the loop's for every two binary digits or so.
+inline std::uint64_t gcd_with_odd(std::uint64_t a, std::uint64_t b) {
+    if (a == 0) return b;
+    a >>= std::countr_zero(a);
+    while (a != b) {
+        const std::uint64_t difference = a - b;
+        const std::uint64_t distance = a > b ? difference : 0 - difference;
+        b = a > b ? b : a;
+        a = distance >> std::countr_zero(difference);
+    }
+    return b;
+}
+
+/// The greatest common divisor of a and b > 0.
+inline std::uint64_t gcd_of_words(std::uint64_t a, std::uint64_t b) {
+    const int twos = std::countr_zero(b);
+    const int shared = a == 0 ? twos : std::min(twos, std::countr_zero(a));
+    return gcd_with_odd(a, b >> twos) << shared;
+}
+
+}  // namespace blossom

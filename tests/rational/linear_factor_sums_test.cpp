@@ -1,0 +1,204 @@
+// Every kernel against the evident formula on Rational, operation by operation, at the limits of each kernel.
+
+#include <blossom/rational/linear_factor_sums.hpp>
+
+#include <map>
+#include <vector>
+
+#include "support/number_generators.hpp"
+#include "support/number_printing.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+constexpr std::int64_t greatest_word = INT64_MAX;
+
+/// sum_k c_k e_k from the definition: multiply out, one factor after the other, in lowest terms throughout.
+Rational evident_sum(std::span<const Rational> numbers, std::span<const WordFactor> factors) {
+    std::vector<Rational> product{1};
+    for (const WordFactor& factor : factors) {
+        const Rational constant(factor.constant, factor.denominator);
+        const Rational slope(factor.slope, factor.denominator);
+        product.emplace_back();
+        for (std::size_t k = product.size() - 1; k > 0; --k)
+            product[k] = constant * product[k] + slope * product[k - 1];
+        product[0] *= constant;
+    }
+    Rational sum;
+    for (std::size_t k = 0; k < product.size(); ++k) sum += numbers[k] * product[k];
+    return sum;
+}
+
+std::int64_t word_of_bits(Random& random, std::size_t bits) {
+    if (bits == 0 || random.one_in(12)) return 0;
+    if (random.one_in(8)) return (std::int64_t{1} << bits) - 1;
+    if (random.one_in(8)) return 1 - (std::int64_t{1} << bits);
+    return random.between(1 - (std::int64_t{1} << bits), (std::int64_t{1} << bits) - 1);
+}
+
+std::int64_t denominator_of_bits(Random& random, std::size_t bits) {
+    return random.between(1, (std::int64_t{1} << bits) - 1);
+}
+
+struct Case {
+    std::vector<Rational> numbers;
+    std::vector<WordFactor> factors;
+};
+
+/// A number of `bits` bits over a denominator of at most `denominator_bits`.
+Rational number_of_bits(Random& random, std::size_t bits, std::size_t denominator_bits) {
+    return {integer_of_bits(random, bits), denominator_of_bits(random, denominator_bits)};
+}
+
+Case random_case(Random& random, std::size_t n, std::size_t number_bits, std::size_t factor_bits) {
+    Case result;
+    for (std::size_t k = 0; k <= n; ++k) {
+        const std::size_t bits = random.below(number_bits + 1);
+        result.numbers.push_back(random.one_in(8) ? Rational() : number_of_bits(random, bits, 1 + bits % 10));
+        if (random.one_in(64)) result.numbers.back() /= pow(Integer(1031), random.below(16));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        result.factors.push_back({word_of_bits(random, factor_bits), word_of_bits(random, factor_bits),
+                                  denominator_of_bits(random, factor_bits)});
+    }
+    return result;
+}
+
+std::vector<IntegerFactor> integer_factors(std::span<const WordFactor> factors) {
+    std::vector<IntegerFactor> result;
+    for (const auto& [constant, slope, denominator] : factors)
+        result.push_back({constant, slope, denominator});
+    return result;
+}
+
+/// Which kernels the cases of a test have met.
+using Met = std::map<SumKernel, int>;
+
+void check(const Case& given, Met& met) {
+    const LinearFactorSums sums(RationalVector(given.numbers), 1);
+    Rational value;
+    sums.evaluate(given.factors, 0, {&value, 1});
+    const Rational expected = evident_sum(given.numbers, given.factors);
+    CHECK(value == expected);
+    sums.evaluate(integer_factors(given.factors), 0, {&value, 1});
+    CHECK(value == expected);
+    ++met[sums.kernel(given.factors)];
+}
+
+/// (c + s X) / 1 times itself, whose sum with numbers 0, ..., 0, c is c s^n.
+Case power_case(std::size_t n, std::int64_t slope, const Integer& last) {
+    Case result{std::vector<Rational>(n + 1), std::vector<WordFactor>(n, WordFactor{0, slope, 1})};
+    result.numbers.back() = last;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("sums over products of linear factors of every size", "[linear_factor_sums]") {
+    Random random(4);
+    Met met;
+    for (int i = 0; i < 20'000; ++i) {
+        const std::size_t n = random.below(i % 20 == 0 ? 30 : 9);
+        const std::size_t bits = 1 + random.below(random.one_in(4) ? 62 : 12);
+        check(random_case(random, n, random.below(random.one_in(8) ? 400 : 60), bits), met);
+    }
+    CHECK(met[SumKernel::word] > 1000);
+    CHECK(met[SumKernel::wide] > 1000);
+    CHECK(met[SumKernel::limbs] > 1000);
+    CHECK(met[SumKernel::integers] > 100);
+}
+
+TEST_CASE("sums that overflow a kernel by one bit", "[linear_factor_sums]") {
+    for (const std::size_t limit : {std::size_t{63}, std::size_t{127}, std::size_t{511}}) {
+        const SumKernel last = limit == 63    ? SumKernel::word
+                               : limit == 127 ? SumKernel::wide
+                                              : SumKernel::limbs;
+        for (std::size_t bits = limit - 2; bits <= limit + 2; ++bits) {
+            // 2^bits - 1 in magnitude is the bound itself.
+            for (const int sign : {-1, 1}) {
+                Met met;
+                const std::size_t n = (bits - 1) / 60;
+                const Integer last_number = (Integer(1) << (bits - 60 * n)) - 1;
+                check(power_case(n, std::int64_t{1} << 60, last_number * sign), met);
+                check(power_case(1, 1, ((Integer(1) << bits) - 1) * sign), met);
+            }
+        }
+        Met below;
+        Met above;
+        const std::size_t n = (limit - 1) / 60;
+        const Integer power = Integer(1) << (limit - 60 * n);
+        check(power_case(n, (std::int64_t{1} << 60) - 1, power - 1), below);
+        check(power_case(n, (std::int64_t{1} << 60) - 1, power + 1), above);
+        CHECK(below[last] == 1);
+        CHECK(above[last] == 0);
+    }
+}
+
+TEST_CASE("factors and denominators at the limits of a word", "[linear_factor_sums]") {
+    Random random(5);
+    Met met;
+    const std::int64_t extremes[] = {greatest_word, -greatest_word, greatest_word - 1, 0, 1, -1};
+    for (int i = 0; i < 5000; ++i) {
+        Case given;
+        const std::size_t n = random.below(7);
+        for (std::size_t k = 0; k <= n; ++k)
+            given.numbers.emplace_back(extremes[random.below(6)], random.one_in(3) ? greatest_word : 3);
+        for (std::size_t k = 0; k < n; ++k) {
+            given.factors.push_back({extremes[random.below(6)], extremes[random.below(6)],
+                                     random.one_in(2) ? greatest_word : greatest_word - 4});
+        }
+        check(given, met);
+    }
+    CHECK(met[SumKernel::limbs] > 1000);
+}
+
+TEST_CASE("much cancels: numerators and denominators that share primes", "[linear_factor_sums]") {
+    Random random(6);
+    Met met;
+    for (int i = 0; i < 5000; ++i) {
+        Case given = random_case(random, 1 + random.below(24), 30, 1);
+        for (WordFactor& factor : given.factors) {
+            const auto share = static_cast<std::int64_t>(2 + random.below(30));
+            factor = {share * random.between(-9, 9), share * random.between(-9, 9),
+                      share * random.between(1, 30)};
+        }
+        check(given, met);
+    }
+    CHECK(met[SumKernel::word] > 100);
+    CHECK(met[SumKernel::wide] > 100);
+    CHECK(met[SumKernel::limbs] > 100);
+}
+
+TEST_CASE("sums without factors, and rows of zeros", "[linear_factor_sums]") {
+    Met met;
+    check({{Rational(7, 3)}, {}}, met);
+    check({{Rational()}, {}}, met);
+    check({{Rational(0), Rational(0)}, {{5, 7, 9}}}, met);
+    check({{Rational(pow(Integer(3), 500), 2), Rational(1)}, {{greatest_word, -greatest_word, 2}}}, met);
+    check({std::vector<Rational>(71, Rational(1, 2)), std::vector<WordFactor>(70, {1, 1, 2})}, met);
+}
+
+TEST_CASE("rows are taken from the one asked for", "[linear_factor_sums]") {
+    const std::vector<Rational> numbers{1, Rational(1, 2), 3, 4, Rational(-5, 7), pow(Rational(3), 90)};
+    const LinearFactorSums sums(RationalVector(numbers), 3);
+    CHECK(sums.rows() == 3);
+    CHECK(sums.degree() == 1);
+    const WordFactor factor{2, 3, 5};
+    std::vector<Rational> values(2);
+    sums.evaluate({&factor, 1}, 1, values);
+    for (std::size_t j = 0; j < 2; ++j) {
+        CHECK(values[j] ==
+              evident_sum(std::span<const Rational>(numbers).subspan(2 * j + 2, 2), {&factor, 1}));
+    }
+}
+
+TEST_CASE("every kernel has one rule, in order", "[linear_factor_sums]") {
+    int expected = 0;
+    for (const SumKernelRule& rule : sum_kernel_rules()) {
+        CHECK(static_cast<int>(rule.kernel) == expected++);
+        CHECK_FALSE(rule.name.empty());
+        CHECK_FALSE(rule.condition.empty());
+    }
+}
