@@ -67,6 +67,7 @@ function(blossom_add_layer layer)
     ${target}
     PROPERTIES EXPORT_NAME ${layer}
                POSITION_INDEPENDENT_CODE ON
+               DEFINE_SYMBOL "" # sources are compiled alike for shared and for static libraries
                SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                VERSION ${PROJECT_VERSION}
                WINDOWS_EXPORT_ALL_SYMBOLS ON

@@ -15,6 +15,7 @@ build header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel        
 test  header:catch2/*.hpp                 catch2              catch-devel         catch2
 test  command:pkg-config                  pkg-config          pkgconf-pkg-config  pkgconf
 bench header:benchmark/benchmark.h        libbenchmark-dev    google-benchmark-devel google-benchmark
+ci    command:ccache                      ccache              ccache              ccache
 ci    command:clang++-19                  clang-19            clang               llvm@19
 ci    command:clang-format-19             clang-format-19     clang-tools-extra   llvm@19
 ci    command:clang-tidy-19               clang-tidy-19       clang-tools-extra   llvm@19
