@@ -118,7 +118,7 @@ TEST_CASE("agreement for all arguments expands the blossom", "[agreement]") {
 
 TEST_CASE("agreement for all arguments on maps of both kinds, and at samples of them", "[agreement]") {
     Random random(222);
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 50; ++i) {
         const std::size_t n = random.below(6);
         const bool bezier = random.one_in(2);
         const PolynomialRecipe recipe = polynomial_map(random, n, Size::any);
@@ -144,7 +144,7 @@ TEST_CASE("agreement for all arguments on maps of both kinds, and at samples of 
 
 TEST_CASE("the elementary symmetric form is the blossom with its functions put in", "[agreement]") {
     Random random(223);
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 60; ++i) {
         const std::size_t n = random.below(6);
         const PolynomialMap map = random.one_in(2)
                                       ? PolynomialMap(polynomial_map(random, n, Size::any).curve())
