@@ -18,7 +18,7 @@
 (* hart-lerp-line3, derose-46-c2-location.                                    *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra.
-From Blossom Require Import notions existence elevation conversion.
+From Blossom Require Import notions existence elevation casteljau.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -163,17 +163,18 @@ Qed.
 
 (** goldman-thm8: the blossom of points is multiaffine, not multilinear; with
     delta replaced by the number 1 that it would be as a point, the binomial
-    expansion fails. *)
+    expansion fails: for the constant 1 and h = -1 it says 1 = (1 - 1)^n. *)
 
-Theorem misprint_goldman_thm8 : n = 1%N ->
+Theorem misprint_goldman_thm8 :
   ~ (forall (P : {poly F}) t h,
        blossom n P (nseq n (t + h)) =
          \sum_(k < n.+1) 'C(n, k)%:R
            * blossom n P (nseq (n - k) t ++ nseq k 1) * h ^+ k).
 Proof.
-move=> -> /(_ 1 0 1); rewrite !big_ord_recr big_ord0 !blossom_one /=.
-rewrite add0r !mulr1 bin0 => /eqP.
-by rewrite -subr_eq0 opprD addrA subrr sub0r oppr_eq0 oner_eq0.
+move=> /(_ 1 0 (-1)); rewrite blossom_one.
+rewrite (eq_bigr (fun k : 'I_n.+1 => 1 ^+ (n - k) * (-1) ^+ k *+ 'C(n, k))).
+  by move/eqP; rewrite -exprDn subrr expr0n eqn0Ngt n_gt0 oner_eq0.
+by move=> k _; rewrite blossom_one expr1n mulr1 mul1r mulr_natl.
 Qed.
 
 (** fj-bernstein-def: with the exponents exchanged the first control point is
@@ -189,52 +190,62 @@ move=> /(_ (fun i => (i == 0%N)%:R)); rewrite big_ord_recl big1 => [|i _].
 by rewrite lift0 mul0r.
 Qed.
 
-(** goldman-summary-diff: differentiation replaces t - a by 1 and b - t by -1;
-    with the first alone it is wrong already for straight lines. *)
+(** goldman-summary-diff: differentiation replaces t - a by 1 and b - t by -1
+    on one level; with the first alone the result is wrong in every degree. *)
 
-Theorem misprint_goldman_summary_diff (a b : F) : a != b ->
-  ~ (forall P0 P1 t : F, (P1 - P0) / (b - a) = ((b - t) * P0 + P1) / (b - a)).
+Lemma zip_nseq k (c : F) : zip (nseq k.+1 c) (nseq k c) = nseq k (c, c).
+Proof. by elim: k => //= k <-. Qed.
+
+Lemma casteljau_constant (a b c : F) us :
+  casteljau a b (nseq (size us).+1 c) us = c.
 Proof.
-move=> ab /(_ 1 0 b)/eqP; rewrite subrr mul0r addr0 mul0r sub0r mulf_eq0.
-by rewrite oppr_eq0 oner_eq0 invr_eq0 subr_eq0 eq_sym (negPf ab).
+elim: us => //= u us IHus; rewrite -[RHS]IHus /casteljau /level /=.
+congr (head 0 (foldl _ _ us)); rewrite /step /= zip_nseq map_nseq /=.
+by rewrite -mulrDl subrK mul1r.
 Qed.
 
-(** derose-eq2: summed over all ordered pairs of different indices each product
-    is counted twice. *)
+Definition printed_level (a b t : F) (v : seq F) : seq F :=
+  [seq ((b - t) * x.1 + 1 * x.2) / (b - a) | x <- zip v (behead v)].
 
-Theorem misprint_derose_eq2 :
-  ~ (forall u v : F, blossom 2 'X^2 [:: u; v] = (u * v + v * u) / 'C(2, 2)%:R).
+Theorem misprint_goldman_summary_diff (a b : F) : n%:R != 0 :> F -> a != b ->
+  ~ (forall (P : {poly F}) t, (size P <= n.+1)%N ->
+       P^`().[t] = n%:R *
+         casteljau a b (printed_level a b t (control_points n P a b)) (nseq n.-1 t)).
 Proof.
-move=> /(_ 1 1); rewrite (blossom_top [:: 1; 1]) !big_cons big_nil !mulr1.
-by rewrite divr1 => /eqP; rewrite -subr_eq0 opprD addrA subrr sub0r oppr_eq0
-  oner_eq0.
+move=> n_unit ab /(_ 1 b); rewrite size_poly1 derivC horner0 => /(_ isT)/eqP.
+have -> : control_points n 1 a b = nseq n.+1 1.
+  apply: (@eq_from_nth _ 0) => [|k]; rewrite size_mkseq ?size_nseq // => lt_k.
+  by rewrite nth_mkseq // nth_nseq lt_k /control_point blossom_one.
+rewrite /printed_level /= zip_nseq map_nseq /= subrr mul0r add0r !mul1r.
+have := casteljau_constant a b (b - a)^-1 (nseq n.-1 b).
+rewrite size_nseq prednK // => ->; rewrite eq_sym mulf_eq0 (negPf n_unit) invr_eq0 subr_eq0.
+by rewrite eq_sym (negPf ab).
+Qed.
+
+(** derose-eq2: summed over all k-tuples of different indices, in place of the
+    k-element subsets, the value is k! times too large. *)
+
+Theorem misprint_derose_eq2 k : (k <= n)%N -> n`!%:R != 0 :> F ->
+  k`!%:R != 1 :> F ->
+  ~ (forall us : seq F, size us = n ->
+       blossom n 'X^k us =
+         (\sum_(i : k.-tuple 'I_n | uniq i) \prod_(j <- i) us`_j) / 'C(n, k)%:R).
+Proof.
+move=> le_kn n_unit fact_ne1 /(_ (nseq n 1)); rewrite size_nseq => /(_ erefl).
+rewrite blossom_diagonal ?size_polyXn // hornerXn expr1n.
+rewrite (eq_bigr (fun=> 1)) => [|i _]; last first.
+  by rewrite big1 // => j _; rewrite nth_nseq ltn_ord.
+have -> : \sum_(i : k.-tuple 'I_n | uniq i) 1 = (n ^_ k)%:R :> F.
+  rewrite sumr_const; congr (_%:R).
+  rewrite -[in RHS](card_ord n) -(card_uniq_tuples k (predT : pred 'I_n)).
+  by apply: eq_card => i; rewrite !inE all_predT.
+rewrite -bin_ffact natrM mulrAC mulfV ?binomial_unit // mul1r => /esym/eqP.
+exact/negP.
 Qed.
 
 End AnyField.
 
 Section Rational.
-
-(** derose-46-c2-location: agreement at the three shared triples of knots gives
-    contact at t_(i+2), not at t_i; here t_i, t_(i+1), ... = 1, 2, 3, 4, 5. *)
-
-Theorem misprint_derose_c2_location :
-  ~ (forall P Q : {poly rat}, (size P <= 4)%N -> (size Q <= 4)%N ->
-       (forall us, us \in [:: [:: 1; 2%:R; 3%:R]; [:: 2%:R; 3%:R; 4%:R];
-                              [:: 3%:R; 4%:R; 5%:R]] ->
-          blossom 3 P us = blossom 3 Q us) ->
-       P.[1] = Q.[1]).
-Proof.
-move=> /(_ (('X - 3%:R%:P) ^+ 3) 0); rewrite size_exp_XsubC size_poly0.
-move=> /(_ isT isT); rewrite horner_exp hornerXsubC horner0.
-suff same us : us \in [:: [:: 1; 2%:R; 3%:R]; [:: 2%:R; 3%:R; 4%:R];
-                          [:: 3%:R; 4%:R; 5%:R]] ->
-    blossom 3 (('X - 3%:R%:P) ^+ 3) us = blossom 3 0 us :> rat.
-  by move=> /(_ same).
-have -> : blossom 3 0 us = 0 :> rat.
-  by rewrite /blossom /hblossom /functional big1 // => k _; rewrite coef0 !mul0r.
-by rewrite !inE => /or3P[] /eqP->; rewrite blossom_power // !big_cons big_nil
-  subrr ?mul0r ?mulr0.
-Qed.
 
 (** blog-quadratic-form: c_1 is the sum of the two coefficients, not half. *)
 

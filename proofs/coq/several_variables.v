@@ -1,29 +1,24 @@
 (******************************************************************************)
-(* Blossoms of maps on affine spaces of any dimension, and tensor products.   *)
+(* Blossoms of maps on affine spaces of any dimension.                        *)
 (*                                                                            *)
 (*   V                     == a vector space over F, read as an affine space  *)
 (*   affine l              == l : V -> F keeps combinations (1-a) x + a y     *)
 (*   product_map L x       == the product of the n affine functions L i at x  *)
 (*   product_blossom L us  == 1/n! times the sum over all permutations s of   *)
 (*                            the products of the L (s i) (u_i)               *)
-(*   tensor m n c us vs    == the blossom in the first variable of the        *)
-(*                            polynomial whose coefficients are blossoms in   *)
-(*                            the second, for P = sum of c_ij X^i Y^j         *)
-(*   tensor_value m n c x y == P(x, y)                                        *)
 (*                                                                            *)
 (* Every polynomial of total degree at most n in any number of variables is a *)
 (* sum of products of n affine functions (a monomial is a product of          *)
 (* coordinates and constants 1), and blossoms add up; so the blossom of a     *)
 (* product is all that is needed for existence. Uniqueness on spaces of any   *)
 (* dimension is multiaffine_unique of uniqueness.v, and the inverse formula   *)
-(* multiaffine_polarization of polarization.v. A tensor-product blossom is a  *)
-(* blossom of blossoms; either variable may come first.                       *)
+(* multiaffine_polarization of polarization.v. Polynomials as such, with      *)
+(* coefficients and exponents, follow in multivariate.v.                      *)
 (*                                                                            *)
-(* Statements: derose-thm3, derose-tensor-def, derose-tensor-props, fj-eq9,   *)
-(* derose-tri-eval, derose-tri-raise, fj-eq21.                                *)
+(* Statements: derose-thm3.                                                   *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect all_fingroup all_algebra.
-From Blossom Require Import notions existence uniqueness casteljau.
+From Blossom Require Import notions existence.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -101,63 +96,3 @@ split=> [us vs size_us eq_us | us vs x y e size_us | x]; rewrite /h.
 Qed.
 
 End AffineSpace.
-
-Section Tensor.
-Variables (F : fieldType) (m n : nat) (c : nat -> nat -> F).
-Hypotheses (m_unit : m`!%:R != 0 :> F) (n_unit : n`!%:R != 0 :> F).
-
-Definition column (i : nat) : {poly F} := \poly_(j < n.+1) c i j.
-Definition row (j : nat) : {poly F} := \poly_(i < m.+1) c i j.
-
-Definition tensor (us vs : seq F) : F :=
-  blossom m (\poly_(i < m.+1) blossom n (column i) vs) us.
-
-Definition tensor_value (x y : F) : F :=
-  \sum_(i < m.+1) \sum_(j < n.+1) c i j * x ^+ i * y ^+ j.
-
-Lemma blossom_poly k (a : nat -> F) us :
-  blossom k (\poly_(i < k.+1) a i) us =
-    \sum_(i < k.+1) a i * (factors [seq point u | u <- us])`_i / 'C(k, i)%:R.
-Proof.
-by apply: eq_bigr => i _; rewrite coef_poly ltn_ord.
-Qed.
-
-(** The tensor blossom: symmetric and affine in the us, in the vs, and with
-    the polynomial on the diagonal. *)
-
-Theorem tensor_symmetric us us' vs vs' :
-  perm_eq us us' -> perm_eq vs vs' -> tensor us vs = tensor us' vs'.
-Proof.
-move=> eq_us eq_vs; rewrite /tensor (blossom_perm _ _ eq_us) !blossom_poly.
-by apply: eq_bigr => i _; rewrite (blossom_perm _ _ eq_vs).
-Qed.
-
-Theorem tensor_affine_first us us' x y a vs :
-  tensor (us ++ ((1 - a) * x + a * y) :: us') vs =
-    (1 - a) * tensor (us ++ x :: us') vs + a * tensor (us ++ y :: us') vs.
-Proof. by rewrite /tensor blossom_combination ?subrK. Qed.
-
-Theorem tensor_exchange us vs :
-  tensor us vs = blossom n (\poly_(j < n.+1) blossom m (row j) us) vs.
-Proof.
-rewrite /tensor !blossom_poly.
-under eq_bigr do rewrite blossom_poly !big_distrl /=.
-under [RHS]eq_bigr do rewrite blossom_poly !big_distrl /=.
-rewrite exchange_big; apply: eq_bigr => j _; apply: eq_bigr => i _ /=.
-rewrite -!mulrA; congr (_ * _).
-by rewrite [RHS]mulrA [RHS]mulrC -mulrA.
-Qed.
-
-Theorem tensor_affine_second us vs vs' x y a :
-  tensor us (vs ++ ((1 - a) * x + a * y) :: vs') =
-    (1 - a) * tensor us (vs ++ x :: vs') + a * tensor us (vs ++ y :: vs').
-Proof. by rewrite !tensor_exchange blossom_combination ?subrK. Qed.
-
-Theorem tensor_diagonal x y : tensor (nseq m x) (nseq n y) = tensor_value x y.
-Proof.
-rewrite /tensor blossom_diagonal ?size_poly // horner_poly.
-apply: eq_bigr => i _; rewrite blossom_diagonal ?size_poly // horner_poly.
-by rewrite big_distrl; apply: eq_bigr => j _; rewrite /= mulrAC.
-Qed.
-
-End Tensor.

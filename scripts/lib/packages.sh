@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # The packages that the project needs, and how to have them installed.
 
-# Group; how it is found (a command, a header, a Python module, or a file); its package for apt, dnf and brew.
+# Group; how it is found (a command, a header, a Python module, a Coq library, or a file); its package for apt, dnf and brew.
 readonly package_table='
 build command:c++                         g++                 gcc-c++             gcc
 build command:cmake                       cmake               cmake               cmake
@@ -20,6 +20,10 @@ ci    command:clang++-19                  clang-19            clang             
 ci    command:clang-format-19             clang-format-19     clang-tools-extra   llvm@19
 ci    command:clang-tidy-19               clang-tidy-19       clang-tools-extra   llvm@19
 ci    file:/usr/lib/llvm-19/lib/clang/19/lib/linux/libclang_rt.fuzzer-*.a libclang-rt-19-dev compiler-rt llvm@19
+proofs command:coqc                       coq                 coq                 coq
+proofs coq:mathcomp/algebra               libcoq-mathcomp-algebra coq             coq
+proofs coq:SsrMultinomials                libcoq-mathcomp-multinomials coq        coq
+proofs coq:Bignums                        libcoq-bignums      coq                 coq
 ci    command:shellcheck                  shellcheck          ShellCheck          shellcheck
 ci    python:jsonschema                   python3-jsonschema  python3-jsonschema  python-jsonschema
 '
@@ -31,6 +35,7 @@ is_present() {
   local kind=${1%%:*} name=${1#*:} directory
   case $kind in
     command) command -v "$name" >/dev/null ;;
+    coq) command -v coqc >/dev/null && [[ -d $(coqc -where)/user-contrib/$name ]] ;;
     file) compgen -G "$name" >/dev/null ;;
     python)
       # The first python3 of the path need not be the one that the system's packages serve.
