@@ -94,7 +94,8 @@ std::string shell_text(const std::string& argument) {
     const bool plain =
         argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_,.:/=") ==
         std::string::npos;
-    return plain ? argument : "\"" + argument + "\"";
+    const std::string quote = argument.find('"') == std::string::npos ? "\"" : "'";
+    return plain ? argument : quote + argument + quote;
 }
 
 /// The example of an operation with what it prints, by running it.

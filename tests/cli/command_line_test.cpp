@@ -256,8 +256,9 @@ TEST_CASE("every command has a summary and an example with its output") {
         const Run own = run({std::string(operation.name), "--help"});
         CHECK(own.status == 0);
         CHECK(contains(own.output, "Example:\n  $ blossom " + std::string(operation.name) + " "));
-        CHECK(run(operation.example).status == 0);
-        CHECK(contains(own.output, "\n  P(t) = "));
+        const Run example = run(operation.example);
+        CHECK(example.status == 0);
+        CHECK(contains(own.output, "\n  " + example.output.substr(0, example.output.find('\n'))));
     }
     CHECK(contains(run({"batch", "--help"}).output, "{\"ok\": true, \"result\": {\"values\": [\"1/4\"]}}"));
 }

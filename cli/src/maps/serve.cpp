@@ -1,5 +1,6 @@
 #include "maps/serve.hpp"
 
+#include <blossom/core/conversion.hpp>
 #include <blossom/core/inverse_formula.hpp>
 
 namespace blossom::cli {
@@ -10,6 +11,11 @@ PolynomialMap polynomial_map(const TaylorCurve& curve, const Limits& limits) {
 
 PolynomialMap polynomial_map(const ProgressiveCurve& curve, const Limits& limits) {
     return control_points(curve, own_interval(curve), limits);
+}
+
+PolynomialCurve monomial_curve(const PolynomialMap& map, const Limits& limits) {
+    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return *curve;
+    return monomial_form(std::get<BezierCurve>(map), limits);
 }
 
 Interval own_interval(const ProgressiveCurve& curve) {

@@ -28,6 +28,9 @@ inline PolynomialMap polynomial_map(const BezierCurve& curve, const Limits&) { r
 PolynomialMap polynomial_map(const TaylorCurve& curve, const Limits& limits);
 PolynomialMap polynomial_map(const ProgressiveCurve& curve, const Limits& limits);
 
+/// By monomial coefficients.
+PolynomialCurve monomial_curve(const PolynomialMap& map, const Limits& limits);
+
 /// The kinds for which `polynomial_map` is defined.
 template <class Value>
 concept OnePolynomial = requires(const Value& value, const Limits& limits) {

@@ -67,12 +67,6 @@ Json answer(Fields& request, const Limits& limits) {
     return Json::Object{{"map", within("map", [&] { return to_json(answered); })}};
 }
 
-/// For control points --interval says where those that are given live, otherwise where they are wanted.
-void apply_interval(Json& request, const std::vector<std::string>& values, const Limits&) {
-    Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;
-    owner["interval"] = number_list(values.front());
-}
-
 /// A B-spline has to say its degree, so that --degree says this one.
 void apply_degree(Json& request, const std::vector<std::string>& values, const Limits&) {
     Json& owner = has_knots(request) ? request["map"] : request;
@@ -87,9 +81,8 @@ Operation control_points_operation() {
         .summary = "The control points of a map over any interval: its Bezier curve, or part of a spline",
         .example = {"control-points", "1 + 2t + 4t^2 - t^3", "--interval", "2,-1"},
         .options = with_map_options({
-            {"--interval", "/interval", "A,B",
-             "the interval of the control points: of those given, or else of those wanted; by default 0,1",
-             apply_interval},
+            own_interval_option("the interval of the control points: of those given, or else of those "
+                                "wanted; by default 0,1"),
             field_option("--over", "interval", "A,B", "the interval of the control points wanted",
                          number_list),
             {"--degree", "/degree", "N",

@@ -60,7 +60,9 @@ void apply_map(Json& request, const std::vector<std::string>& values, const Limi
         throw UsageError(
             "a map is given by a polynomial, by --control-points or by --map, not by two of them");
     }
-    request["map"] = parse_json(values.front(), limits);
+    const Json given = parse_json(values.front(), limits);
+    const Json* of_response = at_pointer(given, "/result/map");
+    request["map"] = of_response ? *of_response : given;
 }
 
 /// An option that adds a field to the map that another option has begun.
@@ -84,7 +86,8 @@ std::vector<Option> map_options() {
          "a Bezier curve by its control points, \"0,0; 1,2; 3,0\"", apply_control_points},
         {"--knots", "/map/knots", "T0,T1,...",
          "makes the control points those of a B-spline over these knots, of degree --degree", apply_knots},
-        {"--map", "/map", "JSON", "any map of the protocol", apply_map},
+        {"--map", "/map", "JSON", "any map of the protocol, or what a command with --json printed",
+         apply_map},
         map_option("--degree", "degree", "N", "the formal degree; by default the actual one", count),
         map_option("--denominator", "denominator", "TEXT",
                    "makes the polynomial the numerator of a rational map", plain_text),
@@ -162,6 +165,14 @@ std::vector<Option> with_map_options(std::vector<Option> others) {
     }
     std::ranges::move(others, std::back_inserter(options));
     return options;
+}
+
+Option own_interval_option(std::string help) {
+    const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits&) {
+        Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;
+        owner["interval"] = number_list(values.front());
+    };
+    return {"--interval", "/interval", "A,B", std::move(help), apply};
 }
 
 bool has_control_points(const Json& request) {

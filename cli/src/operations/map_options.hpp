@@ -40,6 +40,10 @@ Option flag_option(std::string name, const std::string& field, std::string help)
 /// The options that describe a map, and then `others`; of two of one name the one in `others` counts.
 std::vector<Option> with_map_options(std::vector<Option> others);
 
+/// --interval, which for control points of a Bezier curve says where those that are given live, and for other
+/// maps where something is wanted.
+Option own_interval_option(std::string help);
+
 /// Whether the request is about a control polygon, not a polynomial.
 bool has_control_points(const Json& request);
 /// Whether its control points are those of a B-spline.

@@ -4,8 +4,12 @@ namespace blossom::cli {
 
 const std::vector<Operation>& operations() {
     static const std::vector<Operation> table{
-        agree_operation(),      blossom_operation(),        evaluate_operation(),
-        derivative_operation(), control_points_operation(),
+        agree_operation(),       blossom_operation(),         evaluate_operation(),
+        derivative_operation(),  control_points_operation(),  convert_operation(),
+        graph_operation(),       subdivide_operation(),       elevate_operation(),
+        reduce_operation(),      inverse_formula_operation(), insert_knots_operation(),
+        remove_knot_operation(), segments_operation(),        join_operation(),
+        continuity_operation(),  basis_functions_operation(), roots_operation(),
     };
     return table;
 }

@@ -5,9 +5,22 @@
 namespace blossom::cli {
 
 Operation agree_operation();
+Operation basis_functions_operation();
 Operation blossom_operation();
+Operation continuity_operation();
 Operation control_points_operation();
+Operation convert_operation();
 Operation derivative_operation();
+Operation elevate_operation();
 Operation evaluate_operation();
+Operation graph_operation();
+Operation insert_knots_operation();
+Operation inverse_formula_operation();
+Operation join_operation();
+Operation reduce_operation();
+Operation remove_knot_operation();
+Operation roots_operation();
+Operation segments_operation();
+Operation subdivide_operation();
 
 }  // namespace blossom::cli

@@ -1,0 +1,54 @@
+#include <blossom/core/conversion.hpp>
+#include <blossom/core/degree_elevation.hpp>
+#include <blossom/core/spline_elevation.hpp>
+#include <blossom/core/taylor_curve.hpp>
+
+#include "maps/serve.hpp"
+#include "operations/listing.hpp"
+#include "operations/map_options.hpp"
+#include "operations/table.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+struct Elevate {
+    std::size_t by;
+    const Limits& limits;
+
+    AnyMap operator()(const PolynomialCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const BezierCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const BSplineCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const ProgressiveCurve& curve) const {
+        return elevate(control_points(curve, own_interval(curve), limits), by, limits);
+    }
+    AnyMap operator()(const TaylorCurve& curve) const {
+        return taylor_form(elevate(monomial_form(curve, limits), by, limits), curve.center, limits);
+    }
+};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    const std::size_t by =
+        request.required("by", [&](const Json& value) { return read_count(value, limits); });
+    request.finish();
+    require_numbers(by, dimension_of(map), limits);
+    const Map raised{serve<AnyMap>(map, Elevate{by, limits}), map.form, map.variable};
+    return Json::Object{{"map", within("map", [&] { return to_json(raised); })}};
+}
+
+}  // namespace
+
+Operation elevate_operation() {
+    return {
+        .name = "elevate",
+        .summary = "The same curve with a higher degree",
+        .example = {"elevate", "--control-points", "0; 3; 0", "--by", "2"},
+        .options =
+            with_map_options({field_option("--by", "by", "R", "by how much the degree is raised", count)}),
+        .answer = answer,
+        .render = described_listing,
+    };
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,54 @@
+#include <fmt/format.h>
+#include <blossom/core/inverse_formula.hpp>
+
+#include "operations/map_options.hpp"
+#include "operations/table.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const std::size_t degree =
+        request.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    const auto interval =
+        request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+    request.finish();
+    InverseFormula formula = inverse_formula(degree, interval.value_or(Interval()), limits);
+    Json::Array nodes(formula.nodes.begin(), formula.nodes.end());
+    Json::Array weights;
+    for (const std::vector<Rational>& row : formula.weights) {
+        weights.emplace_back(Json::Array(row.begin(), row.end()));
+    }
+    return Json::Object{{"nodes", std::move(nodes)}, {"weights", std::move(weights)}};
+}
+
+std::string render(const Answered& answered) {
+    std::vector<std::vector<std::string>> rows{{""}};
+    for (std::string& node : member_texts(answered.result, "nodes")) rows.front().push_back(std::move(node));
+    const Json::Array& weights = *answered.result.find("weights")->array();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        rows.push_back({fmt::format("P{}", i)});
+        for (const Json& weight : *weights[i].array()) rows.back().push_back(point_text(weight));
+    }
+    return "Each control point is the sum of the map's values at the nodes in the first line, times the "
+           "weights in its own:\n\n" +
+           table_text(rows);
+}
+
+}  // namespace
+
+Operation inverse_formula_operation() {
+    return {
+        .name = "inverse-formula",
+        .summary = "The weights that make control points of the values of a map",
+        .example = {"inverse-formula", "--degree", "3"},
+        .options = {field_option("--degree", "degree", "N", "the degree", count),
+                    field_option("--interval", "interval", "A,B", "the interval; by default 0,1",
+                                 number_list)},
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::cli

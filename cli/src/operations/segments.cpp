@@ -1,0 +1,41 @@
+#include <blossom/core/bezier_extraction.hpp>
+
+#include "maps/serve.hpp"
+#include "operations/listing.hpp"
+#include "operations/map_options.hpp"
+#include "operations/table.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    request.finish();
+    const auto segments = serve<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
+        require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);
+        return bezier_segments(curve, limits);
+    });
+    Json::Array maps;
+    maps.reserve(segments.size());
+    for (const BezierCurve& segment : segments) {
+        maps.push_back(within("map", [&] { return to_json(Map{segment, map.form}); }));
+    }
+    return Json::Object{{"maps", std::move(maps)}};
+}
+
+}  // namespace
+
+Operation segments_operation() {
+    return {
+        .name = "segments",
+        .summary = "The Bezier curves that a B-spline is made of",
+        .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
+                    "--degree", "2"},
+        .options = with_map_options({}),
+        .answer = answer,
+        .render = described_listing,
+    };
+}
+
+}  // namespace blossom::cli

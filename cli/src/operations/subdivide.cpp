@@ -1,0 +1,58 @@
+#include <blossom/core/conversion.hpp>
+#include <blossom/core/spline_split.hpp>
+#include <blossom/core/subdivision.hpp>
+
+#include "maps/serve.hpp"
+#include "operations/listing.hpp"
+#include "operations/map_options.hpp"
+#include "operations/table.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+using TwoMaps = std::pair<AnyMap, AnyMap>;
+
+struct Subdivide {
+    const Rational& t;
+    const Limits& limits;
+
+    TwoMaps operator()(const BezierCurve& curve) const {
+        return within("at", [&] { return subdivide(curve, t, limits); });
+    }
+    TwoMaps operator()(const OnePolynomial auto& curve) const {
+        const PolynomialMap map = polynomial_map(curve, limits);
+        return std::visit(
+            [&](const auto& one) { return (*this)(control_points(one, own_interval(curve), limits)); }, map);
+    }
+    TwoMaps operator()(const BSplineCurve& curve) const { return split(curve, t, limits); }
+};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
+    request.finish();
+    const auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});
+    Json::Array maps;
+    for (const AnyMap& part : {left, right}) {
+        maps.push_back(within("at", [&] { return to_json(Map{part, map.form, map.variable}); }));
+    }
+    return Json::Object{{"maps", std::move(maps)}};
+}
+
+}  // namespace
+
+Operation subdivide_operation() {
+    return {
+        .name = "subdivide",
+        .summary = "The control points of a curve on both sides of a parameter",
+        .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
+        .options = with_map_options(
+            {field_option("--at", "at", "T",
+                          "the parameter; for Bezier curves it may lie outside the interval", plain_text)}),
+        .answer = answer,
+        .render = described_listing,
+    };
+}
+
+}  // namespace blossom::cli
