@@ -4,14 +4,12 @@
 #include <limits>
 #include <string>
 
+#include "collected_agreement.hpp"
 #include "run_construction.hpp"
 
 namespace blossom {
 
 namespace {
-
-constexpr Construction all_constructions[] = {Construction::symmetric, Construction::polarization,
-                                              Construction::casteljau};
 
 /// The term operations of polarization on n distinct symbols: a power of a sum of N symbols has C(n + N, N)
 /// terms.
@@ -30,22 +28,24 @@ std::size_t coefficient_bits(const PolynomialMap& map) {
     return greatest_bit_length(numbers_of(map).numbers().numerators()) + degree_of(map) * bits_a_degree;
 }
 
-/// Runs all three; `excess(construction)` says why one is not run, or nothing.
-template <class Value, class Excess, class Run>
-Agreement<Value> collect(const Excess& excess, const Run& run) {
-    Agreement<Value> agreement;
-    for (const Construction construction : all_constructions) {
-        std::string reason = excess(construction);
-        if (reason.empty()) {
-            agreement.results.push_back({construction, run(construction), {}});
-        } else {
-            agreement.results.push_back({construction, std::nullopt, std::move(reason)});
-        }
-    }
-    return agreement;
+}  // namespace
+
+std::string polarization_excess(std::size_t terms, const Limits& limits) {
+    if (terms <= limits.polarization_terms) return {};
+    return "more terms than the limit polarization_terms = " + std::to_string(limits.polarization_terms);
 }
 
-}  // namespace
+std::string symbolic_excess(std::size_t work, const Limits& limits) {
+    if (work <= limits.expansion_work) return {};
+    return std::to_string(work) +
+           " term operations, more than the limit expansion_work = " + std::to_string(limits.expansion_work);
+}
+
+std::vector<SparsePolynomial> quotients(Quotients<SparsePolynomial> value) {
+    const Rational scale(1, value.denominator);
+    for (SparsePolynomial& numerator : value.numerators) numerator *= scale;
+    return std::move(value.numerators);
+}
 
 Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments,
                                  const Limits& limits) {
@@ -54,13 +54,12 @@ Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argum
     const std::size_t terms = polarization_terms(
         multiplicities(std::span<const HomogeneousPair<Integer>>(cleared.pairs)), limits.polarization_terms);
     const auto excess = [&](Construction construction) -> std::string {
-        if (construction != Construction::polarization || terms <= limits.polarization_terms) return {};
-        return "more terms than the limit polarization_terms = " + std::to_string(limits.polarization_terms);
+        return construction == Construction::polarization ? polarization_excess(terms, limits) : "";
     };
     const auto run = [&](Construction construction) {
         return blossom_value(map, arguments, construction, limits);
     };
-    return collect<Coordinates>(excess, run);
+    return collected_agreement<Coordinates>(excess, run);
 }
 
 Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map,
@@ -77,18 +76,12 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Polyn
 
     const std::size_t work = symbolic_work(n);
     const auto excess = [&](Construction construction) -> std::string {
-        if (construction != Construction::polarization || work <= limits.expansion_work) return {};
-        return std::to_string(work) + " term operations, more than the limit expansion_work = " +
-               std::to_string(limits.expansion_work);
+        return construction == Construction::polarization ? symbolic_excess(work, limits) : "";
     };
     const auto run = [&](Construction construction) {
-        Quotients<SparsePolynomial> value =
-            run_construction<SparsePolynomial>(map, construction, symbols, limits);
-        const Rational scale(1, value.denominator);
-        for (SparsePolynomial& numerator : value.numerators) numerator *= scale;
-        return std::move(value.numerators);
+        return quotients(run_construction<SparsePolynomial>(map, construction, symbols, limits));
     };
-    return collect<std::vector<SparsePolynomial>>(excess, run);
+    return collected_agreement<std::vector<SparsePolynomial>>(excess, run);
 }
 
 std::vector<SparsePolynomial> elementary_symmetric_form(const PolynomialMap& map, const Limits& limits) {

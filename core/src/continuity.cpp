@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "bracketed.hpp"
+
 namespace blossom {
 
 namespace {
@@ -20,18 +22,6 @@ std::size_t dimension_of(const PolynomialMap& map) {
 Blossom blossom_of_degree(const PolynomialMap& map, std::size_t n, const Limits& limits) {
     return std::visit(
         [&](const auto& curve) { return Blossom(elevate(curve, n - curve.degree(), limits), limits); }, map);
-}
-
-template <class Item, class Text>
-std::string in_brackets(const std::vector<Item>& items, const Text& text) {
-    std::string result = "(";
-    for (std::size_t i = 0; i < items.size(); ++i) result += (i == 0 ? "" : ", ") + text(items[i]);
-    return result + ")";
-}
-
-std::string text(const Coordinates& point) {
-    if (point.size() == 1) return to_string(point.front());
-    return in_brackets(point, [](const Rational& coordinate) { return to_string(coordinate); });
 }
 
 }  // namespace
@@ -81,9 +71,9 @@ std::string to_string(const Contact& contact, const Rational& s) {
     if (contact.is_infinite()) return "The curves are the same polynomial at " + to_string(s);
     const BlossomDifference& difference = *contact.first_difference;
     const std::string values =
-        ": the blossom values at " +
-        in_brackets(difference.arguments, [](const Argument& x) { return to_string(x.u); }) + " are " +
-        text(difference.left) + " and " + text(difference.right);
+        ": the blossom values at (" +
+        listed(difference.arguments, [](const Argument& x) { return to_string(x.u); }) + ") are " +
+        bracketed(difference.left) + " and " + bracketed(difference.right);
     if (*contact.order < 0) return "The curves do not meet at " + to_string(s) + values;
     return "The curves meet with order " + std::to_string(*contact.order) + " at " + to_string(s) + values;
 }

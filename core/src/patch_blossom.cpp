@@ -1,7 +1,6 @@
 #include <blossom/core/patch_blossom.hpp>
 #include <blossom/rational/error.hpp>
 
-#include <numeric>
 #include <string>
 
 #include "patch_kernel.hpp"
@@ -9,15 +8,6 @@
 namespace blossom {
 
 namespace {
-
-void require_mass(const Coordinates& tuple, int mass, const std::string& what, const std::string& field) {
-    const Rational sum = std::accumulate(tuple.begin(), tuple.end(), Rational());
-    if (sum == mass) return;
-    throw Error(ErrorCode::not_affine,
-                what + " must have barycentric coordinates of sum " + std::to_string(mass) + ", not " +
-                    to_string(sum),
-                field);
-}
 
 void require_points(const PatchPoint& point, const std::string& field) {
     for (std::size_t f = 0; f < point.size(); ++f) {

@@ -4,6 +4,7 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
 
 #include "integer_frame.hpp"
@@ -149,6 +150,15 @@ std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArra
         }
     }
     return {std::move(shape), canonical_points(rows, integers.denominator * polar.denominator())};
+}
+
+void require_mass(const Coordinates& tuple, int mass, const std::string& what, const std::string& field) {
+    const Rational sum = std::accumulate(tuple.begin(), tuple.end(), Rational());
+    if (sum == mass) return;
+    throw Error(ErrorCode::not_affine,
+                what + " must have barycentric coordinates of sum " + std::to_string(mass) + ", not " +
+                    to_string(sum),
+                field);
 }
 
 void require_point(const NetShape& shape, const PatchPoint& point, const std::string& field) {

@@ -40,4 +40,8 @@ std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArra
 void require_point(const NetShape& shape, const PatchPoint& point, const std::string& field);
 void require_directions(const NetShape& shape, const PatchArguments& directions);
 
+/// Errors: `not_affine`, at `field`, unless the coordinates have the sum `mass`; `what` is a point or a
+/// vector.
+void require_mass(const Coordinates& tuple, int mass, const std::string& what, const std::string& field);
+
 }  // namespace blossom

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -159,13 +158,7 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
                         " barycentric coordinates, not " + std::to_string(point.size()),
                     "/at");
     }
-    const Rational sum = std::accumulate(point.begin(), point.end(), Rational());
-    if (sum != 1) {
-        throw Error(
-            ErrorCode::not_affine,
-            "the point to subdivide at must have barycentric coordinates of sum 1, not " + to_string(sum),
-            "/at");
-    }
+    require_mass(point, 1, "the point to subdivide at", "/at");
     for (std::size_t k = 0; k < vertices; ++k) {
         if (!point[k].is_zero()) continue;
         throw Error(ErrorCode::degenerate_simplex,

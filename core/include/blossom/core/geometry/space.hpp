@@ -1,0 +1,99 @@
+#pragma once
+
+#include <blossom/core/point_array.hpp>
+#include <blossom/rational/rational.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The abstract data types of affine geometry: spaces, their points and vectors, simplices, affine maps and
+/// blossoms, free of coordinates once points have been made. Source: DeRose, Goldman, Lounsbery: A Tutorial
+/// Introduction to Blossoming, section 6.
+
+namespace blossom::geometry {
+
+class Point;
+class Vector;
+
+/// An affine space over Q. Each one made is a space of its own, with points that do not mix with those of any
+/// other, of whatever dimension; a copy is the same space.
+class Space {
+public:
+    /// `name` is for messages.
+    explicit Space(std::size_t dimension, std::string name = "");
+
+    std::size_t dimension() const { return description_->dimension; }
+    const std::string& name() const { return description_->name; }
+
+    /// Errors: `mismatched_dimensions` for another number of coordinates.
+    Point point(Coordinates coordinates) const;
+    Vector vector(Coordinates coordinates) const;
+    Point origin() const;
+
+    /// Whether they are the same space.
+    friend bool operator==(const Space&, const Space&) = default;
+
+private:
+    struct Description {
+        std::size_t dimension;
+        std::string name;
+    };
+    std::shared_ptr<const Description> description_;
+};
+
+/// A vector of a space: a difference of points.
+class Vector {
+public:
+    const Space& space() const { return space_; }
+    const Coordinates& coordinates() const { return coordinates_; }
+
+    /// Errors, as for all operations on two of them: `different_spaces`.
+    friend Vector operator+(const Vector& a, const Vector& b);
+    friend Vector operator-(const Vector& a, const Vector& b);
+    friend Vector operator-(const Vector& a);
+    friend Vector operator*(const Rational& scale, const Vector& a);
+    friend bool operator==(const Vector&, const Vector&) = default;
+
+private:
+    friend class Space;
+    Vector(Space space, Coordinates coordinates)
+        : space_(std::move(space)), coordinates_(std::move(coordinates)) {}
+
+    Space space_;
+    Coordinates coordinates_;
+};
+
+/// A point of a space. There is no sum of points and no multiple of a point: `affine_combination` is what
+/// makes sense of both.
+class Point {
+public:
+    const Space& space() const { return space_; }
+    const Coordinates& coordinates() const { return coordinates_; }
+
+    friend Vector operator-(const Point& a, const Point& b);
+    friend Point operator+(const Point& a, const Vector& b);
+    friend Point operator-(const Point& a, const Vector& b);
+    friend bool operator==(const Point&, const Point&) = default;
+
+private:
+    friend class Space;
+    Point(Space space, Coordinates coordinates)
+        : space_(std::move(space)), coordinates_(std::move(coordinates)) {}
+
+    Space space_;
+    Coordinates coordinates_;
+};
+
+/// sum weights[i] points[i] with weights of sum 1, a point that does not depend on the origin.
+///
+/// Errors: `not_affine` for another sum, `different_spaces`, `wrong_arity` for no point or another number of
+/// weights. Source: DeRose, equation (1). Statement: derose-affine-comb.
+Point affine_combination(std::span<const Point> points, std::span<const Rational> weights);
+
+/// Errors: `different_spaces`, naming both.
+void require_same_space(const Space& expected, const Space& given);
+
+}  // namespace blossom::geometry

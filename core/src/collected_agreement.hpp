@@ -1,0 +1,35 @@
+#pragma once
+
+#include <blossom/core/agreement.hpp>
+#include <blossom/core/constructions.hpp>
+
+#include <string>
+#include <utility>
+
+namespace blossom {
+
+/// Runs all three constructions; `excess(construction)` says why one is not run, or nothing.
+template <class Value, class Excess, class Run>
+Agreement<Value> collected_agreement(const Excess& excess, const Run& run) {
+    Agreement<Value> agreement;
+    for (const Construction construction :
+         {Construction::symmetric, Construction::polarization, Construction::casteljau}) {
+        std::string reason = excess(construction);
+        if (reason.empty()) {
+            agreement.results.push_back({construction, run(construction), {}});
+        } else {
+            agreement.results.push_back({construction, std::nullopt, std::move(reason)});
+        }
+    }
+    return agreement;
+}
+
+/// Why polarization is not run where it needs this many terms, or nothing.
+std::string polarization_excess(std::size_t terms, const Limits& limits);
+/// Why a symbolic polarization of this many term operations is not run, or nothing.
+std::string symbolic_excess(std::size_t work, const Limits& limits);
+
+/// Numerators over one integer as polynomials.
+std::vector<SparsePolynomial> quotients(Quotients<SparsePolynomial> value);
+
+}  // namespace blossom
