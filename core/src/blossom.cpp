@@ -5,6 +5,7 @@
 
 #include "blossom_bits.hpp"
 #include "run_construction.hpp"
+#include "values_in_words.hpp"
 
 namespace blossom {
 
@@ -41,6 +42,7 @@ std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std:
 Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
                           Construction construction, const Limits& limits) {
     require_arity(degree_of(map), arguments.size());
+    if (auto value = value_in_words(map, arguments, construction, limits)) return *std::move(value);
     const ClearedArguments cleared = construction == Construction::polarization
                                          ? cleared_together(arguments, limits)
                                          : cleared_one_by_one(arguments);

@@ -31,36 +31,12 @@ Bounds bounds(const Prepared& rows, std::span<const WordFactor> factors) {
     return {product.bits(), sum.bits()};
 }
 
-/// The denominator of all sums, if it and the numerators are below 2^63.
-std::optional<std::uint64_t> word_denominator(const Prepared& rows, std::span<const WordFactor> factors) {
-    if (rows.words.empty() || rows.denominators.size() > 1 || !rows.further_denominator.is_one() ||
-        factors.size() > machine_sums::most_factors) {
-        return std::nullopt;
-    }
-    std::uint64_t bound = rows.greatest;
-    std::uint64_t denominator = rows.denominators.empty() ? 1 : rows.denominators[0];
-    bool overflow = false;
-    for (const WordFactor& factor : factors) {
-        overflow |= __builtin_mul_overflow(bound, size_of(factor), &bound);
-        overflow |=
-            __builtin_mul_overflow(denominator, static_cast<std::uint64_t>(factor.denominator), &denominator);
-    }
-    if (overflow || ((bound | denominator) >> 63) != 0) return std::nullopt;
-    return denominator;
-}
-
-DenominatorWords denominator_words(const Prepared& rows, std::span<const WordFactor> factors) {
-    DenominatorWords words;
-    for (const std::uint64_t factor : rows.denominators) words.multiply(factor);
-    for (const WordFactor& factor : factors) words.multiply(static_cast<std::uint64_t>(factor.denominator));
-    return words;
-}
-
 SumKernel kernel_for(const Prepared& rows, std::span<const WordFactor> factors) {
     if (factors.size() > machine_sums::most_factors) return SumKernel::integers;
-    if (word_denominator(rows, factors)) return SumKernel::word;
+    const bool words = !rows.words.empty();
+    if (words && machine_sums::word_denominator(rows.words_of(0), factors)) return SumKernel::word;
     const std::size_t bits = bounds(rows, factors).sum;
-    if (bits < 128 && !rows.words.empty()) return SumKernel::wide;
+    if (words && bits < 128) return SumKernel::wide;
     if (bits / 64 < most_sum_limbs) return SumKernel::limbs;
     return SumKernel::integers;
 }
@@ -83,11 +59,10 @@ Rational reduced(std::span<std::uint64_t> numerator, bool negated, const Denomin
 void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
                    std::span<Rational> sums) {
     const machine_sums::FactorProduct<Wide> product(factors);
-    const DenominatorWords denominator = denominator_words(rows, factors);
+    const DenominatorWords denominator = machine_sums::denominator_words(rows.denominators, factors);
     for (std::size_t j = 0; j < sums.size(); ++j) {
-        const Wide sum = product.sum_of_products(rows.words_of(first_row + j));
-        std::uint64_t words[] = {static_cast<std::uint64_t>(sum), static_cast<std::uint64_t>(sum >> 64)};
-        sums[j] = reduced(words, false, denominator, rows.further_denominator);
+        sums[j] =
+            machine_sums::reduced(product.sum_of_products(rows.words_of(first_row + j).words), denominator);
     }
 }
 
@@ -97,7 +72,7 @@ void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, s
     fixed_width::LimbRow product(factors.size() + 1, 1, bits.product);
     product.set(0, 1);
     product.multiply_out(factors);
-    const DenominatorWords denominator = denominator_words(rows, factors);
+    const DenominatorWords denominator = machine_sums::denominator_words(rows.denominators, factors);
     std::uint64_t words[most_sum_limbs];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -136,8 +111,8 @@ constexpr SumKernelRule rules[] = {
 
 std::span<const SumKernelRule> sum_kernel_rules() { return rules; }
 
-LinearFactorSums::LinearFactorSums(RationalVector numbers, std::size_t rows)
-    : prepared_(std::make_shared<const Prepared>(std::move(numbers), rows)) {}
+LinearFactorSums::LinearFactorSums(RationalVector numbers, std::size_t rows, Use use)
+    : prepared_(std::make_shared<const Prepared>(std::move(numbers), rows, use)) {}
 
 std::size_t LinearFactorSums::rows() const { return prepared_->rows; }
 
@@ -152,11 +127,13 @@ SumKernel LinearFactorSums::kernel(std::span<const WordFactor> factors) const {
 void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t first_row,
                                 std::span<Rational> sums) const {
     const Prepared& rows = *prepared_;
-    if (const auto denominator = word_denominator(rows, factors)) {
+    const std::uint64_t denominator =
+        rows.words.empty() ? 0 : machine_sums::word_denominator(rows.words_of(0), factors);
+    if (denominator != 0) {
         const machine_sums::FactorProduct<std::uint64_t> product(factors);
         for (std::size_t j = 0; j < sums.size(); ++j) {
-            const std::uint64_t sum = product.sum_of_products(rows.words_of(first_row + j));
-            set_reduced(sums[j], static_cast<std::int64_t>(sum), *denominator);
+            const std::uint64_t sum = product.sum_of_products(rows.words_of(first_row + j).words);
+            set_reduced(sums[j], static_cast<std::int64_t>(sum), denominator);
         }
         return;
     }

@@ -42,19 +42,20 @@ std::vector<std::uint64_t> split_into_words(Integer& value) {
     return words;
 }
 
-LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count)
+LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count, Use use)
     : numbers(std::move(given)),
       rows(row_count),
       size(numbers.size() / row_count),
       bits(greatest_bit_length(numbers.numerators())),
       width(bits / 64 + 1),
       further_denominator(numbers.denominator()) {
-    denominators = split_into_words(further_denominator);
+    if (use == Use::many || further_denominator.to_int64())
+        denominators = split_into_words(further_denominator);
     if (denominators.size() > most_denominators) {
         denominators.clear();
         further_denominator = numbers.denominator();
     }
-    if (bits < 64) {
+    if (bits < 64 && further_denominator.is_one()) {
         words.reserve(numbers.size());
         for (const Integer& numerator : numbers.numerators()) {
             words.push_back(*numerator.to_int64());

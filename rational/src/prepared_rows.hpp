@@ -6,16 +6,19 @@
 
 #include <vector>
 
+#include "machine_sums.hpp"
+
 namespace blossom {
 
 struct LinearFactorSums::Prepared {
-    Prepared(RationalVector numbers, std::size_t rows);
+    Prepared(RationalVector numbers, std::size_t rows, Use use);
 
     std::span<const Integer> integers_of(std::size_t row) const {
         return std::span(numbers.numerators()).subspan(row * size, size);
     }
-    std::span<const std::int64_t> words_of(std::size_t row) const {
-        return std::span(words).subspan(row * size, size);
+    /// Only if there are words.
+    WordRow words_of(std::size_t row) const {
+        return {std::span(words).subspan(row * size, size), greatest, denominators};
     }
     /// `width` words of two's complement a number.
     const std::uint64_t* limbs_of(std::size_t row) const { return limbs.data() + row * size * width; }

@@ -73,6 +73,34 @@ std::vector<IntegerFactor> integer_factors(std::span<const WordFactor> factors) 
     return result;
 }
 
+/// The apex of the triangle, in lowest terms throughout.
+Rational evident_apex(std::vector<Rational> row, std::span<const WordFactor> factors) {
+    for (const WordFactor& factor : factors) {
+        for (std::size_t j = 0; j + 1 < row.size(); ++j)
+            row[j] = (row[j] * factor.constant + row[j + 1] * factor.slope) / Rational(factor.denominator);
+        row.pop_back();
+    }
+    return row[0];
+}
+
+/// The sums that need no preparation, where the numerators are words.
+void check_unprepared(const Case& given, const Rational& expected) {
+    const RationalVector numbers(given.numbers);
+    std::vector<std::int64_t> row;
+    for (const Integer& numerator : numbers.numerators()) {
+        const auto word = numerator.to_int64();
+        if (!word || *word == INT64_MIN) return;
+        row.push_back(*word);
+    }
+    const auto denominator = numbers.denominator().to_int64();
+    if (!denominator) return;
+    const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
+    if (const auto sum = LinearFactorSums::sum_in_words(row, denominators, given.factors))
+        CHECK(*sum == expected);
+    if (const auto apex = LinearFactorSums::apex_in_words(row, denominators, given.factors))
+        CHECK(*apex == evident_apex(given.numbers, given.factors));
+}
+
 /// Which kernels the cases of a test have met.
 using Met = std::map<SumKernel, int>;
 
@@ -85,6 +113,10 @@ void check(const Case& given, Met& met) {
     sums.evaluate(integer_factors(given.factors), 0, {&value, 1});
     CHECK(value == expected);
     ++met[sums.kernel(given.factors)];
+    LinearFactorSums(RationalVector(given.numbers), 1, LinearFactorSums::Use::once)
+        .evaluate(given.factors, 0, {&value, 1});
+    CHECK(value == expected);
+    check_unprepared(given, expected);
 }
 
 /// (c + s X) / 1 times itself, whose sum with numbers 0, ..., 0, c is c s^n.

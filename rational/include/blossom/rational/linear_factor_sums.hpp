@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -45,8 +46,11 @@ std::span<const SumKernelRule> sum_kernel_rules();
 /// the sums, taken in integers. Copies share what was prepared.
 class LinearFactorSums {
 public:
+    /// How much may be spent on what pays only when many sums follow.
+    enum class Use { many, once };
+
     /// `numbers` are `rows` rows of equal length, one after the other.
-    LinearFactorSums(RationalVector numbers, std::size_t rows);
+    LinearFactorSums(RationalVector numbers, std::size_t rows, Use use = Use::many);
 
     std::size_t rows() const;
     /// n
@@ -61,6 +65,16 @@ public:
 
     /// What `evaluate` chooses.
     SumKernel kernel(std::span<const WordFactor> factors) const;
+
+    /// The sum of one row of numbers row[k] / prod denominators, if the kernels `word` and `wide` suffice for
+    /// it; there is nothing to prepare then. `row` does not contain the least value of 64 bits.
+    static std::optional<Rational> sum_in_words(std::span<const std::int64_t> row,
+                                                std::span<const std::uint64_t> denominators,
+                                                std::span<const WordFactor> factors);
+    /// The same number as the apex of the triangle over `row`, see `fold_triangle`.
+    static std::optional<Rational> apex_in_words(std::span<const std::int64_t> row,
+                                                 std::span<const std::uint64_t> denominators,
+                                                 std::span<const WordFactor> factors);
 
     struct Prepared;  ///< the rows in the forms that the kernels read, defined in the private sources
 
