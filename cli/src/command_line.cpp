@@ -11,6 +11,7 @@
 #include "completion.hpp"
 #include "limit_table.hpp"
 #include "operations/map_options.hpp"
+#include "prove_command.hpp"
 #include "run_command.hpp"
 
 namespace blossom::cli {
@@ -144,8 +145,40 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     return {command, action};
 }
 
+constexpr std::size_t most_jobs = 256;
+
+Subcommand add_prove(CLI::App& app, const Operation& operation) {
+    CLI::App* command = app.add_subcommand(std::string(operation.name), std::string(operation.summary));
+    const auto several = [&](const std::string& name, const std::string& value, std::string help) {
+        return add_value(*command, name, value, std::move(help))
+            ->expected(1, CLI::detail::expected_max_vector_size);
+    };
+    const auto flag = [&](const std::string& name, const std::string& help) {
+        return command->add_flag(name, help);
+    };
+    const CLI::Option* paths =
+        several("FILE", "", "files of statements, or folders with files *.blossom")->allow_extra_args();
+    const CLI::Option* statements =
+        several("-e,--statement", "TEXT", "one statement, \"claim\" may be left out")
+            ->allow_extra_args(false);
+    const CLI::Option* degrees =
+        several("--degree", "NAME=N", "declares a map for -e: b=2, or f=2,3")->allow_extra_args(false);
+    const CLI::Option* format = flag("--format", "print the files in canonical form instead");
+    const CLI::Option* quiet = flag("--quiet", "print only what is not as expected, and the summary");
+    const CLI::Option* as_json = flag("--json", "print one line of JSON for each claim");
+    const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
+    const LimitOptions limits(*command);
+    command->footer([&operation] { return example_text(operation); });
+    const auto action = [=](const Streams& streams) {
+        return prove({results_of(*paths), results_of(*statements), results_of(*degrees), format->count() > 0,
+                      as_json->count() > 0, quiet->count() > 0,
+                      integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs), limits.read()},
+                     streams);
+    };
+    return {command, action};
+}
+
 Subcommand add_batch(CLI::App& app) {
-    constexpr std::size_t most_jobs = 256;
     CLI::App* command =
         app.add_subcommand("batch", "Serve requests in JSON, one a line, from FILE or the standard input");
     const CLI::Option* file =
@@ -202,12 +235,19 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
     app.get_formatter()->column_width(34);
 
     std::vector<Subcommand> commands;
-    for (const Operation& operation : operations()) commands.push_back(add_operation(app, operation));
+    for (const Operation& operation : operations()) {
+        commands.push_back(operation.has_own_command ? add_prove(app, operation)
+                                                     : add_operation(app, operation));
+    }
     commands.push_back(add_batch(app));
     commands.push_back(add_completion(app));
 
     std::vector<std::string> reversed;
-    std::ranges::transform(arguments, std::back_inserter(reversed), protected_value);
+    // "-e" is an option of one command, and a polynomial for the others.
+    const bool proves = !arguments.empty() && arguments.front() == "prove";
+    std::ranges::transform(arguments, std::back_inserter(reversed), [&](const std::string& argument) {
+        return proves && argument == "-e" ? argument : protected_value(argument);
+    });
     std::ranges::reverse(reversed);
     try {
         app.parse(std::move(reversed));

@@ -57,6 +57,7 @@ Streams standard_streams() {
         .errors = [](std::string_view text) { return write_all(STDERR_FILENO, text, "standard error"); },
         .coloured_output = wants_colours(STDOUT_FILENO),
         .coloured_errors = wants_colours(STDERR_FILENO),
+        .shows_progress = wants_colours(STDERR_FILENO),
     };
 }
 

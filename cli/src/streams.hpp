@@ -15,6 +15,7 @@ struct Streams {
     Sink errors;
     bool coloured_output = false;
     bool coloured_errors = false;
+    bool shows_progress = false;  ///< errors go to a terminal, where a line can be written over
 };
 
 /// The standard streams. Colours are for a terminal, unless NO_COLOR is set or TERM is "dumb" or not set.

@@ -39,6 +39,7 @@ struct Operation {
     std::vector<Option> options;
     Json (*answer)(Fields& request, const Limits& limits);
     std::string (*render)(const Answered& answered);
+    bool has_own_command = false;  ///< the command of this name does more and is made elsewhere
 };
 
 /// All of them, in the order of the help.

@@ -17,6 +17,7 @@ Operation graph_operation();
 Operation insert_knots_operation();
 Operation inverse_formula_operation();
 Operation join_operation();
+Operation prove_operation();
 Operation reduce_operation();
 Operation remove_knot_operation();
 Operation roots_operation();

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+#include <blossom/proofs/parser.hpp>
+
+#include <algorithm>
+
+#include "decisions.hpp"
+#include "operations/table.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+/// The decisions of all lines of a statement. Errors: the first one in it, with its offset.
+std::vector<proofs::Decision> decisions_of(const std::string& statement, const Limits& limits) {
+    // The place is part of the message, for those who read no offset.
+    const auto refuse = [&](const Error& error) {
+        if (!error.offset()) throw Error(error);
+        const auto [line, column] = proofs::place_of(statement, *error.offset());
+        throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), "",
+                    error.offset());
+    };
+    const proofs::Document document = proofs::parse(statement, limits);
+    if (!document.errors.empty()) refuse(document.errors.front());
+    std::vector<proofs::Decision> decisions;
+    for (const proofs::Block& block : document.blocks) {
+        for (proofs::Decision& decision : proofs::decide(block, limits)) {
+            if (decision.error) refuse(*decision.error);
+            decisions.push_back(std::move(decision));
+        }
+    }
+    if (decisions.empty()) {
+        throw Error(ErrorCode::syntax, "the statement has no line \"claim\" or \"refute\"", "",
+                    statement.size());
+    }
+    return decisions;
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const auto decisions = request.required(
+        "statement", [&](const Json& value) { return decisions_of(read_text(value), limits); });
+    request.finish();
+    // Of several lines the first that is refuted speaks for all.
+    const auto refuted = std::ranges::find(decisions, proofs::Verdict::refuted, &proofs::Decision::verdict);
+    Json result = to_json(refuted == decisions.end() ? decisions.front() : *refuted);
+    if (decisions.size() == 1) return result;
+    Json::Array lines;
+    for (const proofs::Decision& decision : decisions) lines.push_back(to_json(decision));
+    result["lines"] = std::move(lines);
+    return result;
+}
+
+std::string render(const Answered& answered) { return to_text(answered.result) + "\n"; }
+
+}  // namespace
+
+Operation prove_operation() {
+    return {
+        .name = "prove",
+        .summary = "Decide statements of the identity language, exactly and for all values",
+        .example = {"prove", "-e", "b[s,t] == (4*b((s+t)/2) - b(s) - b(t))/2", "--degree", "b=2"},
+        .options = {},
+        .answer = answer,
+        .render = render,
+        .has_own_command = true,
+    };
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "answer.hpp"
+#include "streams.hpp"
+
+namespace blossom::cli {
+
+/// What the command `prove` is asked for.
+struct ProveCommand {
+    std::vector<std::string> paths;       ///< files, folders, or "-"
+    std::vector<std::string> statements;  ///< of -e: a claim each
+    std::vector<std::string> degrees;     ///< "b=2" or "f=2,3": the maps of the statements
+    bool only_format = false;
+    bool as_json = false;
+    bool quiet = false;
+    std::size_t jobs = 1;
+    Limits limits;
+};
+
+/// Decides everything and reports it in order. Success when all is as expected, `refused` when something is
+/// not, `wrong_usage` when a text could not be read.
+Outcome prove(const ProveCommand& command, const Streams& streams);
+
+}  // namespace blossom::cli

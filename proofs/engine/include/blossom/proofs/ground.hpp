@@ -1,0 +1,110 @@
+#pragma once
+
+#include <blossom/proofs/syntax.hpp>
+#include <blossom/rational/limits.hpp>
+#include <blossom/rational/rational.hpp>
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A block for one choice of its integer parameters: sums, indices, sets and abbreviations are gone, and what
+/// remains is an identity between expressions in numbered symbols, with maps of given degrees.
+
+namespace blossom::proofs {
+
+using NodeId = std::size_t;
+
+enum class NodeKind { constant, symbol, sum, product, quotient, power, application };
+
+/// A node of an expression. Operands are nodes made before it, so that nodes may be worked through in order.
+struct Node {
+    NodeKind kind = NodeKind::constant;
+    Rational value;                ///< of a constant
+    std::size_t index = 0;         ///< number of the symbol or application, or the exponent
+    std::vector<NodeId> operands;  ///< of sum, product, quotient, power
+    std::size_t offset = 0;        ///< of a quotient: its place in the text
+};
+
+/// An argument of a map on an affine space: coordinates and a mass, 1 for points and 0 for vectors.
+struct NodeArgument {
+    std::vector<NodeId> coordinates;
+    NodeId mass = 0;
+};
+
+/// A direction of a map: its formal degree, and the dimension of the affine space it lives on.
+struct Direction {
+    std::size_t degree = 0;
+    std::size_t dimension = 1;
+
+    friend bool operator==(const Direction&, const Direction&) = default;
+};
+
+/// The exponents of all monomials of a direction, those of total degree at most `degree`: 0, 1, ..., degree
+/// in one variable.
+std::vector<std::vector<std::size_t>> monomials(const Direction& direction);
+/// The exponents of their products, in the order of the coefficients of a map: the last direction runs
+/// fastest.
+std::vector<std::vector<std::size_t>> monomials(const std::vector<Direction>& directions);
+
+/// A map: for every product of monomials, one a direction, the coefficient; the last direction runs fastest.
+struct GroundMap {
+    std::string name;
+    std::vector<Direction> directions;
+    std::vector<NodeId> coefficients;
+    bool arbitrary = true;  ///< declared by `map`, so that its coefficients are symbols
+};
+
+/// p(...) or a derivative of it at one argument a direction, or p[...] at `degree` arguments a direction.
+struct Application {
+    std::size_t map = 0;
+    bool polar = false;
+    std::vector<std::size_t> orders;  ///< of a value: one a direction
+    std::vector<std::vector<NodeArgument>> arguments;
+    std::size_t offset = 0;
+};
+
+/// A variable: a scalar of the text, or a coefficient of a map.
+struct Symbol {
+    std::string name;
+    bool is_coefficient = false;
+};
+
+struct Relation {
+    NodeId left = 0;
+    NodeId right = 0;
+    std::size_t statement = 0;  ///< its number in the block
+    std::size_t offset = 0;
+    std::vector<std::size_t> quantified;  ///< symbols of a hypothesis that holds for all their values
+    std::vector<std::pair<std::string, long long>> parameters;  ///< of the ranges in the line itself
+};
+
+struct GroundBlock {
+    std::vector<std::pair<std::string, long long>> parameters;
+    std::vector<Node> nodes;
+    std::vector<Symbol> symbols;
+    std::vector<GroundMap> maps;
+    std::vector<Application> applications;
+    std::vector<Relation> assumptions;  ///< left != right
+    std::vector<Relation> hypotheses;
+    std::vector<Relation> claims;  ///< and refutations
+};
+
+/// All nodes that a node is made of directly: its operands or, of an application, arguments and coefficients.
+std::vector<NodeId> operands_of(const GroundBlock& block, NodeId node);
+/// The nodes from which `roots` are made, in order, themselves included.
+std::set<NodeId> nodes_below(const GroundBlock& block, std::vector<NodeId> roots);
+
+/// Every choice of the integer parameters of a block, in order: the first parameter varies slowest.
+/// Errors: `limit_exceeded` beyond `limits.numbers` of them; those of the bounds.
+std::vector<std::vector<std::pair<std::string, long long>>> parameter_choices(const Block& block,
+                                                                              const Limits& limits);
+
+/// The block at one choice. Cost: the size of the result. Errors, each with its offset: `syntax` for names
+/// that are not known and what does not fit together; `wrong_arity`; `limit_exceeded`.
+GroundBlock ground(const Block& block, const std::vector<std::pair<std::string, long long>>& parameters,
+                   const Limits& limits);
+
+}  // namespace blossom::proofs

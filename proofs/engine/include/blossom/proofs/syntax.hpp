@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// What a file of the identity language says, as it is written: the tree that the parser makes, the formatter
+/// prints and grounding turns into one identity for each choice of the integer parameters.
+
+namespace blossom::proofs {
+
+enum class ExpressionKind {
+    number,      ///< name: the text as written
+    name,        ///< name; children: the indices of t_3, t_{i,j}
+    negative,    ///< -x
+    sum,         ///< x + y
+    difference,  ///< x - y
+    product,     ///< x * y
+    quotient,    ///< x / y
+    power,       ///< x ^ y
+    pair,        ///< <u, v>
+    call,        ///< a function of the language; name; children: its arguments
+    value,       ///< b(t), b'(t), D(b, k)(t); name: the map; children: the orders; groups[0]: the arguments
+    blossom,     ///< b[...]; name: the map; groups: the arguments, one list a direction
+    copies,      ///< t{k} among arguments
+    run,         ///< t_1..t_n among arguments
+    family,      ///< t_i : i in 1..n, i != k; name: i; children: the member; groups: range, excluded, sets
+};
+
+/// An expression with the place where it begins, in bytes from the beginning of the text. The place does not
+/// take part in comparison.
+struct Expression {
+    ExpressionKind kind = ExpressionKind::number;
+    std::size_t offset = 0;
+    std::string name;
+    std::vector<Expression> children;
+    std::vector<std::vector<Expression>> groups;
+
+    friend bool operator==(const Expression& a, const Expression& b) {
+        return a.kind == b.kind && a.name == b.name && a.children == b.children && a.groups == b.groups;
+    }
+};
+
+/// `for n in first..last`
+struct Range {
+    std::string name;
+    Expression first;
+    Expression last;
+    std::size_t offset = 0;
+
+    friend bool operator==(const Range& a, const Range& b) {
+        return a.name == b.name && a.first == b.first && a.last == b.last;
+    }
+};
+
+enum class StatementKind {
+    parameter,   ///< for: ranges[0]
+    map,         ///< names; expressions: the degrees; dimension: that of `on simplex s`
+    point,       ///< expressions: names and runs; dimension
+    vector,      ///< the same
+    polynomial,  ///< names: P and its variables; expressions: the degrees; left: the polynomial
+    raise,       ///< names: p, q; expressions: the degree
+    let,         ///< left: the name with its index patterns; right: the expression
+    assume,      ///< left != right
+    given,       ///< left == right, ranges, quantified
+    claim,       ///< left == right, ranges
+    refute,      ///< left == right, ranges
+};
+
+/// One line of a block.
+struct Statement {
+    StatementKind kind = StatementKind::claim;
+    std::size_t offset = 0;
+    std::vector<std::string> names;
+    std::vector<Expression> expressions;
+    std::vector<Expression> dimension;  ///< none or one
+    std::vector<Expression> sides;      ///< left, or left and right
+    std::vector<Range> ranges;
+    std::vector<Expression> quantified;  ///< of `given ... for all x, y_1..y_k`
+
+    friend bool operator==(const Statement& a, const Statement& b) {
+        return a.kind == b.kind && a.names == b.names && a.expressions == b.expressions &&
+               a.dimension == b.dimension && a.sides == b.sides && a.ranges == b.ranges &&
+               a.quantified == b.quantified;
+    }
+};
+
+/// A block: `theorem ID "title"` and the lines up to the next. The lines before the first head, if any, form
+/// a block without id.
+struct Block {
+    std::string id;
+    std::string title;
+    std::size_t offset = 0;
+    bool has_head = false;
+    std::vector<Statement> statements;
+
+    friend bool operator==(const Block& a, const Block& b) {
+        return a.id == b.id && a.title == b.title && a.has_head == b.has_head && a.statements == b.statements;
+    }
+};
+
+/// A comment, from `#` to the end of its line.
+struct Comment {
+    std::size_t offset = 0;
+    bool own_line = false;  ///< nothing but blanks before it
+    std::string text;
+};
+
+}  // namespace blossom::proofs

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <blossom/proofs/ground.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace blossom::proofs {
+
+/// Values of nodes where every symbol has a number: exact arithmetic from the definitions, without expansion.
+class Evaluator {
+public:
+    Evaluator(const GroundBlock& block, std::span<const Rational> symbols)
+        : block_(block), symbols_(symbols) {}
+
+    /// Errors: `division_by_zero`.
+    Rational operator()(NodeId node);
+
+private:
+    Rational application(const Application& application);
+
+    const GroundBlock& block_;
+    std::span<const Rational> symbols_;
+    std::vector<std::optional<Rational>> known_;
+};
+
+}  // namespace blossom::proofs

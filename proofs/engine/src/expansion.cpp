@@ -1,0 +1,205 @@
+#include <blossom/core/constructions.hpp>
+#include <blossom/proofs/expansion.hpp>
+#include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+
+#include "polar_form.hpp"
+
+namespace blossom::proofs {
+
+namespace {
+
+using Ring = SparsePolynomial;
+using Argument = RingArgument<Ring>;
+constexpr std::size_t unbounded = std::size_t(-1);
+
+std::size_t saturating_product(std::size_t a, std::size_t b) {
+    std::size_t product = 0;
+    return __builtin_mul_overflow(a, b, &product) ? unbounded : product;
+}
+
+/// An upper bound for the terms of a product of linear forms with the arguments as coefficients: for m equal
+/// arguments of s terms there are C(m + s - 1, s - 1) monomials.
+std::size_t greatest_size(std::span<const Argument> arguments, const Limits& limits) {
+    std::vector<std::pair<const Argument*, std::size_t>> groups;
+    for (const Argument& argument : arguments) {
+        const auto same = std::ranges::find_if(groups, [&](const auto& group) {
+            return group.first->coordinates == argument.coordinates && group.first->mass == argument.mass;
+        });
+        if (same == groups.end()) {
+            groups.emplace_back(&argument, 1);
+        } else {
+            ++same->second;
+        }
+    }
+    std::size_t size = 1;
+    for (const auto& [argument, copies] : groups) {
+        std::size_t terms = argument->mass.size();
+        for (const Ring& coordinate : argument->coordinates) terms += coordinate.size();
+        if (terms == 0) continue;
+        const Integer monomials = binomial(copies + terms - 1, terms - 1);
+        if (monomials > Integer(limits.expansion_work)) return unbounded;
+        size = saturating_product(size, static_cast<std::size_t>(*monomials.to_int64()));
+    }
+    return size;
+}
+
+/// The engine's construction on symbolic arguments, times n!, for a direction of dimension 1.
+Ring engine_blossom(std::span<const Ring> coefficients, std::span<const Argument> arguments) {
+    std::vector<HomogeneousPair<Ring>> pairs;
+    for (const Argument& argument : arguments) pairs.push_back({argument.coordinates.front(), argument.mass});
+    const std::span<const Ring> rows[] = {coefficients};
+    const auto [numerators, denominator] =
+        constructions::by_symmetric_functions<Ring>(rows, std::span<const HomogeneousPair<Ring>>(pairs));
+    return numerators.front() * Ring(Rational(factorial(arguments.size()), denominator));
+}
+
+void require_agreement(bool agree, const GroundMap& map, std::size_t offset) {
+    if (agree) return;
+    throw Error(ErrorCode::internal,
+                "the engine's construction and the definition disagree about " + map.name +
+                    ": this is an error of the program",
+                "", offset);
+}
+
+/// p(t), or the derivative of order k as n!/(n-k)! p[t^(n-k), delta^k] by the engine's construction, held
+/// against the derivatives of powers.
+Ring value_in(const GroundMap& map, const Direction& direction, std::span<const Ring> coefficients,
+              const Argument& argument, std::size_t order, std::size_t offset) {
+    if (order > direction.degree) return {};
+    const bool number = direction.dimension == 1 && argument.mass == Ring(1);
+    const auto evaluate = [&](std::span<const Ring> row) {
+        const Direction lower{row.size() - 1, 1};
+        return number ? polynomial_value(row, argument.coordinates.front())
+                      : form_value<Ring>(direction.dimension == 1 ? lower : direction, row, argument);
+    };
+    if (order == 0) return evaluate(coefficients);
+    const std::size_t n = direction.degree;
+    std::vector<Argument> arguments(n - order, argument);
+    arguments.insert(arguments.end(), order, Argument{{Ring(1)}, Ring(0)});
+    const Ring value =
+        engine_blossom(coefficients, arguments) * Ring(Rational(falling_factorial(n, order), factorial(n)));
+    require_agreement(value == evaluate(derivative_coefficients(coefficients, order)), map, offset);
+    return value;
+}
+
+}  // namespace
+
+Fraction Expander::operator()(NodeId id) {
+    if (known_.size() < block_.nodes.size()) known_.resize(block_.nodes.size());
+    // Operands come before what is made of them; only what is needed is expanded.
+    std::vector<NodeId> open{id};
+    while (!open.empty()) {
+        const NodeId next = open.back();
+        if (known_[next]) {
+            open.pop_back();
+            continue;
+        }
+        const Node& node = block_.nodes[next];
+        const std::size_t before = open.size();
+        for (const NodeId operand : operands_of(block_, next)) {
+            if (!known_[operand]) open.push_back(operand);
+        }
+        if (open.size() != before) continue;
+        known_[next] = expanded(node);
+        open.pop_back();
+    }
+    return *known_[id];
+}
+
+Fraction Expander::expanded(const Node& node) {
+    const auto operand = [&](std::size_t i) -> const Fraction& { return *known_[node.operands[i]]; };
+    switch (node.kind) {
+        case NodeKind::constant:
+            return {node.value, {}};
+        case NodeKind::symbol:
+            return {SparsePolynomial::variable(node.index), {}};
+        case NodeKind::sum: {
+            std::vector<Fraction> summands;
+            for (std::size_t i = 0; i < node.operands.size(); ++i) summands.push_back(operand(i));
+            return field_.sum(summands);
+        }
+        case NodeKind::product: {
+            Fraction product = operand(0);
+            for (std::size_t i = 1; i < node.operands.size(); ++i)
+                product = field_.product(product, operand(i));
+            return product;
+        }
+        case NodeKind::power:
+            return field_.power(operand(0), node.index);
+        case NodeKind::quotient:
+            if (operand(1).is_zero()) {
+                throw Error(ErrorCode::division_by_zero, "the denominator is zero", "", node.offset);
+            }
+            return field_.quotient(operand(0), operand(1));
+        case NodeKind::application:
+            return application(block_.applications[node.index]);
+    }
+    return {};
+}
+
+FractionField::Common Expander::over_common_denominator(const NodeArgument& argument) {
+    std::vector<Fraction> entries;
+    for (const NodeId coordinate : argument.coordinates) entries.push_back(*known_[coordinate]);
+    entries.push_back(*known_[argument.mass]);
+    return field_.over_common_denominator(entries);
+}
+
+/// p(argument) or p[arguments] from numerators, over the product of all denominators: a map is homogeneous in
+/// each argument.
+Fraction Expander::application(const Application& application) {
+    const GroundMap& map = block_.maps[application.map];
+    std::vector<std::vector<Argument>> arguments(map.directions.size());
+    Fraction result{1, {}};
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        for (const NodeArgument& argument : application.arguments[i]) {
+            auto [numerators, denominator] = over_common_denominator(argument);
+            Ring mass = std::move(numerators.back());
+            numerators.pop_back();
+            arguments[i].push_back({std::move(numerators), std::move(mass)});
+            if (denominator.empty()) continue;
+            const std::size_t copies = application.polar ? 1 : map.directions[i].degree;
+            result = field_.product(result, field_.power({1, denominator}, copies));
+        }
+    }
+    std::vector<Fraction> entries;
+    for (const NodeId coefficient : map.coefficients) entries.push_back(*known_[coefficient]);
+    auto [coefficients, denominator] = field_.over_common_denominator(entries);
+    result = field_.product(result, {1, std::move(denominator)});
+
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        std::vector<Argument> all = arguments[i];
+        if (!application.polar) all.assign(map.directions[i].degree, arguments[i].front());
+        const std::size_t size = greatest_size(all, limits_);
+        field_.spend(size, saturating_product(size, coefficients.size()));
+    }
+    const auto contract = [&](const auto& one_direction) {
+        return contracted(map.directions, coefficients, one_direction);
+    };
+    Ring numerator;
+    if (application.polar) {
+        Integer scale = 1;
+        for (const Direction& direction : map.directions) scale *= factorial(direction.degree);
+        const Ring defined = contract([&](std::size_t i, std::span<const Ring> row) {
+            return polar_form<Ring>(map.directions[i], row, arguments[i]);
+        });
+        numerator = contract([&](std::size_t i, std::span<const Ring> row) {
+            return map.directions[i].dimension == 1 ? engine_blossom(row, arguments[i])
+                                                    : polar_form<Ring>(map.directions[i], row, arguments[i]);
+        });
+        require_agreement(numerator == defined, map, application.offset);
+        numerator *= Ring(Rational(1) / Rational(scale));
+    } else {
+        numerator = contract([&](std::size_t i, std::span<const Ring> row) {
+            return value_in(map, map.directions[i], row, arguments[i].front(), application.orders[i],
+                            application.offset);
+        });
+    }
+    field_.spend(numerator.size(), numerator.size());
+    result.numerator *= numerator;
+    return result.is_zero() ? Fraction{} : field_.reduced(std::move(result));
+}
+
+}  // namespace blossom::proofs

@@ -1,0 +1,296 @@
+#include "expression_parser.hpp"
+
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+
+#include "functions.hpp"
+
+namespace blossom::proofs {
+
+namespace {
+
+Expression binary(ExpressionKind kind, Expression left, Expression right) {
+    const std::size_t offset = left.offset;
+    return {kind, offset, "", {std::move(left), std::move(right)}, {}};
+}
+
+std::string described(const Token& token) {
+    switch (token.kind) {
+        case TokenKind::end:
+            return "the end of the text";
+        case TokenKind::line_end:
+            return "the end of the line";
+        case TokenKind::invalid:
+            return token.text == "\"" ? "a string that is not closed" : "the character " + quoted(token.text);
+        default:
+            return quoted(token.text);
+    }
+}
+
+/// Counts how deep the parser is, for as long as it lives.
+class Nesting {
+public:
+    Nesting(std::size_t& depth, const Limits& limits, std::size_t offset) : depth_(depth) {
+        if (++depth_ <= limits.nesting) return;
+        --depth_;
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "the nesting of the expression exceeds the limit nesting = " + std::to_string(limits.nesting), "",
+            offset);
+    }
+    Nesting(const Nesting&) = delete;
+    Nesting& operator=(const Nesting&) = delete;
+    ~Nesting() { --depth_; }
+
+private:
+    std::size_t& depth_;
+};
+
+}  // namespace
+
+const Token& ExpressionParser::peek(std::size_t ahead) const {
+    return tokens_[std::min(at_ + ahead, tokens_.size() - 1)];
+}
+
+bool ExpressionParser::is(std::string_view symbol) const {
+    return next().kind == TokenKind::symbol && next().text == symbol;
+}
+
+bool ExpressionParser::is_word(std::string_view word) const {
+    return next().kind == TokenKind::identifier && next().text == word;
+}
+
+bool ExpressionParser::take(std::string_view symbol) {
+    const bool found = is(symbol);
+    if (found) skip();
+    return found;
+}
+
+bool ExpressionParser::take_word(std::string_view word) {
+    const bool found = is_word(word);
+    if (found) skip();
+    return found;
+}
+
+void ExpressionParser::refuse(std::string_view what) const {
+    throw Error(ErrorCode::syntax, described(next()) + " found, expected " + std::string(what), "",
+                next().offset);
+}
+
+void ExpressionParser::expect(std::string_view symbol, std::string_view where) {
+    if (!take(symbol)) refuse("\"" + std::string(symbol) + "\" " + std::string(where));
+}
+
+void ExpressionParser::expect_word(std::string_view word, std::string_view where) {
+    if (!take_word(word)) refuse("\"" + std::string(word) + "\" " + std::string(where));
+}
+
+std::string ExpressionParser::identifier(std::string_view what) {
+    if (next().kind != TokenKind::identifier) refuse(what);
+    std::string name(next().text);
+    skip();
+    return name;
+}
+
+Expression ExpressionParser::expression() { return sum(); }
+
+Expression ExpressionParser::sum() {
+    Expression left = product();
+    while (is("+") || is("-")) {
+        const auto kind = is("+") ? ExpressionKind::sum : ExpressionKind::difference;
+        skip();
+        left = binary(kind, std::move(left), product());
+    }
+    return left;
+}
+
+Expression ExpressionParser::product() {
+    Expression left = signed_factor();
+    while (is("*") || is("/")) {
+        const auto kind = is("*") ? ExpressionKind::product : ExpressionKind::quotient;
+        skip();
+        left = binary(kind, std::move(left), signed_factor());
+    }
+    return left;
+}
+
+Expression ExpressionParser::signed_factor() {
+    const Nesting nesting(depth_, limits_, next().offset);
+    const std::size_t offset = next().offset;
+    if (take("-")) return {ExpressionKind::negative, offset, "", {signed_factor()}, {}};
+    return power();
+}
+
+Expression ExpressionParser::power() {
+    Expression base = primary();
+    if (take("^")) return binary(ExpressionKind::power, std::move(base), signed_factor());
+    return base;
+}
+
+Expression ExpressionParser::primary() {
+    const std::size_t offset = next().offset;
+    if (next().kind == TokenKind::number) {
+        Expression number{ExpressionKind::number, offset, std::string(next().text), {}, {}};
+        skip();
+        return number;
+    }
+    if (take("(")) {
+        Expression inner = expression();
+        expect(")", "to close the parenthesis");
+        return inner;
+    }
+    if (take("<")) {
+        Expression first = expression();
+        expect(",", "between the two entries of a pair");
+        Expression second = expression();
+        expect(">", "to close the pair");
+        return {ExpressionKind::pair, offset, "", {std::move(first), std::move(second)}, {}};
+    }
+    if (next().kind != TokenKind::identifier) refuse("an expression");
+    return named();
+}
+
+std::vector<Expression> ExpressionParser::list(std::string_view close) {
+    std::vector<Expression> elements;
+    do elements.push_back(expression());
+    while (take(","));
+    expect(close, "or \",\" in the list");
+    return elements;
+}
+
+Expression ExpressionParser::indices(Expression name) {
+    if (!take("_")) return name;
+    const std::size_t offset = next().offset;
+    if (take("{")) {
+        name.children = list("}");
+    } else if (next().kind == TokenKind::number) {
+        name.children.push_back({ExpressionKind::number, offset, std::string(next().text), {}, {}});
+        skip();
+    } else {
+        name.children.push_back({ExpressionKind::name, offset, identifier("an index"), {}, {}});
+    }
+    return name;
+}
+
+Expression ExpressionParser::named() {
+    const std::size_t offset = next().offset;
+    Expression name{ExpressionKind::name, offset, identifier("a name"), {}, {}};
+    if (name.name == "D" && is("(")) return derivative(offset);
+    if (is_function(name.name) && is("(")) {
+        skip();
+        return {ExpressionKind::call, offset, name.name, list(")"), {}};
+    }
+    name = indices(std::move(name));
+    std::size_t primes = 0;
+    for (; take("'"); ++primes) {
+    }
+    if (primes > 0 && !is("(")) refuse("\"(\" after the mark of a derivative");
+    if (is("(")) {
+        std::vector<Expression> orders;
+        if (primes > 0) orders.push_back({ExpressionKind::number, offset, std::to_string(primes), {}, {}});
+        return value(std::move(name), std::move(orders));
+    }
+    return is("[") ? blossom_of(std::move(name)) : name;
+}
+
+/// D(b, k)(t)
+Expression ExpressionParser::derivative(std::size_t offset) {
+    expect("(", "after D");
+    Expression map{ExpressionKind::name, offset, identifier("the name of a map"), {}, {}};
+    expect(",", "before the order of the derivative");
+    std::vector<Expression> orders = list(")");
+    if (!is("(")) refuse("\"(\" with the place of the derivative");
+    return value(std::move(map), std::move(orders));
+}
+
+Expression ExpressionParser::value(Expression map, std::vector<Expression> orders) {
+    if (!map.children.empty()) {
+        throw Error(ErrorCode::syntax, "a map has no indices, " + quoted(map.name) + " has", "", map.offset);
+    }
+    expect("(", "before the arguments");
+    return {ExpressionKind::value, map.offset, std::move(map.name), std::move(orders), {list(")")}};
+}
+
+Expression ExpressionParser::blossom_of(Expression map) {
+    if (!map.children.empty()) {
+        throw Error(ErrorCode::syntax, "a map has no indices, " + quoted(map.name) + " has", "", map.offset);
+    }
+    expect("[", "before the arguments");
+    Expression result{ExpressionKind::blossom, map.offset, std::move(map.name), {}, {{}}};
+    while (!take("]")) {
+        if (take(";")) {
+            result.groups.emplace_back();
+            continue;
+        }
+        result.groups.back().push_back(argument());
+        if (!is("]") && !is(";")) {
+            expect(",", "\";\" or \"]\" after an argument");
+            if (is("]") || is(";")) refuse("an argument");
+        }
+    }
+    return result;
+}
+
+Expression ExpressionParser::argument() {
+    Expression first = expression();
+    const std::size_t offset = first.offset;
+    if (take("..")) return {ExpressionKind::run, offset, "", {std::move(first), expression()}, {}};
+    if (take(":")) return family(std::move(first));
+    if (!take("{")) return first;
+    Expression count = expression();
+    expect("}", "after the number of copies");
+    return {ExpressionKind::copies, offset, "", {std::move(first), std::move(count)}, {}};
+}
+
+/// t_i : i in 1..n, i != k and t_i : i in S, i not in T
+Expression ExpressionParser::family(Expression member) {
+    const std::size_t offset = member.offset;
+    Expression result{ExpressionKind::family,
+                      offset,
+                      identifier("the index of the family"),
+                      {std::move(member)},
+                      {{}, {}, {}}};
+    expect_word("in", "after the index of a family");
+    result.groups[0].push_back(expression());
+    if (take("..")) result.groups[0].push_back(expression());
+    const auto condition_follows = [&] {
+        return is(",") && peek(1).kind == TokenKind::identifier &&
+               (peek(2).text == "!=" || peek(2).text == "not");
+    };
+    while (condition_follows()) {
+        skip();
+        if (next().text != result.name) refuse("the index " + result.name + " of the family");
+        skip();
+        if (take("!=")) {
+            result.groups[1].push_back(expression());
+            continue;
+        }
+        expect_word("not", "in the condition");
+        expect_word("in", "after \"not\"");
+        result.groups[2].push_back(expression());
+    }
+    return result;
+}
+
+Expression ExpressionParser::name_or_run(std::string_view what) {
+    const std::size_t offset = next().offset;
+    Expression first = indices({ExpressionKind::name, offset, identifier(what), {}, {}});
+    if (!take("..")) return first;
+    const std::size_t last_offset = next().offset;
+    Expression last = indices({ExpressionKind::name, last_offset, identifier("the end of the run"), {}, {}});
+    return {ExpressionKind::run, offset, "", {std::move(first), std::move(last)}, {}};
+}
+
+Range ExpressionParser::range() {
+    const std::size_t offset = next().offset;
+    Range result{identifier("the name of a parameter"), {}, {}, offset};
+    expect_word("in", "after the name of the parameter");
+    result.first = expression();
+    expect("..", "between the bounds");
+    result.last = expression();
+    return result;
+}
+
+}  // namespace blossom::proofs

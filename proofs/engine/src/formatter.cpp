@@ -1,0 +1,240 @@
+#include <blossom/proofs/formatter.hpp>
+
+#include <algorithm>
+
+#include "statement_words.hpp"
+
+namespace blossom::proofs {
+
+namespace {
+
+/// How tightly an expression holds together; an operand that holds less than its place asks for is put in
+/// parentheses.
+enum Binding { loose, additive, multiplicative, prefix, exponential, primary };
+
+Binding binding_of(const Expression& expression) {
+    switch (expression.kind) {
+        case ExpressionKind::sum:
+        case ExpressionKind::difference:
+            return additive;
+        case ExpressionKind::product:
+        case ExpressionKind::quotient:
+            return multiplicative;
+        case ExpressionKind::negative:
+            return prefix;
+        case ExpressionKind::power:
+            return exponential;
+        default:
+            return primary;
+    }
+}
+
+class Printer {
+public:
+    /// `tight` leaves out the blanks around + and -, for indices and exponents.
+    explicit Printer(bool tight) : tight_(tight) {}
+
+    std::string print(const Expression& e, Binding least = loose) const {
+        std::string text = unbracketed(e);
+        return binding_of(e) < least ? "(" + text + ")" : text;
+    }
+
+private:
+    static std::string tightly(const Expression& e, Binding least = loose) {
+        return Printer(true).print(e, least);
+    }
+
+    std::string list(const std::vector<Expression>& elements) const {
+        std::string text;
+        for (const Expression& element : elements) text += (text.empty() ? "" : ", ") + print(element);
+        return text;
+    }
+
+    std::string binary(const Expression& e, Binding left, std::string_view sign, Binding right) const {
+        return print(e.children[0], left) + std::string(sign) + print(e.children[1], right);
+    }
+
+    static std::string name(const Expression& e) {
+        if (e.children.empty()) return e.name;
+        const Expression& only = e.children.front();
+        const bool bare =
+            e.children.size() == 1 && (only.kind == ExpressionKind::number ||
+                                       (only.kind == ExpressionKind::name && only.children.empty()));
+        if (bare) return e.name + "_" + only.name;
+        std::string text;
+        for (const Expression& index : e.children) text += (text.empty() ? "" : ",") + tightly(index);
+        return e.name + "_{" + text + "}";
+    }
+
+    std::string value(const Expression& e) const {
+        const std::string arguments = "(" + list(e.groups[0]) + ")";
+        if (e.children.empty()) return e.name + arguments;
+        const Expression& order = e.children.front();
+        if (e.children.size() == 1 && (order.name == "1" || order.name == "2") &&
+            order.kind == ExpressionKind::number) {
+            return e.name + std::string(order.name == "1" ? "'" : "''") + arguments;
+        }
+        return "D(" + e.name + ", " + list(e.children) + ")" + arguments;
+    }
+
+    std::string blossom_of(const Expression& e) const {
+        std::string text;
+        for (std::size_t i = 0; i < e.groups.size(); ++i) text += (i == 0 ? "" : "; ") + list(e.groups[i]);
+        return e.name + "[" + text + "]";
+    }
+
+    std::string family(const Expression& e) const {
+        std::string text = print(e.children[0]) + " : " + e.name + " in " + print(e.groups[0][0]);
+        if (e.groups[0].size() == 2) text += ".." + print(e.groups[0][1]);
+        for (const Expression& excluded : e.groups[1]) text += ", " + e.name + " != " + print(excluded);
+        for (const Expression& set : e.groups[2]) text += ", " + e.name + " not in " + print(set);
+        return text;
+    }
+
+    std::string unbracketed(const Expression& e) const {
+        switch (e.kind) {
+            case ExpressionKind::number:
+                return e.name;
+            case ExpressionKind::name:
+                return name(e);
+            case ExpressionKind::negative:
+                return "-" + print(e.children[0], prefix);
+            case ExpressionKind::sum:
+                return binary(e, additive, tight_ ? "+" : " + ", multiplicative);
+            case ExpressionKind::difference:
+                return binary(e, additive, tight_ ? "-" : " - ", multiplicative);
+            case ExpressionKind::product:
+                return binary(e, multiplicative, "*", prefix);
+            case ExpressionKind::quotient:
+                return binary(e, multiplicative, "/", prefix);
+            case ExpressionKind::power:
+                return print(e.children[0], primary) + "^" + tightly(e.children[1], prefix);
+            case ExpressionKind::pair:
+                return "<" + list(e.children) + ">";
+            case ExpressionKind::call:
+                return e.name + "(" + list(e.children) + ")";
+            case ExpressionKind::value:
+                return value(e);
+            case ExpressionKind::blossom:
+                return blossom_of(e);
+            case ExpressionKind::copies:
+                return print(e.children[0]) + "{" + tightly(e.children[1]) + "}";
+            case ExpressionKind::run:
+                return print(e.children[0]) + ".." + print(e.children[1]);
+            case ExpressionKind::family:
+                return family(e);
+        }
+        return "";
+    }
+
+    bool tight_;
+};
+
+std::string joined(const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+    return text;
+}
+
+std::string joined(const std::vector<Expression>& expressions) {
+    std::vector<std::string> parts;
+    for (const Expression& expression : expressions) parts.push_back(to_text(expression));
+    return joined(parts);
+}
+
+std::string range_text(const Range& range) {
+    return "for " + range.name + " in " + to_text(range.first) + ".." + to_text(range.last);
+}
+
+std::string degrees_text(const Statement& statement) {
+    return (statement.expressions.size() == 1 ? " degree " : " degrees ") + joined(statement.expressions);
+}
+
+std::string relation_text(const Statement& statement) {
+    const bool differs = statement.kind == StatementKind::assume;
+    std::string text =
+        to_text(statement.sides[0]) + (differs ? " != " : " == ") + to_text(statement.sides[1]);
+    for (const Range& range : statement.ranges) text += " " + range_text(range);
+    if (!statement.quantified.empty()) text += " for all " + joined(statement.quantified);
+    return text;
+}
+
+std::string body_text(const Statement& statement) {
+    switch (statement.kind) {
+        case StatementKind::map:
+            return joined(statement.names) + degrees_text(statement) +
+                   (statement.dimension.empty() ? "" : " on simplex " + to_text(statement.dimension[0]));
+        case StatementKind::point:
+        case StatementKind::vector:
+            return joined(statement.expressions) + " in " + to_text(statement.dimension[0]);
+        case StatementKind::polynomial:
+            return statement.names[0] + "(" +
+                   joined(std::vector<std::string>(statement.names.begin() + 1, statement.names.end())) +
+                   ")" + degrees_text(statement) + " = " + to_text(statement.sides[0]);
+        case StatementKind::raise:
+            return statement.names[0] + " to " + to_text(statement.expressions[0]) + " as " +
+                   statement.names[1];
+        case StatementKind::let:
+            return to_text(statement.sides[0]) + " = " + to_text(statement.sides[1]);
+        default:
+            return relation_text(statement);
+    }
+}
+
+/// The lines of the document in order, each at the offset where it began.
+struct Line {
+    std::size_t offset;
+    std::string text;
+    bool begins_block;
+};
+
+}  // namespace
+
+std::string to_text(const Expression& expression) { return Printer(false).print(expression); }
+
+std::string to_text(const Statement& statement) {
+    if (statement.kind == StatementKind::parameter) return range_text(statement.ranges[0]);
+    return std::string(statement_word(statement.kind)) + " " + body_text(statement);
+}
+
+std::string formatted(const Document& document) {
+    if (!document.errors.empty()) throw Error(document.errors.front());
+    std::vector<Line> lines;
+    for (const Block& block : document.blocks) {
+        if (block.has_head) {
+            const std::string title = block.title.empty() ? "" : " \"" + block.title + "\"";
+            lines.push_back({block.offset, "theorem " + block.id + title, true});
+        }
+        for (const Statement& statement : block.statements) {
+            lines.push_back({statement.offset, to_text(statement), !block.has_head && lines.empty()});
+        }
+    }
+    std::string text;
+    auto comment = document.comments.begin();
+    const auto print_comments_before = [&](std::size_t offset) {
+        bool printed = false;
+        for (; comment != document.comments.end() && comment->offset < offset; ++comment) {
+            if (comment->own_line) {
+                // Comments above a head belong to it: the empty line stands before them.
+                printed = true;
+                text += comment->text + "\n";
+            } else if (!text.empty()) {
+                text.insert(text.size() - 1, "  " + comment->text);
+            }
+        }
+        return printed;
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        // A comment behind the line before is put there first.
+        if (comment != document.comments.end() && comment->offset < lines[i].offset && !comment->own_line) {
+            print_comments_before(comment->offset + 1);
+        }
+        if (lines[i].begins_block && !text.empty()) text += "\n";
+        print_comments_before(lines[i].offset);
+        text += lines[i].text + "\n";
+    }
+    print_comments_before(std::string::npos);
+    return text;
+}
+
+}  // namespace blossom::proofs

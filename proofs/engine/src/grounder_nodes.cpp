@@ -1,0 +1,106 @@
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+
+#include "grounder.hpp"
+
+/// How the nodes of a ground expression are made. What is constant is computed at once, so that bounds,
+/// indices and exponents are numbers.
+
+namespace blossom::proofs {
+
+const Rational* Grounder::constant_value(NodeId id) const {
+    const Node& node = block_.nodes[id];
+    return node.kind == NodeKind::constant ? &node.value : nullptr;
+}
+
+NodeId Grounder::push(Node node, std::size_t offset) {
+    require_within(block_.nodes.size() + 1, limits_.numbers, "numbers", "the size of the expanded statement");
+    node.offset = offset;
+    block_.nodes.push_back(std::move(node));
+    return block_.nodes.size() - 1;
+}
+
+NodeId Grounder::constant(Rational value) {
+    const auto known = constants_.find(value);
+    if (known != constants_.end()) return known->second;
+    const NodeId id = push({NodeKind::constant, value, 0, {}, 0});
+    constants_.emplace(std::move(value), id);
+    return id;
+}
+
+std::size_t Grounder::symbol(const std::string& name, bool coefficient) {
+    const auto [entry, fresh] = symbols_.try_emplace(name, block_.symbols.size());
+    if (fresh) {
+        require_within(block_.symbols.size() + 1, limits_.variables, "variables", "the number of variables");
+        block_.symbols.push_back({name, coefficient});
+    }
+    return entry->second;
+}
+
+NodeId Grounder::symbol_node(std::size_t number) { return push({NodeKind::symbol, {}, number, {}, 0}); }
+
+NodeId Grounder::add(std::vector<NodeId> operands) {
+    Rational sum;
+    std::erase_if(operands, [&](NodeId id) {
+        const Rational* value = constant_value(id);
+        if (value) sum += *value;
+        return value != nullptr;
+    });
+    if (operands.empty()) return constant(sum);
+    if (!sum.is_zero()) operands.push_back(constant(sum));
+    return operands.size() == 1 ? operands.front() : push({NodeKind::sum, {}, 0, std::move(operands), 0});
+}
+
+NodeId Grounder::multiply(std::vector<NodeId> operands) {
+    Rational product = 1;
+    std::erase_if(operands, [&](NodeId id) {
+        const Rational* value = constant_value(id);
+        if (value) product *= *value;
+        return value != nullptr;
+    });
+    if (operands.empty()) return constant(product);
+    if (product != Rational(1)) operands.push_back(constant(product));
+    return operands.size() == 1 ? operands.front() : push({NodeKind::product, {}, 0, std::move(operands), 0});
+}
+
+NodeId Grounder::divide(NodeId a, NodeId b, std::size_t offset) {
+    if (const Rational* divisor = constant_value(b)) {
+        if (divisor->is_zero())
+            throw Error(ErrorCode::division_by_zero, "the denominator is zero", "", offset);
+        return multiply({a, constant(Rational(1) / *divisor)});
+    }
+    return push({NodeKind::quotient, {}, 0, {a, b}, 0}, offset);
+}
+
+NodeId Grounder::raise(NodeId base, std::size_t exponent, std::size_t offset) {
+    try {
+        require_within(exponent, limits_.degree, "degree", "the exponent");
+        if (const Rational* value = constant_value(base)) {
+            require_result_bits(
+                exponent * std::max(value->numerator().bit_length(), value->denominator().bit_length()),
+                limits_);
+            return constant(pow(*value, exponent));
+        }
+    } catch (const Error& error) {
+        throw Error(error.code(), error.message(), "", offset);
+    }
+    if (exponent == 0) return constant(1);
+    return exponent == 1 ? base : push({NodeKind::power, {}, exponent, {base}, 0});
+}
+
+/// The polynomial as a sum of products, where variable i is symbol i.
+NodeId Grounder::polynomial_node(const SparsePolynomial& polynomial) {
+    std::vector<NodeId> terms;
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        std::vector<NodeId> factors{constant(polynomial.coefficient(i))};
+        for (std::size_t j = 0; j < polynomial.variables(); ++j) {
+            const std::size_t exponent = polynomial.exponent(i, j);
+            if (exponent != 0) factors.push_back(raise(symbol_node(j), exponent, 0));
+        }
+        terms.push_back(multiply(std::move(factors)));
+    }
+    return add(std::move(terms));
+}
+
+}  // namespace blossom::proofs

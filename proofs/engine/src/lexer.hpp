@@ -1,0 +1,30 @@
+#pragma once
+
+#include <blossom/proofs/syntax.hpp>
+
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+namespace blossom::proofs {
+
+enum class TokenKind { identifier, number, string, symbol, line_end, end, invalid };
+
+struct Token {
+    TokenKind kind;
+    std::size_t offset;
+    std::string_view text;
+    bool first_of_line;
+};
+
+struct Tokens {
+    std::vector<Token> tokens;  ///< the last one is the end
+    std::vector<Comment> comments;
+};
+
+/// The tokens of a text. A line ends where a bracket is not open and the last token does not ask for more; a
+/// head `theorem` at the beginning of a line closes all brackets, so that an unclosed one spoils one block
+/// only.
+Tokens tokenise(std::string_view text);
+
+}  // namespace blossom::proofs
