@@ -130,11 +130,15 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     const CLI::Option* as_json = command->add_flag("--json", json_help);
     const CLI::Option* numbers =
         add_value(*command, "--numbers", "double|hexfloat", "give every number correctly rounded too");
+    const CLI::Option* picture =
+        operation.plot ? add_value(*command, "--svg", "FILE", "write a picture of the curves too") : nullptr;
     const LimitOptions limits(*command);
     command->footer([&operation] { return example_text(operation); });
 
     const auto action = [=, &operation](const Streams& streams) {
-        Command given{operation, {}, result_of(*numbers), as_json->count() > 0, limits.read()};
+        Command given{
+            operation,    {}, result_of(*numbers), as_json->count() > 0, picture ? result_of(*picture) : "",
+            limits.read()};
         for (const auto& [option, parsed] : options) {
             if (parsed->count() == 0) continue;
             given.options.push_back(

@@ -84,9 +84,9 @@ Outcome answer_and_print(const Command& command, const Json& request, const Stre
     try {
         const Json response = success_response(Json(), result_of(request, command.limits));
         const Style style(streams.coloured_output);
-        streams.output(command.as_json ? to_text(response) + "\n"
-                                       : command.operation.render(
-                                             {request, *response.find("result"), command.limits, style}));
+        const Answered answered{request, *response.find("result"), command.limits, style};
+        if (!command.picture.empty()) write_file(command.picture, command.operation.plot(answered));
+        streams.output(command.as_json ? to_text(response) + "\n" : command.operation.render(answered));
         return outcome_of(response);
     } catch (const Error& error) {
         return report({error, request}, command, streams);

@@ -23,6 +23,7 @@ struct Command {
     std::vector<GivenOption> options;  ///< in the order of the operation's own table
     std::string numbers;               ///< what --numbers asks for, or ""
     bool as_json;
+    std::string picture;  ///< the file that --svg names, or ""
     Limits limits;
 };
 

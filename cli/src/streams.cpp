@@ -71,6 +71,15 @@ LineReader::Source file_source(const std::string& path) {
     return [file, path](std::span<char> room) { return read_some(*file, room, path); };
 }
 
+void write_file(const std::string& path, std::string_view text) {
+    constexpr mode_t readable = 0666;
+    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, readable);
+    if (descriptor < 0) throw last_error(path);
+    const std::unique_ptr<const int, void (*)(const int*)> file(&descriptor,
+                                                                [](const int* open) { ::close(*open); });
+    write_all(descriptor, text, path);
+}
+
 std::string read_all(const LineReader::Source& source, std::size_t longest) {
     std::string text;
     std::string room(1 << 16, '\0');

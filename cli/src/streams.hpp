@@ -24,6 +24,9 @@ Streams standard_streams();
 /// The bytes of a file. Errors: std::system_error.
 LineReader::Source file_source(const std::string& path);
 
+/// Writes a file, in place of one of that name. Errors: std::system_error.
+void write_file(const std::string& path, std::string_view text);
+
 /// All that `source` delivers. Errors: `limit_exceeded` beyond `longest` bytes.
 std::string read_all(const LineReader::Source& source, std::size_t longest);
 

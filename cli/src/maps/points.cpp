@@ -13,7 +13,24 @@ Coordinates read_coordinates(const Json& value, bool scalar, const Limits& limit
     return read_numbers(value, limits);
 }
 
-/// (w_i P_i, w_i) for every point.
+/// All of few texts, of many the first and the last.
+std::string joined(const std::vector<std::string>& texts) {
+    constexpr std::size_t most = 24;
+    constexpr std::size_t shown_at_each_end = 4;
+    std::string text;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (i > 0) text += ", ";
+        if (texts.size() > most && i == shown_at_each_end) {
+            i = texts.size() - shown_at_each_end;
+            text += "... (" + std::to_string(texts.size() - 2 * shown_at_each_end) + " more), ";
+        }
+        text += texts[i];
+    }
+    return text;
+}
+
+}  // namespace
+
 void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights) {
     if (weights.size() != points.size()) {
         throw Error(ErrorCode::wrong_arity, std::to_string(weights.size()) + " weights for " +
@@ -32,24 +49,6 @@ void append_weights(std::vector<Coordinates>& points, const std::vector<Rational
         points[i].push_back(weights[i]);
     }
 }
-
-/// All of few texts, of many the first and the last.
-std::string joined(const std::vector<std::string>& texts) {
-    constexpr std::size_t most = 24;
-    constexpr std::size_t shown_at_each_end = 4;
-    std::string text;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        if (i > 0) text += ", ";
-        if (texts.size() > most && i == shown_at_each_end) {
-            i = texts.size() - shown_at_each_end;
-            text += "... (" + std::to_string(texts.size() - 2 * shown_at_each_end) + " more), ";
-        }
-        text += texts[i];
-    }
-    return text;
-}
-
-}  // namespace
 
 Json to_json(const Coordinates& point, const PointForm& form) {
     const bool divided = form.separate_weights();

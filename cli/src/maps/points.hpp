@@ -45,6 +45,10 @@ struct WeightedPoints {
     std::vector<Coordinates> points;
     PointForm form;
 };
+/// Makes (w_i P_i, w_i) of every point. Errors: `wrong_arity` unless there is a weight a point;
+/// `zero_weight`.
+void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights);
+
 /// The fields "control_points", "weights" and "homogeneous".
 /// Errors: `wrong_arity` unless there is a weight a point; `zero_weight`; `wrong_kind` for both "weights" and
 /// "homogeneous".

@@ -8,6 +8,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -91,6 +92,7 @@ Operation control_points_operation() {
         }),
         .answer = answer,
         .render = described_listing,
+        .plot = plot_of_maps,
     };
 }
 

@@ -9,6 +9,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -87,6 +88,7 @@ Operation derivative_operation() {
         }),
         .answer = answer,
         .render = render,
+        .plot = plot_of_result,
     };
 }
 

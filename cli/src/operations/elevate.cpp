@@ -7,6 +7,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -48,6 +49,7 @@ Operation elevate_operation() {
             with_map_options({field_option("--by", "by", "R", "by how much the degree is raised", count)}),
         .answer = answer,
         .render = described_listing,
+        .plot = plot_of_maps,
     };
 }
 

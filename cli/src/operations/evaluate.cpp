@@ -4,6 +4,7 @@
 #include "operations/map_options.hpp"
 #include "operations/pyramid.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -46,6 +47,7 @@ Operation evaluate_operation() {
         }),
         .answer = answer,
         .render = render,
+        .plot = plot_of_values,
     };
 }
 

@@ -1,9 +1,8 @@
-#include <blossom/core/graph.hpp>
-
-#include "maps/serve.hpp"
+#include "maps/graph.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -12,16 +11,7 @@ namespace {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     request.finish();
-    const GraphForm form = map.form.rational ? GraphForm::homogeneous : GraphForm::points;
-    const auto of_curve = [&](const OnePolynomial auto& curve) -> AnyMap {
-        const auto one = [&](const auto& single) -> AnyMap { return graph(single, form, limits); };
-        return std::visit(one, polynomial_map(curve, limits));
-    };
-    const auto of_spline = [&](const BSplineCurve& curve) -> AnyMap { return graph(curve, form, limits); };
-    PointForm of_points = map.form;
-    of_points.scalar = false;
-    const Map drawn{serve<AnyMap>(map, Overloads{of_curve, of_spline}), of_points, map.variable};
-    return Json::Object{{"map", within("map", [&] { return to_json(drawn); })}};
+    return Json::Object{{"map", within("map", [&] { return to_json(graph_of(map, limits)); })}};
 }
 
 }  // namespace
@@ -34,6 +24,7 @@ Operation graph_operation() {
         .options = with_map_options({}),
         .answer = answer,
         .render = described_listing,
+        .plot = plot_of_result,
     };
 }
 

@@ -8,6 +8,7 @@
 #include "operations/map_list.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -70,6 +71,7 @@ Operation join_operation() {
                                  "the degree of these knots; by default the greatest of the curves", count)},
         .answer = answer,
         .render = described_listing,
+        .plot = plot_of_result,
     };
 }
 

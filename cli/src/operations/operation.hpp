@@ -40,6 +40,7 @@ struct Operation {
     Json (*answer)(Fields& request, const Limits& limits);
     std::string (*render)(const Answered& answered);
     bool has_own_command = false;  ///< the command of this name does more and is made elsewhere
+    std::string (*plot)(const Answered& answered) = nullptr;  ///< an SVG picture, where there is one
 };
 
 /// All of them, in the order of the help.

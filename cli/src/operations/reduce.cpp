@@ -7,6 +7,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -98,6 +99,7 @@ Operation reduce_operation() {
         }),
         .answer = answer,
         .render = render,
+        .plot = plot_of_maps,
     };
 }
 

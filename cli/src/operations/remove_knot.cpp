@@ -5,6 +5,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -62,6 +63,7 @@ Operation remove_knot_operation() {
         }),
         .answer = answer,
         .render = render,
+        .plot = plot_of_maps,
     };
 }
 

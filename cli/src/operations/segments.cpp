@@ -4,6 +4,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -35,6 +36,7 @@ Operation segments_operation() {
         .options = with_map_options({}),
         .answer = answer,
         .render = described_listing,
+        .plot = plot_of_maps,
     };
 }
 

@@ -6,6 +6,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "svg/plot.hpp"
 
 namespace blossom::cli {
 
@@ -52,6 +53,7 @@ Operation subdivide_operation() {
                           "the parameter; for Bezier curves it may lie outside the interval", plain_text)}),
         .answer = answer,
         .render = described_listing,
+        .plot = plot_of_maps,
     };
 }
 

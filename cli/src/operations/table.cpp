@@ -10,7 +10,8 @@ const std::vector<Operation>& operations() {
         reduce_operation(),      inverse_formula_operation(), insert_knots_operation(),
         remove_knot_operation(), segments_operation(),        join_operation(),
         continuity_operation(),  basis_functions_operation(), roots_operation(),
-        prove_operation(),
+        prove_operation(),       audit_operation(),           import_operation(),
+        export_operation(),
     };
     return table;
 }

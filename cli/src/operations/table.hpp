@@ -5,6 +5,7 @@
 namespace blossom::cli {
 
 Operation agree_operation();
+Operation audit_operation();
 Operation basis_functions_operation();
 Operation blossom_operation();
 Operation continuity_operation();
@@ -13,7 +14,9 @@ Operation convert_operation();
 Operation derivative_operation();
 Operation elevate_operation();
 Operation evaluate_operation();
+Operation export_operation();
 Operation graph_operation();
+Operation import_operation();
 Operation insert_knots_operation();
 Operation inverse_formula_operation();
 Operation join_operation();
