@@ -86,6 +86,7 @@ TEST_CASE("tensor products, simplices, raised and particular maps, abbreviations
     CHECK(verdicts("for n in 1..5\nmap p degree n\nlet v_{0,j} = p[0{n-j}, 1{j}]\n"
                    "let v_{i,j} = (1 - u_i)*v_{i-1,j} + u_i*v_{i-1,j+1}\nclaim v_{n,0} == p[u_1..u_n]") ==
           "proved");
+    CHECK(verdicts("poly b(t) degree 1 = b_0 + b_1*t\nlet b_2 = b_0 + b_1\nclaim b(1) == b_2") == "proved");
     CHECK(verdicts("map p degree 3\nclaim p(<t, w>) == w^3*p(t/w)") == "proved");
 }
 

@@ -145,7 +145,7 @@ Grounder::Value Grounder::name(const Expression& e) {
         const auto local = local_symbols_.find(e.name);
         if (local != local_symbols_.end()) return symbol_node(local->second);
     }
-    if (maps_.contains(e.name)) {
+    if (e.children.empty() && maps_.contains(e.name)) {
         refuse(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " + e.name +
                    "[...]",
                e.offset);

@@ -125,9 +125,9 @@ void Grounder::declare_points(const Statement& statement) {
 void Grounder::declare_let(const Statement& statement) {
     const Expression& name = statement.sides[0];
     if (name.kind != ExpressionKind::name) refuse("an abbreviation has a name, not a run", name.offset);
-    if (!lets_.contains(name.name)) require_new(name.name, name.offset);
-    if (name.children.empty() && lets_.contains(name.name)) {
-        refuse(quoted(name.name) + " is declared already", name.offset);
+    // With an index it is another name: b_0 beside the map b.
+    if (name.children.empty() || spaces_.contains(name.name) || bound_.contains(name.name)) {
+        require_new(name.name, name.offset);
     }
     lets_[name.name].push_back(&statement);
 }
