@@ -111,8 +111,10 @@ Operation roots_operation() {
     return {
         .name = "roots",
         .summary = "The real roots of a scalar map in an interval, isolated, with their multiplicities",
-        .example = {"roots", "(t^2 - 2)(2t - 1)^2", "--over", "0,2"},
+        .example = {"roots", "(t^2 - 2)(2t - 1)^2", "--interval", "0,2"},
         .options = with_map_options({
+            own_interval_option(
+                "the interval: of control points that are given, or else where to look; by default 0,1"),
             field_option("--over", "interval", "A,B",
                          "where to look; by default the map's own interval, 0,1 for a polynomial",
                          number_list),
