@@ -49,16 +49,14 @@ Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rat
 }
 
 std::pair<std::size_t, std::size_t> sides(const KnotVector& knots, const Rational& s) {
-    const std::size_t before = knots.span_before(s);
-    const std::size_t behind = knots.span_at(s);
     const Interval domain = knots.domain();
-    if (s == domain.a() || s == domain.b()) {
+    if (s <= domain.a() || domain.b() <= s) {
         throw Error(ErrorCode::outside_domain,
-                    "the curve has no two sides at " + to_string(s) + ", an end of its domain [" +
+                    "the curve has no two sides at " + to_string(s) + ", which is not inside its domain [" +
                         to_string(domain.a()) + ", " + to_string(domain.b()) + "]",
                     "/at");
     }
-    return {before, behind};
+    return {knots.span_before(s), knots.span_at(s)};
 }
 
 Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limits) {

@@ -55,7 +55,8 @@ TEST_CASE("a raised spline is the same map, with each knot of the domain repeate
 }
 
 TEST_CASE(
-    "derose-raise-general: control points of a raised spline are means of blossoms with arguments omitted",
+    "control points of a raised spline are means of blossoms with arguments omitted, as derose-raise-general "
+    "says",
     "[elevation][derose]") {
     Random random(72);
     for (int round = 0; round < 20; ++round) {
