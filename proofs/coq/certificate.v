@@ -8,13 +8,16 @@
 (*   coefficients, scale   == integers p_0 ... p_n and D: P_k = p_k / D       *)
 (*   arguments             == triples (u,v,w): the pair (u/w, v/w); a point   *)
 (*                            x = u/w is (u,w,w), a vector is (u,0,w)         *)
-(*   numerator, denominator == the claimed value                              *)
+(*   numerator, denominator == the claimed value of this many times the       *)
+(*   multiple                 blossom; 1 for a value, n!/(n-k)! for the k-th  *)
+(*                            derivative                                      *)
 (*   check c               == the test: with e_k the coefficient of X^k in    *)
 (*                            the product of the v + u X,                     *)
-(*                   denominator * sum over k of p_k k! (n-k)! e_k            *)
+(*             denominator * multiple * sum over k of p_k k! (n-k)! e_k       *)
 (*                     = numerator * n! * D * (product of the w),             *)
 (*                            the lengths are right and no denominator is 0   *)
-(*   value_of c            == what the certificate says, in the field F       *)
+(*   value_of c            == the claimed value, in the field F               *)
+(*   holds c               == what the certificate says, in the field F       *)
 (*   Z_to_F                == an integer as an element of F                   *)
 (*                                                                            *)
 (* No division and no greatest common divisor occurs: the binomials are       *)
@@ -36,6 +39,7 @@ Record certificate := Certificate {
   coefficients : seq Z;
   scale : Z;
   arguments : seq (Z * Z * Z);
+  multiple : Z;
   numerator : Z;
   denominator : Z
 }.
@@ -73,8 +77,9 @@ Definition check (c : certificate) : bool :=
       all (fun a => nonzero a.2) (arguments c)
     & Z.eqb
         (Z.mul (denominator c)
-          (weighted_sum n 0 (coefficients c)
-             (product_coefficients (arguments c))))
+          (Z.mul (multiple c)
+            (weighted_sum n 0 (coefficients c)
+               (product_coefficients (arguments c)))))
         (Z.mul (numerator c)
           (Z.mul (big_factorial n)
             (Z.mul (scale c) (product_of [seq a.2 | a <- arguments c]))))].
@@ -94,6 +99,10 @@ Definition pairs_of (c : certificate) : seq (F * F) :=
 
 Definition value_of (c : certificate) : F :=
   phi (numerator c) / phi (denominator c).
+
+Definition holds (c : certificate) : Prop :=
+  phi (multiple c) * hblossom (degree c) (polynomial_of c) (pairs_of c) =
+    value_of c.
 
 (** Integers go to F as a ring. *)
 
@@ -217,10 +226,9 @@ Qed.
 
 (** If the check succeeds, the stated value is the value of the blossom. *)
 
-Theorem check_sound c : check c ->
-  hblossom (degree c) (polynomial_of c) (pairs_of c) = value_of c.
+Theorem check_sound c : check c -> holds c.
 Proof.
-case/and5P=> /eqP size_p /eqP size_args /phi_nonzero D_nz /phi_nonzero den_nz.
+rewrite /holds; case/and5P=> /eqP size_p /eqP size_args /phi_nonzero D_nz /phi_nonzero den_nz.
 case/andP=> args_nz /phi_eqb; rewrite !phiM phi_factorial.
 set n := degree c in size_p size_args *.
 have nat_eq0 m : (m%:R == 0 :> F) = (m == 0)%N by move/charf0P: char0 => ->.
@@ -238,6 +246,7 @@ have w_nz : phi (product_of [seq a.2 | a <- arguments c]) != 0.
   by case/andP=> /phi_nonzero a_nz /IHargs; rewrite phiM mulf_eq0 (negPf a_nz).
 apply: (mulfI (mulf_neq0 (mulf_neq0 n_unit D_nz) w_nz)).
 rewrite [RHS]mulrC -[in RHS]mulrA -equation [RHS]mulrC mulrA; congr (_ * _).
+rewrite mulrCA; congr (_ * _).
 rewrite /hblossom /functional big_distrr; apply: eq_bigr => k _ /=.
 have le_k : (k <= n)%N by rewrite -ltnS.
 have bin_nz : 'C(n, k)%:R != 0 :> F by apply: binomial_unit.

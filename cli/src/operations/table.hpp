@@ -8,6 +8,7 @@ Operation agree_operation();
 Operation audit_operation();
 Operation basis_functions_operation();
 Operation blossom_operation();
+Operation certify_operation();
 Operation continuity_operation();
 Operation control_points_operation();
 Operation convert_operation();
