@@ -14,9 +14,9 @@ namespace blossom::cli {
 namespace {
 
 constexpr std::string_view header =
-    "(* Values of blossoms, to be checked by computation. With the theories of blossom in\n"
-    "   proofs/coq compiled, where stream.v says what the words mean:\n"
-    "     coqc -R proofs/coq Blossom FILE.v *)\n"
+    "(* Values of blossoms, to be checked by computation. With the theories of blossom\n"
+    "   compiled by scripts/prove; proofs/coq/stream.v says what the words mean:\n"
+    "     coqc -R build/coq Blossom FILE.v *)\n"
     "From Coq Require Import Uint63.\n"
     "From mathcomp Require Import ssreflect seq.\n"
     "From Blossom Require Import stream.\n";

@@ -27,7 +27,7 @@ def number():
     kind = draw.randrange(10)
     if kind == 0:
         return "0"
-    digits = draw.choice([1, 1, 2, 3, 8]) if kind < 9 else 40
+    digits = 25 if kind == 9 and draw.random() < 0.2 else draw.choice([1, 1, 1, 2, 3])  # 25 digits are two words
     numerator, denominator = (draw.randrange(1, 10**digits) for _ in range(2))
     return f"{draw.choice(['', '-'])}{numerator}/{denominator if draw.random() < 0.6 else 1}"
 
