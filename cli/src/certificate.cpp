@@ -162,7 +162,8 @@ std::string coq_file(std::span<const Certificate> certificates, const Limits& li
         const std::string name = fmt::format("request_{}", i + 1);
         text += fmt::format(
             "\n{0}Definition {1} : seq words :=\n  {2}%uint63.\n\n"
-            "Definition {1}_holds : certified {1} :=\n  checked (Logic.eq_refl true <: check_stream {1} = true).\n",
+            "Definition {1}_holds : certified {1} :=\n  checked (Logic.eq_refl true <: check_stream {1} = "
+            "true).\n",
             comment(certificates[i]), name, words_text(certificates[i], limits));
     }
     return text;

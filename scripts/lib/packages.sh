@@ -23,7 +23,6 @@ ci    file:/usr/lib/llvm-19/lib/clang/19/lib/linux/libclang_rt.fuzzer-*.a libcla
 proofs command:coqc                       coq                 coq                 coq
 proofs coq:mathcomp/algebra               libcoq-mathcomp-algebra coq             coq
 proofs coq:SsrMultinomials                libcoq-mathcomp-multinomials coq        coq
-proofs coq:Bignums                        libcoq-bignums      coq                 coq
 ci    command:shellcheck                  shellcheck          ShellCheck          shellcheck
 ci    python:jsonschema                   python3-jsonschema  python3-jsonschema  python-jsonschema
 '
