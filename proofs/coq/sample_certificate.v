@@ -1,5 +1,5 @@
 (******************************************************************************)
-(* A certificate, as a generator prints it.                                   *)
+(* Two certificates written out with numerals, and one with a wrong digit.    *)
 (*                                                                            *)
 (* Notions: certificate.v. The polynomial is P = 1 + 2 t + 4 t^2 - t^3, read  *)
 (* with degree 3. The first certificate states p[1/2, -2/3, 5] = 13/3, the    *)
