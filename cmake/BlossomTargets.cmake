@@ -40,7 +40,7 @@ function(blossom_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:blossom_warnings>)
   set_target_properties(
-    ${target} PROPERTIES CXX_EXTENSIONS OFF COMPILE_WARNING_AS_ERROR ${BLOSSOM_WERROR}
+    ${target} PROPERTIES CXX_EXTENSIONS OFF COMPILE_WARNING_AS_ERROR ${BLOSSOM_WERROR} UNITY_BUILD OFF
   )
 endfunction()
 
@@ -68,6 +68,7 @@ function(blossom_add_layer layer)
     PROPERTIES EXPORT_NAME ${layer}
                POSITION_INDEPENDENT_CODE ON
                DEFINE_SYMBOL "" # sources are compiled alike for shared and for static libraries
+               UNITY_BUILD "${CMAKE_UNITY_BUILD}" # for scripts/lint; what is not a layer is never joined
                SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                VERSION ${PROJECT_VERSION}
                WINDOWS_EXPORT_ALL_SYMBOLS ON

@@ -7,7 +7,7 @@ namespace blossom {
 
 namespace {
 
-void require_one_dimension(std::span<const Coordinates> points) {
+void require_points_of_one_space(std::span<const Coordinates> points) {
     const std::size_t dimension = points.front().size();
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (points[i].size() == dimension && dimension > 0) continue;
@@ -24,7 +24,7 @@ void require_one_dimension(std::span<const Coordinates> points) {
 BSplineCurve::BSplineCurve(std::size_t degree, std::vector<Rational> knots,
                            std::vector<Coordinates> control_points)
     : knots_(degree, std::move(knots), control_points.size()), control_points_(std::move(control_points)) {
-    require_one_dimension(control_points_);
+    require_points_of_one_space(control_points_);
 }
 
 BSplineCurve::BSplineCurve(KnotVector knots, std::vector<Coordinates> control_points)
@@ -35,7 +35,7 @@ BSplineCurve::BSplineCurve(KnotVector knots, std::vector<Coordinates> control_po
                         std::to_string(control_points_.size()),
                     "/control_points");
     }
-    require_one_dimension(control_points_);
+    require_points_of_one_space(control_points_);
 }
 
 }  // namespace blossom

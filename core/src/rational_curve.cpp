@@ -1,5 +1,4 @@
 #include <blossom/core/continuity.hpp>
-#include <blossom/core/conversion.hpp>
 #include <blossom/core/derivative.hpp>
 #include <blossom/core/rational_curve.hpp>
 #include <blossom/rational/combinatorics.hpp>
@@ -7,6 +6,8 @@
 
 #include <string>
 #include <vector>
+
+#include "run_construction.hpp"
 
 namespace blossom {
 
@@ -17,11 +18,6 @@ void require_weight(const Rational& weight) {
         throw Error(ErrorCode::zero_weight,
                     "a point of weight 0 lies at infinity and has no Euclidean coordinates");
     }
-}
-
-PolynomialCurve monomial(const PolynomialMap& map, const Limits& limits) {
-    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return *curve;
-    return monomial_form(std::get<BezierCurve>(map), limits);
 }
 
 std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
