@@ -3,6 +3,7 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <optional>
 
 #include "integer_frame.hpp"
 
@@ -49,27 +50,33 @@ class Isolation {
 public:
     Isolation(const Polynomial& factor, std::size_t multiplicity, const Rational& width, const Limits& limits,
               std::vector<Root>& found)
-        : factor_(factor), multiplicity_(multiplicity), width_(width), limits_(limits), found_(found) {}
+        : factor_(factor),
+          slope_(derivative(factor)),
+          multiplicity_(multiplicity),
+          width_(width),
+          limits_(limits),
+          found_(found) {}
 
     void run(const Rational& lower, const Rational& upper) {
         if (sign_at(factor_, lower) == 0) add(lower);
-        const auto [a, b, q] = cleared(Interval(lower, upper));
-        const std::span<const Integer> coefficients = factor_.coefficients().numerators();
-        search(constructions::bernstein_from_monomial(coefficients, a, b, q).numerators, lower, upper);
+        search(polygon_over(cleared(Interval(lower, upper))), lower, upper);
         if (sign_at(factor_, upper) == 0) add(upper);
     }
 
 private:
+    struct Piece {
+        Polygon polygon;
+        Rational lower;
+        Rational upper;
+        std::size_t changes_before = 0;  ///< sign changes of what it was cut out of; 0 at the beginning
+        std::size_t speed = 2;           ///< how many bits `around_cluster` tries to gain
+    };
+
     void add(const Rational& root) { found_.push_back({root, root, multiplicity_}); }
 
     /// The roots strictly between `lower` and `upper`. The pending halves stand on a stack of their own:
     /// close roots would nest calls deeply.
     void search(Polygon polygon, const Rational& lower, const Rational& upper) {
-        struct Piece {
-            Polygon polygon;
-            Rational lower;
-            Rational upper;
-        };
         std::vector<Piece> pending;
         pending.push_back({std::move(polygon), lower, upper});
         while (!pending.empty()) {
@@ -82,12 +89,52 @@ private:
                 continue;
             }
             require_result_bits(greatest_bit_length(piece.polygon), limits_);
+            if (changes == piece.changes_before) {
+                if (auto cluster = around_cluster(piece, changes)) {
+                    pending.push_back(std::move(*cluster));
+                    continue;
+                }
+            }
             const Rational middle = (piece.lower + piece.upper) / 2;
+            const std::size_t speed = std::max<std::size_t>(piece.speed / 2, 2);
             auto [left, right] = halves(std::move(piece.polygon));
             if (left.back().is_zero()) add(middle);
-            pending.push_back({std::move(right), middle, piece.upper});
-            pending.push_back({std::move(left), piece.lower, middle});
+            pending.push_back({std::move(right), middle, piece.upper, changes, speed});
+            pending.push_back({std::move(left), piece.lower, middle, changes, speed});
         }
+    }
+
+    /// A much smaller part of the piece, by 3 / 2^(speed + 2), that has all its sign changes and so all its
+    /// roots: sign changes of disjoint parts add up to at most those of the whole, so that there are none
+    /// elsewhere. Newton's step for a root of multiplicity `changes` from the middle says where to look; it
+    /// comes near a cluster of roots, and the next step may be smaller by the square. None if it fails.
+    std::optional<Piece> around_cluster(const Piece& piece, std::size_t changes) const {
+        const Rational middle = (piece.lower + piece.upper) / 2;
+        const Rational slope = slope_(middle);
+        if (slope.is_zero()) return std::nullopt;
+        const Rational target = middle - Rational(changes) * factor_(middle) / slope;
+        if (target < piece.lower || piece.upper < target) return std::nullopt;
+        const Rational cell = (piece.upper - piece.lower) / Rational(Integer(1) << (piece.speed + 2));
+        const Rational cells = (target - piece.lower) / cell;
+        const Rational begin = piece.lower + Rational(cells.numerator() / cells.denominator() - 1) * cell;
+        const Rational lower = std::max(begin, piece.lower);
+        const Rational upper = std::min(begin + 3 * cell, piece.upper);
+        if ((lower != piece.lower && sign_at(factor_, lower) == 0) ||
+            (upper != piece.upper && sign_at(factor_, upper) == 0)) {
+            return std::nullopt;
+        }
+        const auto interval = cleared(Interval(lower, upper));
+        constexpr std::size_t bits_of_digits = 3;
+        if (factor_.degree() * interval.bits() > bits_of_digits * limits_.digits) return std::nullopt;
+        Polygon polygon = polygon_over(interval);
+        if (sign_changes(polygon) != changes) return std::nullopt;
+        return Piece{std::move(polygon), lower, upper, changes, 2 * piece.speed};
+    }
+
+    Polygon polygon_over(const ClearedInterval& interval) const {
+        const std::span<const Integer> coefficients = factor_.coefficients().numerators();
+        return constructions::bernstein_from_monomial(coefficients, interval.a, interval.b, interval.q)
+            .numerators;
     }
 
     /// Exactly one root lies strictly between: bisects until a rational one would be recognised and the width
@@ -121,10 +168,11 @@ private:
     /// The sign immediately to the right of a root of odd order or of any other point.
     int sign_just_behind(const Rational& t) const {
         const int sign = sign_at(factor_, t);
-        return sign != 0 ? sign : sign_at(derivative(factor_), t);
+        return sign != 0 ? sign : sign_at(slope_, t);
     }
 
     const Polynomial& factor_;
+    Polynomial slope_;  ///< its derivative
     std::size_t multiplicity_;
     const Rational& width_;
     const Limits& limits_;

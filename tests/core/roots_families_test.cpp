@@ -84,6 +84,28 @@ TEST_CASE("the two close roots of Mignotte's polynomials are told apart", "[root
     }
 }
 
+TEST_CASE("clusters far closer than doubles can tell are found", "[roots]") {
+    const Polynomial mignotte = pow(t, 100) - Polynomial(2) * pow(Polynomial(100) * t - 1, 2);
+    const std::vector<Root> close = roots(mignotte, {-2, 2});
+    const Rational middle(1, 100);
+    const Rational distance = 2 / pow(Rational(100), 50);
+    REQUIRE(close.size() == 4);
+    for (const Root& root : {close[1], close[2]}) {
+        CHECK(root.lower > middle - distance);
+        CHECK(root.upper < middle + distance);
+    }
+    CHECK(close[1].upper <= close[2].lower);
+
+    // One real root and a pair of complex ones beside it; four real ones; two clusters.
+    for (const Polynomial& polynomial :
+         {pow(t, 30) - pow(Polynomial(7) * t - 1, 3),
+          pow(t, 25) - pow(pow(Polynomial(9) * t - 4, 2) - Polynomial(Rational(1, 100'000)), 2),
+          pow(t, 24) - Polynomial(3) * pow((Polynomial(5) * t - 1) * (Polynomial(7) * t - 3), 2),
+          pow(t, 24) + Polynomial(3) * pow((Polynomial(5) * t - 1) * (Polynomial(7) * t - 3), 2)}) {
+        check_isolation(polynomial, {0, 1}, roots(polynomial, {0, 1}));
+    }
+}
+
 TEST_CASE("the Chebyshev polynomials have all their roots inside", "[roots]") {
     for (const std::size_t n : {1U, 2U, 3U, 8U, 33U, 50U}) {
         const Polynomial chebyshev = chebyshev_on_unit_interval(n);

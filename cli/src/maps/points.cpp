@@ -121,9 +121,9 @@ void write_control_points(Json& map, std::span<const Coordinates> points, const 
     Json::Array written;
     Json::Array weights;
     written.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        written.push_back(to_json(points[i], form));
-        if (form.separate_weights()) weights.emplace_back(points[i].back());
+    for (const Coordinates& point : points) {
+        written.push_back(to_json(point, form));
+        if (form.separate_weights()) weights.emplace_back(point.back());
     }
     map["control_points"] = std::move(written);
     if (form.separate_weights()) map["weights"] = std::move(weights);

@@ -30,12 +30,14 @@ std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynom
 /// Each squarefree factor is isolated by subdivision of its control polygon at the midpoint: the number of
 /// sign changes of the polygon exceeds the number of roots by an even number, so that 0 and 1 decide. A root
 /// that is rational is found as such: its denominator divides the leading coefficient, and an interval
-/// shorter than that leaves one candidate. With `width` > 0 the isolating intervals are refined to at most
-/// this length.
+/// shorter than that leaves one candidate. Clusters of close roots are approached by Newton's steps, which
+/// gain twice as many bits each time, and are kept only when the signs prove them. With `width` > 0 the
+/// isolating intervals are refined to at most this length.
 ///
-/// Cost: O(n^2) additions a subdivision, and as many subdivisions as it takes to tell the roots apart.
-/// Errors: `division_by_zero` for the zero polynomial, whose roots are all numbers; `limit_exceeded`.
-/// Source: Goldman, exercise 11. Statement: goldman-ex-11.
+/// Cost: O(n^2) additions a subdivision, and about as many subdivisions as there are roots times the
+/// logarithm of the bits that tell them apart. Errors: `division_by_zero` for the zero polynomial, whose
+/// roots are all numbers; `limit_exceeded`. Source: Goldman, exercise 11; Sagraloff, "When Newton meets
+/// Descartes", for the clusters. Statement: goldman-ex-11.
 std::vector<Root> roots(const Polynomial& polynomial, const Interval& interval, const Rational& width = 0,
                         const Limits& limits = {});
 
