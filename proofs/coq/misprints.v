@@ -15,7 +15,7 @@
 (* fj-bernstein-def, fj-reduction-not-multiaffine, fj-reduction-is-lagrange,  *)
 (* goldman-ex-12a, goldman-monomial-scale, goldman-thm8,                      *)
 (* goldman-summary-diff, hart-linear-scale, hart-linear-add, hart-lerp-line2, *)
-(* hart-lerp-line3, derose-46-c2-location.                                    *)
+(* hart-lerp-line3, fj-eq23, fj-ex1-quadratic.                                *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra.
 From Blossom Require Import notions existence elevation casteljau.
@@ -243,9 +243,22 @@ rewrite -bin_ffact natrM mulrAC mulfV ?binomial_unit // mul1r => /esym/eqP.
 exact/negP.
 Qed.
 
+(** fj-eq23: indices from 1 leave out the vertices and edges of a triangle. *)
+
+Theorem misprint_fj_eq23_indices :
+  ~ (forall i j k, (i + j + k = n)%N -> [/\ (0 < i)%N, (0 < j)%N & (0 < k)%N]).
+Proof. by move=> /(_ n 0%N 0%N); rewrite !addn0 => /(_ erefl)[]. Qed.
+
 End AnyField.
 
 Section Rational.
+
+(** fj-ex1-quadratic: the weight 1 + alpha beta of the middle control point of
+    a circle arc is not different from zero for all parameters in [-1, 1]. *)
+
+Theorem misprint_fj_ex1_weight :
+  ~ (forall al be : rat, -1 <= al <= 1 -> -1 <= be <= 1 -> 1 + al * be != 0).
+Proof. by move=> /(_ 1 (-1) isT isT). Qed.
 
 (** blog-quadratic-form: c_1 is the sum of the two coefficients, not half. *)
 

@@ -9,10 +9,10 @@
 (* (u - 3) (v - 3) (w - 3).                                                   *)
 (*                                                                            *)
 (* Statements: derose-46-c2-location, derose-46-piecewise-blossom,            *)
-(* derose-boehm-old.                                                          *)
+(* derose-boehm-old, derose-fig10-comment2.                                   *)
 (******************************************************************************)
 From mathcomp Require Import all_ssreflect all_algebra.
-From Blossom Require Import notions existence conversion lower_degree.
+From Blossom Require Import notions existence conversion lower_degree progressive.
 Set Implicit Arguments.
 Unset Strict Implicit.
 Unset Printing Implicit Defensive.
@@ -76,4 +76,20 @@ Proof.
 move=> three ne /(_ 'X); rewrite size_polyX !blossom_identity // => /(_ isT).
 move/(mulIf (invr_neq0 three)); rewrite !big_cons !big_nil !addr0 => /addrI.
 by rewrite addrC => /addIr/eqP; rewrite eq_sym (negPf ne).
+Qed.
+
+(** derose-fig10-comment2: after the first level point l carries the knots from
+    t_(l+1) on; from t_l on, as printed, its label is wrong in every degree, for
+    all knots with t_l <> t_(l+d). *)
+
+Theorem misprint_derose_fig10_comment2 (F : fieldType) (t : nat -> F) d l u :
+  d.+1%:R != 0 :> F -> t l != t (l + d)%N ->
+  ~ (forall P : {poly F}, (size P <= d.+2)%N ->
+       blossom d.+1 P (u :: window t d l.+1) = blossom d.+1 P (u :: window t d l)).
+Proof.
+move=> d_unit ne /(_ 'X); rewrite size_polyX !blossom_identity // => /(_ isT).
+move/(mulIf (invr_neq0 d_unit)); rewrite !big_cons => /addrI.
+have : \sum_(x <- window t d.+1 l) x = \sum_(x <- window t d.+1 l) x by [].
+rewrite {1}windowS windowSr -cats1 big_cons big_cat big_seq1 /= [_ + t _]addrC.
+by move=> sums same; move: sums; rewrite same => /addIr/eqP; rewrite (negPf ne).
 Qed.

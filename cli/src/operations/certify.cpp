@@ -67,9 +67,9 @@ struct PowerForm {
 };
 
 PolynomialCurve with_degree(const PolynomialCurve& curve, std::size_t degree) {
-    std::vector<Polynomial> coordinates;
-    for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
-    return PolynomialCurve(coordinates, degree);
+    std::vector<Coordinates> coefficients = curve.coefficients().to_points();
+    coefficients.resize(degree + 1, Coordinates(curve.dimension()));
+    return PolynomialCurve(coefficients);
 }
 
 /// A request that has been answered, and what it was about.
