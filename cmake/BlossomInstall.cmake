@@ -36,6 +36,12 @@ if(NOT BUILD_SHARED_LIBS AND BLOSSOM_NUMBERS STREQUAL "gmp")
   set(consumer_needs_gmp TRUE)
 endif()
 
+# So with pugixml, which the layer of worked examples writes its pages with.
+set(consumer_needs_pugixml TRUE)
+if(BUILD_SHARED_LIBS)
+  set(consumer_needs_pugixml FALSE)
+endif()
+
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/blossom)
 install(EXPORT blossom NAMESPACE blossom:: FILE blossomTargets.cmake DESTINATION ${package_dir})
 configure_package_config_file(
@@ -54,6 +60,9 @@ endif()
 set(pc_libraries ${layers})
 list(REVERSE pc_libraries)
 list(TRANSFORM pc_libraries PREPEND -lblossom_)
+if(consumer_needs_pugixml)
+  list(APPEND pc_libraries -lpugixml)
+endif()
 if(consumer_needs_gmp)
   list(APPEND pc_libraries -lgmp)
 endif()

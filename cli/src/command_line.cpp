@@ -9,8 +9,10 @@
 #include <system_error>
 
 #include "completion.hpp"
+#include "explain/explain_options.hpp"
 #include "limit_table.hpp"
 #include "operations/map_options.hpp"
+#include "operations/table.hpp"
 #include "prove_command.hpp"
 #include "run_command.hpp"
 
@@ -91,6 +93,10 @@ struct Subcommand {
     Action action;
 };
 
+const Subcommand& chosen(const std::vector<Subcommand>& commands) {
+    return *std::ranges::find_if(commands, [](const Subcommand& command) { return command.app->parsed(); });
+}
+
 std::string shell_text(const std::string& argument) {
     const bool plain =
         argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_,.:/=") ==
@@ -133,7 +139,7 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     const CLI::Option* picture =
         operation.plot ? add_value(*command, "--svg", "FILE", "write a picture of the curves too") : nullptr;
     const LimitOptions limits(*command);
-    command->footer([&operation] { return example_text(operation); });
+    if (!operation.example.empty()) command->footer([&operation] { return example_text(operation); });
 
     const auto action = [=, &operation](const Streams& streams) {
         Command given{
@@ -180,6 +186,23 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
                      streams);
     };
     return {command, action};
+}
+
+/// `explain OP ARGS...`: every operation once more, as a command of this command.
+Subcommand add_explain(CLI::App& app, const Operation& explain) {
+    CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
+    command->require_subcommand(1);
+    std::vector<Subcommand> commands;
+    for (const Operation& operation : explained_operations()) {
+        commands.push_back(add_operation(*command, operation));
+    }
+    command->footer([&explain] { return example_text(explain); });
+    return {command, [commands](const Streams& streams) { return chosen(commands).action(streams); }};
+}
+
+Subcommand add_own_command(CLI::App& app, const Operation& operation) {
+    return operation.name == explain_operation().name ? add_explain(app, operation)
+                                                      : add_prove(app, operation);
 }
 
 Subcommand add_batch(CLI::App& app) {
@@ -240,7 +263,7 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
 
     std::vector<Subcommand> commands;
     for (const Operation& operation : operations()) {
-        commands.push_back(operation.has_own_command ? add_prove(app, operation)
+        commands.push_back(operation.has_own_command ? add_own_command(app, operation)
                                                      : add_operation(app, operation));
     }
     commands.push_back(add_batch(app));
@@ -255,9 +278,7 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
     std::ranges::reverse(reversed);
     try {
         app.parse(std::move(reversed));
-        const auto chosen =
-            std::ranges::find_if(commands, [](const Subcommand& command) { return command.app->parsed(); });
-        return chosen->action(streams);
+        return chosen(commands).action(streams);
     } catch (const CLI::CallForHelp&) {
         streams.output(app.help());
         return Outcome::success;

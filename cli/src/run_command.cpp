@@ -80,6 +80,11 @@ void apply(const GivenOption& given, const Command& command, const Streams& stre
     }
 }
 
+Json begun_request(const Operation& operation) {
+    Json request = Json::Object{{"op", operation.name}};
+    return operation.explains ? Json::Object{{"op", "explain"}, {"request", std::move(request)}} : request;
+}
+
 Outcome answer_and_print(const Command& command, const Json& request, const Streams& streams) {
     try {
         const Json response = success_response(Json(), result_of(request, command.limits));
@@ -111,7 +116,7 @@ std::string readable_error(const Error& error, const Json& request, const std::v
 }
 
 Outcome run_command(const Command& command, const Streams& streams) {
-    Json request = Json::Object{{"op", command.operation.name}};
+    Json request = begun_request(command.operation);
     try {
         for (const GivenOption& given : command.options) apply(given, command, streams, request);
         if (!command.numbers.empty()) request["numbers"] = command.numbers;

@@ -41,6 +41,7 @@ struct Operation {
     std::string (*render)(const Answered& answered);
     bool has_own_command = false;  ///< the command of this name does more and is made elsewhere
     std::string (*plot)(const Answered& answered) = nullptr;  ///< an SVG picture, where there is one
+    bool explains = false;  ///< a command behind `explain`: its options write the request that is explained
 };
 
 /// All of them, in the order of the help.

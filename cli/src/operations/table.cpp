@@ -11,7 +11,7 @@ const std::vector<Operation>& operations() {
         remove_knot_operation(), segments_operation(),        join_operation(),
         continuity_operation(),  basis_functions_operation(), roots_operation(),
         prove_operation(),       audit_operation(),           import_operation(),
-        export_operation(),      certify_operation(),
+        export_operation(),      certify_operation(),         explain_operation(),
     };
     return table;
 }

@@ -1,0 +1,178 @@
+#include "explain/chapter_of.hpp"
+
+#include <blossom/rational/number_text.hpp>
+#include <blossom/worked/chapters.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "answer.hpp"
+#include "maps/serve.hpp"
+#include "operations/blossom_arguments.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+using worked::Document;
+using worked::GivenMap;
+
+/// A request that was answered, so that its fields are known to be right.
+class Asked {
+public:
+    Asked(const Json& request, const Limits& allowed)
+        : limits(allowed), request_(request), map_(read_map(*request.find("map"), allowed)) {}
+
+    const Map& map() const { return map_; }
+    const Json* find(std::string_view name) const { return request_.find(name); }
+    std::vector<Argument> arguments() const {
+        return read_arguments(*find("arguments"), {.scalar = true}, limits);
+    }
+    std::size_t count(std::string_view name, std::size_t otherwise) const {
+        const Json* value = find(name);
+        return value ? read_count(*value, limits) : otherwise;
+    }
+    Interval interval(const Interval& otherwise) const {
+        const Json* value = find("interval");
+        return value ? read_interval(*value, limits) : otherwise;
+    }
+    /// The only parameter of the field "at". Errors: `wrong_arity` for several: a page has one.
+    Rational parameter() const {
+        const Json& at = *find("at");
+        if (!at.array()) return read_number(at, limits);
+        if (at.array()->size() != 1) {
+            throw Error(
+                ErrorCode::wrong_arity,
+                "a worked example is made for one parameter, not for " + std::to_string(at.array()->size()),
+                "/at");
+        }
+        return within("at", [&] {
+            return within(std::size_t{0}, [&] { return read_number(at.array()->front(), limits); });
+        });
+    }
+
+    const Limits& limits;
+
+private:
+    const Json& request_;
+    Map map_;
+};
+
+GivenMap one_polynomial_of(const Asked& asked) {
+    return {one_polynomial(asked.map(), asked.limits), asked.map().variable};
+}
+
+Document agreement_chapter(const Asked& asked) {
+    const GivenMap given = one_polynomial_of(asked);
+    if (!asked.find("arguments")) return worked::homogenisation(given, asked.limits);
+    return worked::three_ways(given, asked.arguments(), asked.limits);
+}
+
+const BSplineCurve* spline_of(const Asked& asked) { return std::get_if<BSplineCurve>(&asked.map().value); }
+
+/// The spline of an operation that takes only splines here. Errors: `wrong_kind`.
+const BSplineCurve& required_spline(const Asked& asked) {
+    const BSplineCurve* spline = spline_of(asked);
+    if (!spline) throw Error(ErrorCode::wrong_kind, "a worked example is made for a bspline here", "/map");
+    return *spline;
+}
+
+Document evaluation_chapter(const Asked& asked) {
+    if (const BSplineCurve* spline = spline_of(asked)) {
+        return worked::de_boor_at(*spline, asked.parameter(), asked.limits);
+    }
+    if (asked.map().form.separate_weights()) {
+        return worked::rational_arc(one_polynomial_of(asked), asked.parameter(), asked.limits);
+    }
+    return worked::evaluation_at(one_polynomial_of(asked), asked.parameter(), asked.limits);
+}
+
+Document derivative_chapter(const Asked& asked) {
+    if (!asked.find("at")) {
+        throw Error(ErrorCode::missing_field, "a worked example of a derivative needs a parameter", "/at");
+    }
+    return worked::derivative_by_delta(one_polynomial_of(asked), asked.count("order", 1), asked.parameter(),
+                                       asked.limits);
+}
+
+Document control_points_chapter(const Asked& asked) {
+    const GivenMap given = one_polynomial_of(asked);
+    const auto* bezier = std::get_if<BezierCurve>(&given.map);
+    return worked::control_points_over(given, asked.interval(bezier ? bezier->interval() : Interval()),
+                                       asked.limits);
+}
+
+Document subdivision_chapter(const Asked& asked) {
+    return worked::subdivision_at(one_polynomial_of(asked), asked.parameter(), asked.limits);
+}
+
+Document elevation_chapter(const Asked& asked) {
+    return worked::degree_raised(one_polynomial_of(asked), asked.count("by", 1), asked.limits);
+}
+
+Document conversion_chapter(const Asked& asked) {
+    const GivenMap given = one_polynomial_of(asked);
+    const std::string& to = *asked.find("to")->text();
+    if (to == "monomial") return worked::control_points_to_coefficients(given, asked.limits);
+    if (to != "bernstein") {
+        throw Error(ErrorCode::wrong_kind,
+                    "a worked example is made of a conversion to monomial or bernstein, not to " + to, "/to");
+    }
+    const Interval interval = asked.interval(Interval());
+    if (std::holds_alternative<PolynomialCurve>(given.map) && interval == Interval()) {
+        return worked::coefficients_to_control_points(given, asked.limits);
+    }
+    return worked::control_points_over(given, interval, asked.limits);
+}
+
+Document segments_chapter(const Asked& asked) {
+    return worked::spline_to_bezier(required_spline(asked), asked.limits);
+}
+
+Document insertion_chapter(const Asked& asked) {
+    const std::vector<Rational> knots = read_numbers(*asked.find("knots"), asked.limits);
+    return worked::knots_inserted(required_spline(asked), knots, asked.limits);
+}
+
+Document continuity_chapter(const Asked& asked) {
+    return worked::continuity_at(required_spline(asked), asked.parameter(), asked.limits);
+}
+
+struct Chapter {
+    std::string_view operation;
+    Document (*make)(const Asked& asked);
+};
+
+constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
+                                            {"blossom", agreement_chapter},
+                                            {"evaluate", evaluation_chapter},
+                                            {"derivative", derivative_chapter},
+                                            {"control-points", control_points_chapter},
+                                            {"convert", conversion_chapter},
+                                            {"subdivide", subdivision_chapter},
+                                            {"elevate", elevation_chapter},
+                                            {"insert-knots", insertion_chapter},
+                                            {"segments", segments_chapter},
+                                            {"continuity", continuity_chapter}}};
+
+}  // namespace
+
+bool has_chapter(std::string_view operation) {
+    return std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
+}
+
+Document chapter_of(const Json& request, const Limits& limits) {
+    static_cast<void>(result_of(request, limits));
+    const std::string& name = *request.find("op")->text();
+    std::string known;
+    for (const Chapter& chapter : chapters) {
+        if (chapter.operation == name) return chapter.make(Asked(request, limits));
+        known += (known.empty() ? "" : ", ") + std::string(chapter.operation);
+    }
+    throw Error(ErrorCode::unknown_op,
+                "there is no chapter for the operation " + quoted(name) + "; there is for " + known, "/op");
+}
+
+}  // namespace blossom::cli

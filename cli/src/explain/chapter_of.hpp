@@ -1,0 +1,19 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+#include <blossom/worked/document.hpp>
+
+#include <string_view>
+
+#include "json.hpp"
+
+namespace blossom::cli {
+
+/// The chapter that works out a request. The request is answered first, so that what is wrong with it is
+/// reported as for itself. Errors: those of the request; `unknown_op` for one without chapter.
+worked::Document chapter_of(const Json& request, const Limits& limits);
+
+/// Whether there is one for the operation of this name.
+bool has_chapter(std::string_view operation);
+
+}  // namespace blossom::cli

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <blossom/core/blossom.hpp>
+#include <blossom/core/bspline_curve.hpp>
+#include <blossom/worked/formula.hpp>
+#include <blossom/worked/picture.hpp>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace blossom::worked {
+
+/// Words with formulas between them.
+class Text {
+public:
+    using Part = std::variant<std::string, Formula>;
+
+    Text() = default;
+    Text(std::string words) : parts_{std::move(words)} {}    // NOLINT(google-explicit-constructor)
+    Text(const char* words) : parts_{std::string(words)} {}  // NOLINT(google-explicit-constructor)
+    Text(Formula formula) : parts_{std::move(formula)} {}    // NOLINT(google-explicit-constructor)
+    Text(std::initializer_list<Part> parts) : parts_(parts) {}
+
+    const std::vector<Part>& parts() const { return parts_; }
+    bool empty() const { return parts_.empty(); }
+
+    friend bool operator==(const Text&, const Text&) = default;
+
+private:
+    std::vector<Part> parts_;
+};
+
+struct Paragraph {
+    Text text;
+};
+
+/// Formulas on lines of their own.
+struct Display {
+    std::vector<Formula> formulas;
+};
+
+/// A cell of a table. What is `shown` may stand for the value of `meaning`, which is not repeated in each
+/// row.
+struct Cell {
+    Text shown;
+    std::optional<Formula> meaning;
+
+    Cell(Text text) : shown(std::move(text)) {}           // NOLINT(google-explicit-constructor)
+    Cell(Formula formula) : shown(std::move(formula)) {}  // NOLINT(google-explicit-constructor)
+    Cell(const char* words) : shown(words) {}             // NOLINT(google-explicit-constructor)
+    Cell(Formula formula, Formula means) : shown(std::move(formula)), meaning(std::move(means)) {}
+};
+
+struct Table {
+    std::string caption;
+    std::vector<Text> header;
+    std::vector<std::vector<Cell>> rows;
+};
+
+/// One node of a pyramid; those of level 0 have no weights.
+struct PyramidNode {
+    Formula label;  ///< the blossom value that it is
+    Formula value;
+    std::optional<Formula> left_weight;   ///< on the arrow from node i of the level before
+    std::optional<Formula> right_weight;  ///< on that from node i + 1
+    bool on_left_edge = false;            ///< marked as a point of the left result
+    bool on_right_edge = false;
+};
+
+/// De Casteljau's, de Boor's or another triangle: levels[r][i] is made of levels[r-1][i] and
+/// levels[r-1][i+1].
+struct TrianglePyramid {
+    std::string caption;
+    std::vector<std::vector<PyramidNode>> levels;
+};
+
+using Block = std::variant<Paragraph, Display, Table, TrianglePyramid, Picture>;
+
+struct Step {
+    std::string title;
+    std::vector<Block> blocks;
+};
+
+/// What was verified, and whether it holds.
+struct Check {
+    std::vector<Block> blocks;
+    bool holds = true;
+};
+
+/// A map that the formulas name: `map`(t) and its blossom.
+struct NamedMap {
+    std::string map = "P";
+    std::string blossom = "p";
+    std::string variable = "t";
+    std::variant<PolynomialMap, BSplineCurve> definition;
+};
+
+/// One worked example.
+struct Document {
+    std::string title;
+    std::string source;  ///< where the literature has it
+    std::vector<NamedMap> maps;
+    std::vector<Block> statement;
+    std::vector<Step> steps;
+    std::vector<Block> result;
+    Check check;
+};
+
+/// The largest degree of its maps.
+std::size_t largest_degree(const Document& document);
+
+}  // namespace blossom::worked

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <blossom/rational/rational.hpp>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace blossom::worked {
+
+/// What a formula says at its top.
+enum class FormulaKind {
+    number,      ///< `value`
+    symbol,      ///< `name`, a letter or a word; "delta" and other Greek letters are drawn as such
+    words,       ///< `name`, upright words within a formula
+    sum,         ///< parts added; a negative part is subtracted
+    product,     ///< parts multiplied
+    fraction,    ///< parts[0] / parts[1]
+    power,       ///< parts[0] ^ parts[1]
+    index,       ///< parts[0] with subscript parts[1]
+    call,        ///< the map `name` at parts
+    derivative,  ///< the derivative of order `value` of the map `name` at parts[0]
+    blossom,     ///< the blossom `name` at parts, as many as its degree; of a spline that of a segment whose
+                 ///< span has the index `value` - 1, or for 0 of any, where all agree
+    elementary,  ///< the elementary symmetric function of order `value` of parts
+    binomial,    ///< parts[0] over parts[1]
+    factorial,   ///< parts[0]!
+    tuple,       ///< (parts)
+    set,         ///< {parts}
+    summation,   ///< the sum over parts[0] of parts[1]
+    relation,    ///< parts connected by `name`, for instance "="
+};
+
+/// A formula as a tree of what it means. Text, LaTeX and MathML are printed from it, and a test computes it
+/// again: a relation between sides without free symbols is a claim about numbers.
+struct Formula {
+    FormulaKind kind = FormulaKind::number;
+    Rational value;
+    std::string name;
+    std::vector<Formula> parts;
+
+    friend bool operator==(const Formula&, const Formula&) = default;
+};
+
+Formula number(Rational value);
+/// "t", "delta"; a letter followed by digits, "u12", is the letter with an index.
+Formula symbol(std::string name);
+Formula words(std::string text);
+/// Of one part that part, of none 0.
+Formula sum(std::vector<Formula> parts);
+/// Of one part that part, of none 1.
+Formula product(std::vector<Formula> parts);
+Formula fraction(Formula numerator, Formula denominator);
+/// An exponent 1 is left out.
+Formula power(Formula base, Formula exponent);
+Formula index(Formula base, Formula subscript);
+Formula call(std::string map, std::vector<Formula> arguments);
+Formula derivative_of(std::string map, std::size_t order, Formula at);
+Formula blossom_of(std::string name, std::vector<Formula> arguments);
+Formula elementary(std::size_t order, std::vector<Formula> arguments);
+Formula binomial_of(Formula n, Formula k);
+Formula factorial_of(Formula n);
+Formula tuple(std::vector<Formula> parts);
+Formula set_of(std::vector<Formula> parts);
+Formula summation(Formula below, Formula of);
+/// sides[0] = sides[1] = ...; of one side that side.
+Formula equation(std::vector<Formula> sides);
+Formula relation(std::string sign, std::vector<Formula> sides);
+
+/// Whether the formula is written with a minus sign in front.
+bool is_negative(const Formula& formula);
+/// The formula without the minus sign in front.
+Formula without_sign(Formula formula);
+
+}  // namespace blossom::worked

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <blossom/worked/document.hpp>
+#include <blossom/worked/notation.hpp>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace blossom::worked {
+
+/// For a terminal: pyramids stand in columns where they fit into `width`, otherwise level by level. Pictures
+/// are given by their points.
+std::string render_text(const Document& document, const Notation& notation = {}, std::size_t width = 79);
+
+/// Markdown with formulas in LaTeX between dollar signs; pyramids are drawn as text, pictures are images with
+/// their own data.
+std::string render_markdown(const Document& document, const Notation& notation = {});
+
+/// LaTeX: a complete document, or the fragment that an own one takes in with \input after the preamble of
+/// `latex_preamble`.
+std::string render_latex(const Document& document, const Notation& notation = {});
+std::string render_latex_fragment(const Document& document, const Notation& notation = {});
+std::string latex_preamble();
+
+/// A link of a page to another.
+struct Link {
+    std::string target;
+    std::string text;
+};
+
+/// One file of HTML that needs no other: formulas in MathML, pyramids and pictures in SVG, no script.
+std::string render_html(const Document& document, const Notation& notation = {},
+                        const std::vector<Link>& links = {});
+
+/// The document as data: every formula as a tree, every number exact.
+std::string render_json(const Document& document, const Notation& notation = {});
+
+/// One picture as an SVG file of its own.
+std::string render_svg(const Picture& picture, const Notation& notation = {});
+
+}  // namespace blossom::worked

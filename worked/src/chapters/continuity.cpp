@@ -1,0 +1,70 @@
+#include <blossom/core/bezier_extraction.hpp>
+#include <blossom/core/continuity.hpp>
+#include <blossom/core/de_boor.hpp>
+#include <blossom/worked/chapters.hpp>
+
+#include <algorithm>
+
+#include "chapters/splines.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+/// The values of both segments with k arguments beside the knot.
+std::vector<Cell> row(const BSplineCurve& curve, std::size_t left, std::size_t right, const Rational& knot,
+                      std::size_t k, const Limits& limits) {
+    const auto arguments =
+        with_copies(with_copies({}, curve.degree() - k, Parameter(knot)), k, Parameter(knot + Rational(1)));
+    const Coordinates before = segment_blossom(curve, left, arguments, limits);
+    const Coordinates after = segment_blossom(curve, right, arguments, limits);
+    return {number(k), tuple(argument_formulas(arguments)),
+            Cell(point_formula(before), spline_value(arguments, left)),
+            Cell(point_formula(after), spline_value(arguments, right)),
+            before == after ? "equal" : "different"};
+}
+
+}  // namespace
+
+Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Limits& limits) {
+    Document document = begun(curve, "Continuity at a knot", "DeRose, theorem 2 and section 4.6");
+    const Contact joint = contact(curve, knot, limits);
+    const std::size_t left = curve.knots().span_before(knot);
+    const std::size_t right = curve.knots().span_at(knot);
+    document.statement.push_back(
+        Paragraph{{"Wanted is how smoothly the segments on both sides of ", number(knot), " meet."}});
+    Table table{"Both blossoms at the knot and beside it.",
+                {"k", "arguments", "segment before", "segment after", ""},
+                {}};
+    const std::size_t last = joint.order ? static_cast<std::size_t>(*joint.order + 1) : curve.degree();
+    for (std::size_t k = 0; k <= std::min(last, curve.degree()); ++k) {
+        table.rows.push_back(row(curve, left, right, knot, k, limits));
+    }
+    document.steps.push_back(StepBuilder("Compare the blossoms")
+                                 .say({"Two maps meet with order k exactly when their blossoms agree "
+                                       "wherever all but k arguments are "
+                                       "the knot. As they are affine in each argument, it is enough to put ",
+                                       number(knot + Rational(1)), " for these k."})
+                                 .add(std::move(table))
+                                 .done());
+    const std::size_t multiplicity = curve.knots().multiplicity(knot);
+    document.result.push_back(
+        joint.is_infinite() ? Paragraph{"All values agree: both segments are one polynomial, and the curve "
+                                        "has all derivatives here."}
+                            : Paragraph{{"The values agree up to k = ",
+                                         number(Rational(Integer(static_cast<std::int64_t>(*joint.order)))),
+                                         " and not beyond: the curve meets with this order."}});
+    if (const auto plane = plane_spline(curve)) {
+        document.result.push_back(spline_picture(*plane, "The curve with its control polygon.", limits));
+    }
+    const auto promised =
+        static_cast<std::ptrdiff_t>(curve.degree()) - static_cast<std::ptrdiff_t>(multiplicity);
+    document.check = {
+        {Paragraph{{"A knot of multiplicity m in a spline of degree n promises order n - m; here m is ",
+                    number(multiplicity), " and n is ", number(curve.degree()),
+                    ", and the order found is at least that."}}},
+        joint.is_infinite() || *joint.order >= promised};
+    return document;
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <blossom/core/bezier_curve.hpp>
+#include <blossom/core/subdivision.hpp>
+#include <blossom/worked/chapters.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace blossom::worked {
+
+/// A map into the plane for pictures: a plane map itself, a scalar one as its graph (t, P(t)); none for
+/// constants, whose graph has no control points, and for more than two coordinates.
+struct PlaneMap {
+    PolynomialMap map;
+    bool graph = false;
+};
+std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits& limits);
+
+Place place_of(const Coordinates& point);
+std::vector<Place> places_of(const PointArray& points);
+
+/// The curve over an interval: exact cubic arcs up to degree 3, otherwise a polygon of many exact points.
+PictureCurve curve_over(const PolynomialMap& plane, const Interval& interval, Role role,
+                        const Limits& limits);
+
+/// Whether all arguments are points, so that every node of a pyramid is a point.
+bool all_points(std::span<const Argument> arguments);
+
+/// De Casteljau's algorithm as a triangle of blossom values.
+TrianglePyramid casteljau_triangle(const BezierCurve& curve, std::span<const Argument> arguments,
+                                   std::string caption, const Limits& limits);
+
+/// The geometric construction of p(arguments): control polygon, all intermediate points with their blossom
+/// labels, curve. None where there is no plane map, or an argument is not a point.
+std::optional<Picture> construction_picture(const PolynomialMap& map, std::span<const Argument> arguments,
+                                            std::string caption, const Limits& limits);
+
+}  // namespace blossom::worked

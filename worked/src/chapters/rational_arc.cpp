@@ -1,0 +1,106 @@
+#include <blossom/core/conversion.hpp>
+#include <blossom/core/evaluation.hpp>
+#include <blossom/core/rational_curve.hpp>
+#include <blossom/worked/chapters.hpp>
+
+#include "chapters/steps.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+constexpr std::size_t steps_of_arc = 96;
+
+Place projected_place(const Coordinates& homogeneous) { return place_of(projected(homogeneous)); }
+
+/// The points P_k = (w P, w) as they stand in the plane, with their weights.
+Table weight_table(const BezierCurve& curve) {
+    Table table{
+        "The control points, divided by their weights.", {"value", "homogeneous", "weight", "point"}, {}};
+    const std::size_t n = curve.degree();
+    for (std::size_t k = 0; k <= n; ++k) {
+        const auto arguments = end_arguments(curve.interval().a(), curve.interval().b(), n, k);
+        const Coordinates point = curve.control_points()[k];
+        const Rational& weight = point.back();
+        const Formula name = value_of_blossom(arguments);
+        std::vector<Cell> row{name, Cell(point_formula(point), name), number(weight)};
+        row.emplace_back(weight.is_zero() ? Cell("at infinity") : Cell(point_formula(projected(point))));
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+/// The division of the first coordinates by the last.
+Formula division(const Coordinates& homogeneous) {
+    std::vector<Formula> coordinates;
+    for (std::size_t j = 0; j + 1 < homogeneous.size(); ++j) {
+        coordinates.push_back(fraction(number(homogeneous[j]), number(homogeneous.back())));
+    }
+    return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
+}
+
+std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t, const Limits& limits) {
+    if (curve.dimension() != 3) return std::nullopt;
+    Picture picture;
+    picture.caption = "The arc with its control polygon.";
+    picture.description = "The control points divided by their weights, and the point of the parameter.";
+    PictureLine polygon{{}, Role::control};
+    for (std::size_t k = 0; k <= curve.degree(); ++k) {
+        const Coordinates point = curve.control_points()[k];
+        if (point.back().is_zero()) return std::nullopt;
+        const Place place = projected_place(point);
+        polygon.places.push_back(place);
+        picture.points.push_back({place, index(symbol("P"), number(k)), Role::control});
+    }
+    picture.lines.push_back(std::move(polygon));
+    PictureCurve arc{{}, false, Role::control};
+    const Rational& a = curve.interval().a();
+    for (std::size_t k = 0; k <= steps_of_arc; ++k) {
+        const Rational at = a + Rational(k) / Rational(steps_of_arc) * (curve.interval().b() - a);
+        const Coordinates point = evaluate(curve, at, limits);
+        if (point.back().is_zero()) return std::nullopt;
+        arc.places.push_back(projected_place(point));
+    }
+    picture.curves.push_back(std::move(arc));
+    picture.points.push_back({projected_place(evaluate(curve, t, limits)), symbol("C"), Role::result});
+    return picture;
+}
+
+}  // namespace
+
+Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& limits) {
+    Document document = begun(given, "A rational arc", "Fernandez-Jambrina, section 5; Goldman, section 4");
+    const BezierCurve bezier = bezier_form(given.map, limits);
+    const Coordinates homogeneous = evaluate(bezier, t, limits);
+    const Coordinates point = projected(homogeneous);
+    const Formula at = call("P", {number(t.value)});
+    document.statement.push_back(
+        Paragraph{{"Its last coordinate is a weight: a point of the rational curve C is the others divided "
+                   "by it. Wanted is "
+                   "the point C of the curve at ",
+                   number(t.value), "."}});
+    document.steps.push_back(StepBuilder("Control points with weights")
+                                 .say("The blossom works on all coordinates alike.")
+                                 .add(weight_table(bezier))
+                                 .done());
+    document.steps.push_back(StepBuilder("De Casteljau's algorithm, weights included")
+                                 .add(casteljau_triangle(bezier, with_copies({}, bezier.degree(), t),
+                                                         "The pyramid in homogeneous coordinates.", limits))
+                                 .done());
+    document.steps.push_back(StepBuilder("Divide by the weight")
+                                 .show({equation({at, point_formula(homogeneous)}),
+                                        equation({symbol("C"), division(homogeneous), point_formula(point)})})
+                                 .done());
+    document.result.push_back(
+        Display{{equation({symbol("C"), division(homogeneous), point_formula(point)})}});
+    if (auto picture = arc_picture(bezier, t, limits)) document.result.push_back(std::move(*picture));
+    const Coordinates direct = evaluate(coefficient_form(given.map, limits), t, limits);
+    document.check = {
+        {Paragraph{"The coefficients, evaluated directly, give the same point with its weight:"},
+         Display{{polynomial_equation(given.map, given.variable, limits),
+                  equation({at, point_formula(direct)})}}},
+        direct == homogeneous};
+    return document;
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,107 @@
+#include <blossom/core/bezier_extraction.hpp>
+#include <blossom/core/continuity.hpp>
+#include <blossom/worked/chapters.hpp>
+
+#include "chapters/splines.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+/// A line of the construction: the value, the combination that gives it, its number.
+Formula combined(const BSplineCurve& curve, std::size_t span, const std::vector<Argument>& wanted,
+                 const Coordinates& value, const Limits& limits) {
+    const TrianglePyramid triangle = de_boor_triangle(curve, span, wanted, "", limits);
+    const PyramidNode& apex = triangle.levels.back().front();
+    if (triangle.levels.size() < 2) return equation({spline_value(wanted, span), point_formula(value)});
+    const auto& before = triangle.levels[triangle.levels.size() - 2];
+    return equation({spline_value(wanted, span),
+                     combination({{apex.left_weight->value, before[0].label},
+                                  {apex.right_weight->value, before[1].label}}),
+                     point_formula(value)});
+}
+
+std::string interval_text(const Interval& interval) {
+    return "[" + to_string(interval.a()) + ", " + to_string(interval.b()) + "]";
+}
+
+Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve& bezier,
+                  const Limits& limits) {
+    const Interval& interval = bezier.interval();
+    const std::size_t n = bezier.degree();
+    std::vector<Formula> equations;
+    for (std::size_t k = 0; k <= n; ++k) {
+        const auto wanted = end_arguments(interval.a(), interval.b(), n, k);
+        equations.push_back(combined(curve, span, wanted, bezier.control_points()[k], limits));
+    }
+    return StepBuilder("The segment on " + interval_text(interval))
+        .say({"Its Bezier control points are the values of its blossom at ", number(interval.a()), " and ",
+              number(interval.b()),
+              ". De Boor's triangle makes each from the control points of the spline; this is its last "
+              "level:"})
+        .show(std::move(equations))
+        .add(de_boor_triangle(curve, span, end_arguments(interval.a(), interval.b(), n, n / 2),
+                              "The triangle of one of them.", limits))
+        .done();
+}
+
+Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
+    Picture picture =
+        spline_picture(plane, "The B-spline polygon and the Bezier polygons of its segments.", limits);
+    std::size_t index = 0;
+    for (const std::size_t span : plane.curve.knots().spans()) {
+        const BezierCurve bezier = sablonniere(plane.curve, span, limits);
+        const Role role = index++ % 2 == 0 ? Role::result : Role::second;
+        const std::vector<Place> places = places_of(bezier.control_points());
+        picture.lines.push_back({places, role});
+        for (std::size_t k = 0; k < places.size(); ++k) {
+            const auto arguments =
+                end_arguments(bezier.interval().a(), bezier.interval().b(), bezier.degree(), k);
+            if (plane.curve.knots().spans().size() <= 3) {
+                picture.points.push_back({places[k], spline_value(arguments, span), role});
+            }
+        }
+    }
+    return picture;
+}
+
+}  // namespace
+
+Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
+    Document document = begun(curve, "From a B-spline to Bezier curves",
+                              "Hart, Boehm blossoms; DeRose, section 4.6 and figure 9");
+    document.statement.push_back(Paragraph{"Wanted are the Bezier control points of all its segments."});
+    const std::vector<std::size_t> spans = curve.knots().spans();
+    std::vector<BezierCurve> segments;
+    for (const std::size_t span : spans) {
+        segments.push_back(sablonniere(curve, span, limits));
+        document.steps.push_back(segment_step(curve, span, segments.back(), limits));
+        document.result.push_back(Paragraph{{"Over " + interval_text(segments.back().interval()) + ":"}});
+        const Interval& interval = segments.back().interval();
+        std::vector<Formula> equations;
+        for (std::size_t k = 0; k <= curve.degree(); ++k) {
+            equations.push_back(
+                equation({spline_value(end_arguments(interval.a(), interval.b(), curve.degree(), k), span),
+                          point_formula(segments.back().control_points()[k])}));
+        }
+        document.result.push_back(Display{std::move(equations)});
+    }
+    if (const auto plane = plane_spline(curve)) document.result.push_back(bezier_picture(*plane, limits));
+    bool holds = true;
+    for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
+        const Rational& knot = segments[i].interval().b();
+        const Contact joint = contact(segments[i], segments[i + 1], knot, limits);
+        const auto promised = static_cast<std::ptrdiff_t>(curve.degree()) -
+                              static_cast<std::ptrdiff_t>(curve.knots().multiplicity(knot));
+        holds = holds && (joint.is_infinite() || *joint.order >= promised);
+    }
+    document.check = {
+        {Paragraph{segments.size() == 1
+                       ? "There is one segment, and the spline is this Bezier curve."
+                       : "Neighbouring segments meet at each knot at least as smoothly as its "
+                         "multiplicity promises: with order n - m at a knot of multiplicity m."}},
+        holds};
+    return document;
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,21 @@
+#include <blossom/worked/document.hpp>
+
+#include <algorithm>
+
+#include "overloaded.hpp"
+
+namespace blossom::worked {
+
+std::size_t largest_degree(const Document& document) {
+    std::size_t degree = 0;
+    for (const NamedMap& map : document.maps) {
+        const auto of_polynomial = [](const PolynomialMap& one) {
+            return std::visit([](const auto& curve) { return curve.degree(); }, one);
+        };
+        const auto of_spline = [](const BSplineCurve& spline) { return spline.degree(); };
+        degree = std::max(degree, std::visit(Overloaded{of_polynomial, of_spline}, map.definition));
+    }
+    return degree;
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,111 @@
+#include "drawing.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "letters.hpp"
+#include "paper.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+constexpr std::size_t pieces_of_arc = 24;
+
+/// Arc points by de Casteljau's algorithm on integers, fine enough to find what covers what.
+Spot on_arc(std::span<const Spot> arc, Length k) {
+    constexpr auto n = static_cast<Length>(pieces_of_arc);
+    const auto value = [&](auto member) {
+        const Length u = n - k;
+        const Length sum = u * u * u * arc[0].*member + 3 * u * u * k * arc[1].*member +
+                           3 * u * k * k * arc[2].*member + k * k * k * arc[3].*member;
+        return sum / (n * n * n);
+    };
+    return {value(&Spot::x), value(&Spot::y)};
+}
+
+void append_segments(std::vector<Segment>& segments, const std::vector<Spot>& spots) {
+    for (std::size_t i = 0; i + 1 < spots.size(); ++i) segments.push_back({spots[i], spots[i + 1]});
+}
+
+std::vector<Spot> flattened(const Drawing::Path& path) {
+    if (!path.cubic) return path.spots;
+    std::vector<Spot> spots{path.spots.front()};
+    for (std::size_t arc = 0; arc + 3 < path.spots.size(); arc += 3) {
+        for (std::size_t k = 1; k <= pieces_of_arc; ++k) {
+            spots.push_back(on_arc(std::span(path.spots).subspan(arc, 4), static_cast<Length>(k)));
+        }
+    }
+    return spots;
+}
+
+/// Points at one place have one dot, of the most important role, and one label with all their names.
+void add_points(const Picture& picture, const Paper& paper, const Notation& notation, Drawing& drawing) {
+    for (const PicturePoint& point : picture.points) {
+        const Spot spot = paper.spot(point.place);
+        const auto same = std::ranges::find(drawing.dots, spot, &Drawing::Dot::spot);
+        if (same == drawing.dots.end()) {
+            drawing.dots.push_back({spot, point.role});
+            drawing.labels.push_back({{}, {point.label}, {}});
+            continue;
+        }
+        auto& names = drawing.labels[static_cast<std::size_t>(same - drawing.dots.begin())].names;
+        const auto text = [&](const Formula& name) { return to_text(name, notation); };
+        if (std::ranges::find(names, text(point.label), text) == names.end()) names.push_back(point.label);
+        same->role = std::max(same->role, point.role);
+    }
+}
+
+void add_labels(Drawing& drawing, const Box& room, const Notation& notation) {
+    std::vector<Segment> segments;
+    for (const Drawing::Path& path : drawing.paths) append_segments(segments, flattened(path));
+    std::vector<LabelSize> sizes;
+    for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
+        const std::string text = to_text(label_formula(drawing.labels[i]), notation);
+        sizes.push_back({drawing.dots[i].spot, text_width(text), label_height});
+    }
+    const std::vector<PlacedLabel> placed = place_labels(sizes, segments, room);
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        drawing.labels[i].box = placed[i].box;
+        if (placed[i].away) drawing.labels[i].leader = leader(sizes[i].anchor, placed[i].box);
+    }
+}
+
+}  // namespace
+
+Length text_width(std::string_view text) {
+    constexpr std::string_view narrow = " ,.()[]/'";
+    const auto slim = static_cast<Length>(
+        std::ranges::count_if(text, [&](char c) { return narrow.find(c) != std::string_view::npos; }));
+    return 92 * (static_cast<Length>(columns(text)) - slim) + 60 * slim + 20;
+}
+
+Formula label_formula(const Drawing::Label& label) { return equation(label.names); }
+
+std::string pixels(Length length) {
+    const std::string sign = length < 0 ? "-" : "";
+    const Length size = length < 0 ? -length : length;
+    const std::string whole = sign + std::to_string(size / 10);
+    return size % 10 == 0 ? (whole == "-0" ? "0" : whole) : whole + "." + std::to_string(size % 10);
+}
+
+Drawing drawn(const Picture& picture, const Notation& notation) {
+    const Paper paper(picture);
+    Drawing drawing;
+    drawing.width = paper.width();
+    drawing.height = paper.height();
+    drawing.axes = paper.axes();
+    drawing.ticks = paper.ticks();
+    for (const PictureLine& line : picture.lines) {
+        drawing.paths.push_back({paper.spots(line.places), false, line.role, false});
+    }
+    for (const PictureCurve& curve : picture.curves) {
+        drawing.paths.push_back({paper.spots(curve.places), curve.cubic, curve.role, true});
+    }
+    add_points(picture, paper, notation, drawing);
+    add_labels(drawing, paper.room(), notation);
+    return drawing;
+}
+
+}  // namespace blossom::worked

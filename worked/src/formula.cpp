@@ -1,0 +1,116 @@
+#include <blossom/worked/formula.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace blossom::worked {
+
+namespace {
+
+Formula node(FormulaKind kind, std::vector<Formula> parts, std::string name = "", Rational value = 0) {
+    return {kind, std::move(value), std::move(name), std::move(parts)};
+}
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+}  // namespace
+
+Formula number(Rational value) { return node(FormulaKind::number, {}, "", std::move(value)); }
+
+Formula symbol(std::string name) {
+    const auto digits = std::ranges::find_if(name, is_digit);
+    const bool indexed = digits == name.begin() + 1 && digits != name.end() &&
+                         std::all_of(digits, name.end(), is_digit) && name.size() < 10;
+    if (!indexed) return node(FormulaKind::symbol, {}, std::move(name));
+    const std::size_t subscript = std::stoul(name.substr(1));
+    return index(symbol(name.substr(0, 1)), number(subscript));
+}
+
+Formula words(std::string text) { return node(FormulaKind::words, {}, std::move(text)); }
+
+Formula sum(std::vector<Formula> parts) {
+    if (parts.empty()) return number(0);
+    return parts.size() == 1 ? std::move(parts.front()) : node(FormulaKind::sum, std::move(parts));
+}
+
+Formula product(std::vector<Formula> parts) {
+    if (parts.empty()) return number(1);
+    return parts.size() == 1 ? std::move(parts.front()) : node(FormulaKind::product, std::move(parts));
+}
+
+Formula fraction(Formula numerator, Formula denominator) {
+    return node(FormulaKind::fraction, {std::move(numerator), std::move(denominator)});
+}
+
+Formula power(Formula base, Formula exponent) {
+    if (exponent == number(1)) return base;
+    return node(FormulaKind::power, {std::move(base), std::move(exponent)});
+}
+
+Formula index(Formula base, Formula subscript) {
+    return node(FormulaKind::index, {std::move(base), std::move(subscript)});
+}
+
+Formula call(std::string map, std::vector<Formula> arguments) {
+    return node(FormulaKind::call, std::move(arguments), std::move(map));
+}
+
+Formula derivative_of(std::string map, std::size_t order, Formula at) {
+    return node(FormulaKind::derivative, {std::move(at)}, std::move(map), order);
+}
+
+Formula blossom_of(std::string name, std::vector<Formula> arguments) {
+    return node(FormulaKind::blossom, std::move(arguments), std::move(name));
+}
+
+Formula elementary(std::size_t order, std::vector<Formula> arguments) {
+    return node(FormulaKind::elementary, std::move(arguments), "e", order);
+}
+
+Formula binomial_of(Formula n, Formula k) {
+    return node(FormulaKind::binomial, {std::move(n), std::move(k)});
+}
+
+Formula factorial_of(Formula n) { return node(FormulaKind::factorial, {std::move(n)}); }
+
+Formula tuple(std::vector<Formula> parts) { return node(FormulaKind::tuple, std::move(parts)); }
+
+Formula set_of(std::vector<Formula> parts) { return node(FormulaKind::set, std::move(parts)); }
+
+Formula summation(Formula below, Formula of) {
+    return node(FormulaKind::summation, {std::move(below), std::move(of)});
+}
+
+Formula equation(std::vector<Formula> sides) { return relation("=", std::move(sides)); }
+
+Formula relation(std::string sign, std::vector<Formula> sides) {
+    if (sides.size() == 1) return std::move(sides.front());
+    return node(FormulaKind::relation, std::move(sides), std::move(sign));
+}
+
+bool is_negative(const Formula& formula) {
+    switch (formula.kind) {
+        case FormulaKind::number:
+            return formula.value.sign() < 0;
+        case FormulaKind::product:
+        case FormulaKind::fraction:
+            return is_negative(formula.parts.front());
+        default:
+            return false;
+    }
+}
+
+Formula without_sign(Formula formula) {
+    if (!is_negative(formula)) return formula;
+    if (formula.kind == FormulaKind::number) return number(-formula.value);
+    // -1 t is written as -t.
+    if (formula.kind == FormulaKind::product && formula.parts.front() == number(-1)) {
+        formula.parts.erase(formula.parts.begin());
+        return product(std::move(formula.parts));
+    }
+    formula.parts.front() = without_sign(std::move(formula.parts.front()));
+    return formula;
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,151 @@
+#include <blossom/worked/render.hpp>
+
+#include <string>
+
+#include "layout.hpp"
+#include "letters.hpp"
+#include "overloaded.hpp"
+#include "tikz.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+/// About how many letters of a formula fit on a line.
+constexpr std::size_t line_letters = 62;
+
+class LatexWriter {
+public:
+    explicit LatexWriter(const Notation& notation) : notation_(notation) {}
+
+    std::string write(const Document& document) const {
+        std::string text = "\\section*{" + latex_text(document.title) + "}\n" + blocks(document.statement);
+        if (!document.source.empty())
+            text += "\n{\\small Source: " + latex_text(document.source) + ".\\par}\n";
+        for (std::size_t i = 0; i < document.steps.size(); ++i) {
+            text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +
+                    blocks(document.steps[i].blocks);
+        }
+        return text + heading("Result") + blocks(document.result) + heading("Check") +
+               blocks(document.check.blocks) + "\n" +
+               (document.check.holds ? "This holds exactly.\n" : "This does not hold.\n");
+    }
+
+private:
+    static std::string heading(const std::string& title) {
+        return "\n\\subsection*{" + latex_text(title) + "}\n";
+    }
+
+    std::string blocks(const std::vector<Block>& list) const {
+        std::string text;
+        for (const Block& block : list) {
+            text +=
+                "\n" + std::visit([&](const auto& content) { return this->block(content); }, block) + "\n";
+        }
+        return text;
+    }
+
+    std::string block(const Paragraph& paragraph) const { return words(paragraph.text) + "\\par"; }
+
+    std::string block(const Display& display) const {
+        std::string text;
+        for (const Formula& formula : display.formulas) text += this->display(formula) + "\n";
+        return text;
+    }
+
+    /// Each side on its own line where they fit, otherwise a paragraph that TeX breaks at the signs.
+    std::string display(const Formula& formula) const {
+        const bool chain = formula.kind == FormulaKind::relation && formula.parts.size() > 1;
+        if (!chain) return in_lines(formula);
+        const std::size_t left = columns(to_text(formula.parts.front(), notation_));
+        std::string rows;
+        for (std::size_t i = 1; i < formula.parts.size(); ++i) {
+            if (left + columns(to_text(formula.parts[i], notation_)) > line_letters) return in_lines(formula);
+            rows += (i == 1 ? to_latex(formula.parts.front(), notation_) : std::string("\\\\\n")) + " &" +
+                    latex_sign(formula.name) + " " + to_latex(formula.parts[i], notation_);
+        }
+        return "\\begin{align*}\n" + rows + "\n\\end{align*}";
+    }
+
+    std::string in_lines(const Formula& formula) const {
+        return "\\begin{blossomformula}$" + to_latex(formula, notation_) + "$\\end{blossomformula}";
+    }
+
+    std::string block(const Table& table) const {
+        std::string text = figure_caption(table.caption) + "\\blossomfit{\\begin{tabular}{" +
+                           std::string(table.header.size(), 'l') + "}\\hline\n";
+        for (std::size_t j = 0; j < table.header.size(); ++j)
+            text += (j ? " & " : "") + words(table.header[j]);
+        text += " \\\\\\hline\n";
+        for (const auto& row : table.rows) {
+            for (std::size_t j = 0; j < row.size(); ++j) text += (j ? " & " : "") + words(row[j].shown);
+            text += " \\rule[-1.1ex]{0pt}{3.4ex}\\\\\n";
+        }
+        return text + "\\hline\\end{tabular}}\\par\\medskip";
+    }
+
+    std::string block(const TrianglePyramid& pyramid) const {
+        return figure(tikz_pyramid(pyramid, notation_), pyramid.caption);
+    }
+
+    std::string block(const Picture& picture) const {
+        return figure(tikz_picture(picture, notation_), picture.caption);
+    }
+
+    static std::string figure(const std::string& drawing, const std::string& caption) {
+        return figure_caption(caption) + "\\blossomfit{" + drawing + "}\\par\\medskip";
+    }
+
+    static std::string figure_caption(const std::string& caption) {
+        return "\\medskip\\noindent{\\small " + latex_text(caption) +
+               "}\\par\\nopagebreak\\smallskip\\noindent";
+    }
+
+    std::string words(const Text& text) const {
+        std::string result;
+        for (const Text::Part& part : text.parts()) {
+            result += std::visit(
+                Overloaded{[](const std::string& words) { return latex_text(words); },
+                           [&](const Formula& formula) { return "$" + to_latex(formula, notation_) + "$"; }},
+                part);
+        }
+        return result;
+    }
+
+    const Notation& notation_;
+};
+
+}  // namespace
+
+std::string latex_preamble() {
+    return "\\usepackage[T1]{fontenc}\n"
+           "\\usepackage[utf8]{inputenc}\n"
+           "\\usepackage{lmodern}\n"
+           "\\usepackage{amsmath}\n"
+           "\\usepackage{graphicx}\n"
+           "\\usepackage{tikz}\n" +
+           tikz_styles() +
+           "% What is wider than the line is scaled down to it.\n"
+           "\\newsavebox{\\blossombox}\n"
+           "\\newcommand{\\blossomfit}[1]{\\sbox{\\blossombox}{#1}%\n"
+           "  \\ifdim\\wd\\blossombox>\\linewidth\\resizebox{\\linewidth}{!}{\\usebox{\\blossombox}}%\n"
+           "  \\else\\usebox{\\blossombox}\\fi}\n"
+           "% A formula that TeX may break at its signs.\n"
+           "\\newenvironment{blossomformula}{"
+           "\\par\\smallskip\\begingroup\\raggedright\\leftskip2em\\parindent0pt\n"
+           "  \\relpenalty50\\binoppenalty100\\hangindent2em\\noindent}{\\par\\endgroup\\smallskip}\n";
+}
+
+std::string render_latex_fragment(const Document& document, const Notation& notation) {
+    return LatexWriter(notation).write(document);
+}
+
+std::string render_latex(const Document& document, const Notation& notation) {
+    return "\\documentclass[11pt,a4paper]{article}\n" + latex_preamble() +
+           "\\setlength{\\parindent}{0pt}\\setlength{\\parskip}{.5ex plus "
+           ".3ex}\n\\allowdisplaybreaks\\raggedbottom\n"
+           "\\begin{document}\n" +
+           render_latex_fragment(document, notation) + "\\end{document}\n";
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,69 @@
+#include <string_view>
+
+#include "layout.hpp"
+#include "letters.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+using Kind = Layout::Kind;
+
+std::string fenced_latex(const Layout& layout) {
+    const std::string inside = latex_of(layout.parts[0]);
+    if (layout.text == "⟨⟩") return "\\langle " + inside + "\\rangle";
+    const bool braces = layout.text == "{}";
+    const std::string open = braces ? "\\{" : layout.text.substr(0, 1);
+    const std::string close = braces ? "\\}" : layout.text.substr(1);
+    return open + inside + close;
+}
+
+std::string braced(const Layout& layout) { return "{" + latex_of(layout) + "}"; }
+
+}  // namespace
+
+std::string latex_of(const Layout& layout) {
+    const std::vector<Layout>& parts = layout.parts;
+    switch (layout.kind) {
+        case Kind::number:
+            return layout.text;
+        case Kind::identifier:
+            return letter(layout.text).latex;
+        case Kind::words:
+            return "\\text{" + latex_text(layout.text) + "}";
+        case Kind::relation:
+        case Kind::binary:
+            return " " + latex_sign(layout.text) + " ";
+        case Kind::sign:
+            return latex_sign(layout.text);
+        case Kind::times:
+            return "\\,";
+        case Kind::apply:
+            return "";
+        case Kind::comma:
+            return ", ";
+        case Kind::fraction:
+            return "\\tfrac" + braced(parts[0]) + braced(parts[1]);
+        case Kind::superscript:
+            return braced(parts[0]) + "^" + braced(parts[1]);
+        case Kind::subscript:
+            return braced(parts[0]) + "_" + braced(parts[1]);
+        case Kind::fenced:
+            return fenced_latex(layout);
+        case Kind::under:
+            return "\\sum_" + braced(parts[1]) + " ";
+        case Kind::stack:
+            return "\\tbinom" + braced(parts[0]) + braced(parts[1]);
+        case Kind::row:
+            break;
+    }
+    std::string text;
+    for (const Layout& part : parts) text += latex_of(part);
+    return text;
+}
+
+std::string to_latex(const Formula& formula, const Notation& notation) {
+    return latex_of(layout_of(formula, notation));
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,131 @@
+#include "letters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace blossom::worked {
+
+namespace {
+
+using Entry = std::pair<std::string_view, std::string_view>;
+
+template <std::size_t n>
+std::string_view looked_up(const std::array<Entry, n>& table, std::string_view key) {
+    const auto entry = std::ranges::find(table, key, &Entry::first);
+    return entry == table.end() ? std::string_view() : entry->second;
+}
+
+constexpr std::array<Entry, 8> greek{{{"delta", "δ"},
+                                      {"alpha", "α"},
+                                      {"beta", "β"},
+                                      {"lambda", "λ"},
+                                      {"mu", "μ"},
+                                      {"tau", "τ"},
+                                      {"sigma", "σ"},
+                                      {"xi", "ξ"}}};
+
+constexpr std::array<Entry, 15> signs{{{"−", "-"},
+                                       {"·", "\\cdot"},
+                                       {"∑", "\\sum"},
+                                       {"↦", "\\mapsto"},
+                                       {"≤", "\\le"},
+                                       {"≠", "\\ne"},
+                                       {"⊆", "\\subseteq"},
+                                       {"∈", "\\in"},
+                                       {"→", "\\to"},
+                                       {"′", "'"},
+                                       {"″", "''"},
+                                       {"‴", "'''"},
+                                       {"…", "\\dots"},
+                                       {"≈", "\\approx"},
+                                       {"×", "\\times"}}};
+
+/// What text, not formulas, may contain beyond ASCII.
+constexpr std::array<Entry, 14> text_signs{{{"−", "$-$"},
+                                            {"·", "$\\cdot$"},
+                                            {"δ", "$\\delta$"},
+                                            {"…", "\\dots{}"},
+                                            {"≤", "$\\le$"},
+                                            {"≠", "$\\ne$"},
+                                            {"→", "$\\to$"},
+                                            {"×", "$\\times$"},
+                                            {"–", "--"},
+                                            {"—", "---"},
+                                            {"’", "'"},
+                                            {"“", "``"},
+                                            {"”", "''"},
+                                            {"²", "$^2$"}}};
+
+std::size_t character_length(std::string_view text) {
+    std::size_t length = 1;
+    while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) ++length;
+    return length;
+}
+
+std::string escaped_for_latex(char c) {
+    switch (c) {
+        case '\\':
+            return "\\textbackslash{}";
+        case '~':
+            return "\\textasciitilde{}";
+        case '^':
+            return "\\textasciicircum{}";
+        case '<':
+            return "\\textless{}";
+        case '>':
+            return "\\textgreater{}";
+        case '|':
+            return "\\textbar{}";
+        case '"':
+            return "\\textquotedbl{}";
+        case '#':
+        case '$':
+        case '%':
+        case '&':
+        case '_':
+        case '{':
+        case '}':
+            return std::string("\\") + c;
+        default:
+            return {c};
+    }
+}
+
+}  // namespace
+
+Letter letter(std::string_view name) {
+    const std::string_view sign = looked_up(greek, name);
+    if (!sign.empty()) return {std::string(sign), "\\" + std::string(name)};
+    if (name.size() == 1) return {std::string(name), latex_text(name)};
+    return {std::string(name), "\\mathrm{" + latex_text(name) + "}"};
+}
+
+std::string latex_text(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const std::size_t length = character_length(text);
+        const std::string_view known = looked_up(text_signs, text.substr(0, length));
+        if (!known.empty()) {
+            result += known;
+        } else if (length == 1) {
+            result += escaped_for_latex(text.front());
+        } else {
+            result += text.substr(0, length);
+        }
+        text.remove_prefix(length);
+    }
+    return result;
+}
+
+std::size_t columns(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+std::string latex_sign(std::string_view sign) {
+    const std::string_view known = looked_up(signs, sign);
+    return std::string(known.empty() ? sign : known);
+}
+
+}  // namespace blossom::worked

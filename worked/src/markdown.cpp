@@ -1,0 +1,104 @@
+#include <blossom/worked/render.hpp>
+
+#include <string>
+
+#include "base64.hpp"
+#include "overloaded.hpp"
+#include "pyramid_text.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+/// The columns of a pyramid drawn as text.
+constexpr std::size_t drawn_width = 100;
+
+class MarkdownWriter {
+public:
+    explicit MarkdownWriter(const Notation& notation) : notation_(notation) {}
+
+    std::string write(const Document& document) const {
+        std::string text = "# " + escaped(document.title) + "\n\n" + blocks(document.statement);
+        if (!document.source.empty()) text += "Source: " + escaped(document.source) + "\n\n";
+        for (std::size_t i = 0; i < document.steps.size(); ++i) {
+            text += "## " + std::to_string(i + 1) + ". " + escaped(document.steps[i].title) + "\n\n" +
+                    blocks(document.steps[i].blocks);
+        }
+        return text + "## Result\n\n" + blocks(document.result) + "## Check\n\n" +
+               blocks(document.check.blocks) +
+               (document.check.holds ? "This holds exactly.\n" : "This does not hold.\n");
+    }
+
+private:
+    static std::string escaped(const std::string& words) {
+        std::string text;
+        for (const char c : words) {
+            if (std::string_view("\\`*_{}[]<>#|$").find(c) != std::string_view::npos) text += '\\';
+            text += c;
+        }
+        return text;
+    }
+
+    std::string blocks(const std::vector<Block>& list) const {
+        std::string text;
+        for (const Block& block : list) {
+            text += std::visit([&](const auto& content) { return this->block(content); }, block) + "\n";
+        }
+        return text;
+    }
+
+    std::string block(const Paragraph& paragraph) const { return words(paragraph.text) + "\n"; }
+
+    std::string block(const Display& display) const {
+        std::string text;
+        for (const Formula& formula : display.formulas)
+            text += "$$" + to_latex(formula, notation_) + "$$\n\n";
+        text.pop_back();
+        return text;
+    }
+
+    std::string block(const Table& table) const {
+        std::string text = escaped(table.caption) + "\n\n|";
+        for (const Text& title : table.header) text += " " + words(title) + " |";
+        text += "\n|";
+        for (std::size_t j = 0; j < table.header.size(); ++j) text += " --- |";
+        text += "\n";
+        for (const auto& row : table.rows) {
+            text += "|";
+            for (const Cell& cell : row) text += " " + words(cell.shown) + " |";
+            text += "\n";
+        }
+        return text;
+    }
+
+    std::string block(const TrianglePyramid& pyramid) const {
+        return escaped(pyramid.caption) + "\n\n```text\n" + pyramid_text(pyramid, notation_, drawn_width) +
+               "```\n";
+    }
+
+    std::string block(const Picture& picture) const {
+        return "![" + escaped(picture.description) + "](data:image/svg+xml;base64," +
+               base64(render_svg(picture, notation_)) + ")\n\n" + escaped(picture.caption) + "\n";
+    }
+
+    std::string words(const Text& text) const {
+        std::string result;
+        for (const Text::Part& part : text.parts()) {
+            result += std::visit(
+                Overloaded{[](const std::string& words) { return escaped(words); },
+                           [&](const Formula& formula) { return "$" + to_latex(formula, notation_) + "$"; }},
+                part);
+        }
+        return result;
+    }
+
+    const Notation& notation_;
+};
+
+}  // namespace
+
+std::string render_markdown(const Document& document, const Notation& notation) {
+    return MarkdownWriter(notation).write(document);
+}
+
+}  // namespace blossom::worked

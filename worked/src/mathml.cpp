@@ -1,0 +1,139 @@
+#include "mathml.hpp"
+
+#include <string>
+#include <string_view>
+
+#include "letters.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+using Kind = Layout::Kind;
+
+class Markup : public pugi::xml_writer {
+public:
+    void write(const void* data, size_t size) override { text.append(static_cast<const char*>(data), size); }
+    std::string text;
+};
+
+void append_token(pugi::xml_node parent, const char* element, std::string_view text) {
+    parent.append_child(element).text().set(std::string(text).c_str());
+}
+
+void append(pugi::xml_node parent, const Layout& layout);
+
+void append_operator(pugi::xml_node parent, std::string_view text, const char* space = nullptr) {
+    pugi::xml_node node = parent.append_child("mo");
+    node.text().set(std::string(text).c_str());
+    if (space) {
+        node.append_attribute("lspace") = space;
+        node.append_attribute("rspace") = space;
+    }
+}
+
+void append_fence(pugi::xml_node parent, std::string_view text) {
+    pugi::xml_node node = parent.append_child("mo");
+    node.text().set(std::string(text).c_str());
+    node.append_attribute("fence") = "true";
+    node.append_attribute("lspace") = "0";
+    node.append_attribute("rspace") = "0";
+}
+
+void append_all(pugi::xml_node parent, const char* element, const Layout& layout) {
+    pugi::xml_node node = parent.append_child(element);
+    for (const Layout& part : layout.parts) append(node, part);
+}
+
+void append_fenced(pugi::xml_node parent, const Layout& layout) {
+    const std::size_t half = layout.text.size() / 2;
+    pugi::xml_node row = parent.append_child("mrow");
+    append_fence(row, layout.text.substr(0, half));
+    append(row, layout.parts.front());
+    append_fence(row, layout.text.substr(half));
+}
+
+void append_stack(pugi::xml_node parent, const Layout& layout) {
+    pugi::xml_node row = parent.append_child("mrow");
+    append_fence(row, "(");
+    pugi::xml_node fraction = row.append_child("mfrac");
+    fraction.append_attribute("linethickness") = "0";
+    for (const Layout& part : layout.parts) append(fraction, part);
+    append_fence(row, ")");
+}
+
+void append(pugi::xml_node parent, const Layout& layout) {
+    switch (layout.kind) {
+        case Kind::number:
+            append_token(parent, "mn", layout.text);
+            break;
+        case Kind::identifier:
+            append_token(parent, "mi", letter(layout.text).unicode);
+            break;
+        case Kind::words:
+            append_token(parent, "mtext", layout.text);
+            break;
+        case Kind::relation:
+            append_operator(parent, layout.text, "0.28em");
+            break;
+        case Kind::binary:
+            append_operator(parent, layout.text, "0.2em");
+            break;
+        case Kind::sign:
+            append_operator(parent, layout.text, "0");
+            break;
+        case Kind::times:
+            append_operator(parent, "\u2062");
+            break;
+        case Kind::apply:
+            append_operator(parent, "\u2061");
+            break;
+        case Kind::comma:
+            append_operator(parent, layout.text);
+            break;
+        case Kind::fraction:
+            append_all(parent, "mfrac", layout);
+            break;
+        case Kind::superscript:
+            append_all(parent, "msup", layout);
+            break;
+        case Kind::subscript:
+            append_all(parent, "msub", layout);
+            break;
+        case Kind::fenced:
+            append_fenced(parent, layout);
+            break;
+        case Kind::under:
+            append_all(parent, "munder", layout);
+            break;
+        case Kind::stack:
+            append_stack(parent, layout);
+            break;
+        case Kind::row:
+            append_all(parent, "mrow", layout);
+            break;
+    }
+}
+
+}  // namespace
+
+pugi::xml_node append_math(pugi::xml_node parent, const Layout& layout, bool display) {
+    pugi::xml_node math = parent.append_child("math");
+    if (display) math.append_attribute("displaystyle") = "true";
+    append(math, layout);
+    return math;
+}
+
+std::string markup_of(const pugi::xml_document& document) {
+    Markup markup;
+    document.save(markup, "", pugi::format_raw | pugi::format_no_declaration, pugi::encoding_utf8);
+    return std::move(markup.text);
+}
+
+std::string to_mathml(const Formula& formula, const Notation& notation, bool display) {
+    pugi::xml_document document;
+    append_math(document, layout_of(formula, notation), display);
+    return markup_of(document);
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,128 @@
+#include <blossom/worked/render.hpp>
+
+#include <algorithm>
+
+#include "layout.hpp"
+#include "letters.hpp"
+#include "overloaded.hpp"
+#include "pyramid_text.hpp"
+#include "text_width.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+class Printer {
+public:
+    Printer(const Notation& notation, std::size_t width) : notation_(notation), width_(width) {}
+
+    std::string print(const Document& document) const {
+        std::string text = document.title + "\n" + std::string(columns(document.title), '=') + "\n\n";
+        text += blocks(document.statement);
+        if (!document.source.empty()) text += wrapped("Source: " + document.source, width_) + "\n\n";
+        for (std::size_t i = 0; i < document.steps.size(); ++i) {
+            text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +
+                    blocks(document.steps[i].blocks);
+        }
+        text += heading("Result") + blocks(document.result);
+        return text + heading("Check") + check(document.check);
+    }
+
+private:
+    static std::string heading(const std::string& title) {
+        return title + "\n" + std::string(columns(title), '-') + "\n\n";
+    }
+
+    std::string blocks(const std::vector<Block>& list) const {
+        std::string text;
+        for (const Block& block : list) text += this->block(block) + "\n";
+        return text;
+    }
+
+    std::string block(const Block& block) const {
+        return std::visit(
+            Overloaded{
+                [&](const Paragraph& paragraph) { return wrapped(line(paragraph.text), width_) + "\n"; },
+                [&](const Display& display) { return formulas(display.formulas); },
+                [&](const Table& table) { return table.caption + "\n\n" + table_text(table); },
+                [&](const TrianglePyramid& pyramid) {
+                    return wrapped(pyramid.caption, width_) + "\n\n" +
+                           pyramid_text(pyramid, notation_, width_);
+                },
+                [&](const Picture& picture) { return picture_text(picture); }},
+            block);
+    }
+
+    std::string line(const Text& text) const {
+        std::string line;
+        for (const Text::Part& part : text.parts()) {
+            line +=
+                std::visit(Overloaded{[](const std::string& words) { return words; },
+                                      [&](const Formula& formula) { return to_text(formula, notation_); }},
+                           part);
+        }
+        return line;
+    }
+
+    std::string formulas(const std::vector<Formula>& list) const {
+        std::string text;
+        for (const Formula& formula : list) text += "  " + formula_lines(formula) + "\n";
+        return text;
+    }
+
+    /// On one line where it fits, otherwise a line for each side, and more where a side is too long.
+    std::string formula_lines(const Formula& formula) const {
+        const std::string whole = to_text(formula, notation_);
+        if (columns(whole) + 2 <= width_) return whole;
+        std::vector<std::vector<std::string>> sides;
+        for (const Piece& piece : pieces_of(formula, notation_)) {
+            if (sides.empty() || piece.begins_side) sides.emplace_back();
+            std::string text = text_of(piece.layout);
+            text.erase(0, text.find_first_not_of(' '));
+            sides.back().push_back(std::move(text));
+        }
+        const std::size_t left = sides.front().size() == 1 ? columns(sides.front().front()) : 0;
+        const std::size_t indent = left < width_ / 3 ? left + 3 : 6;
+        std::string text = wrapped(sides.front(), width_ - 2, 4);
+        for (std::size_t i = 1; i < sides.size(); ++i) {
+            text += i == 1 && indent == left + 3 ? " " : "\n" + std::string(indent, ' ');
+            text += wrapped(sides[i], width_ - indent, indent + 2);
+        }
+        return text;
+    }
+
+    std::string table_text(const Table& table) const {
+        std::vector<std::vector<std::string>> rows(1);
+        for (const Text& title : table.header) rows.front().push_back(line(title));
+        for (const auto& cells : table.rows) {
+            std::vector<std::string>& row = rows.emplace_back();
+            for (const Cell& cell : cells) row.push_back(line(cell.shown));
+        }
+        return text_table(rows);
+    }
+
+    std::string picture_text(const Picture& picture) const {
+        std::string text = wrapped(picture.caption + " " + picture.description, width_) + "\n\n";
+        std::vector<std::vector<std::string>> rows{{"point", "x", "y"}};
+        for (const PicturePoint& point : picture.points) {
+            rows.push_back(
+                {to_text(point.label, notation_), to_string(point.place.x), to_string(point.place.y)});
+        }
+        return text + text_table(rows);
+    }
+
+    std::string check(const Check& check) const {
+        return blocks(check.blocks) + (check.holds ? "This holds exactly.\n" : "This does NOT hold.\n");
+    }
+
+    const Notation& notation_;
+    std::size_t width_;
+};
+
+}  // namespace
+
+std::string render_text(const Document& document, const Notation& notation, std::size_t width) {
+    return Printer(notation, std::max<std::size_t>(width, 20)).print(document);
+}
+
+}  // namespace blossom::worked
