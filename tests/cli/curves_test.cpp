@@ -11,20 +11,6 @@ using namespace blossom::cli;
 
 namespace {
 
-std::string result(const std::string& request) {
-    const Json response = served("{" + request + "}");
-    const Json* found = response.find("result");
-    return found ? cli::to_text(*found) : cli::to_text(response);
-}
-
-/// The code of the error and its place.
-std::string refusal(const std::string& request) {
-    const Json response = served("{" + request + "}");
-    const Json* error = response.find("error");
-    if (!error) return cli::to_text(response);
-    return *error->find("code")->text() + " " + *error->find("at")->text();
-}
-
 const std::string cubic = R"("map": {"kind": "polynomial", "text": "1 + 2t + 4t^2 - t^3"})";
 const std::string spline = R"("map": {"kind": "bspline", "degree": 2, "knots": [0, 0, 0, 1, 2, 3, 3, 3],
                                       "control_points": [0, 2, 3, 1, 4]})";
@@ -38,45 +24,48 @@ const std::string quarter = R"("map": {"kind": "bspline", "degree": 2, "knots": 
 }  // namespace
 
 TEST_CASE("every kind of curve is evaluated") {
-    CHECK(result(R"("op": "evaluate", "at": [0, 3], )" + cubic) == R"({"values": ["1", "16"]})");
-    CHECK(result(R"("op": "evaluate", "at": [0, 1, "3/2", 3], )" + spline) ==
+    CHECK(result_text(R"("op": "evaluate", "at": [0, 3], )" + cubic) == R"({"values": ["1", "16"]})");
+    CHECK(result_text(R"("op": "evaluate", "at": [0, 1, "3/2", 3], )" + spline) ==
           R"({"values": ["0", "5/2", "21/8", "4"]})");
-    CHECK(result(R"("op": "evaluate", "at": [0, 1, "3/2", 3], )" + polar) ==
+    CHECK(result_text(R"("op": "evaluate", "at": [0, 1, "3/2", 3], )" + polar) ==
           R"({"values": ["0", "5/2", "21/8", "4"]})");
     // b(u, v) = u v - (u + v) / 2 + ... : the values at (3, 0), (0, 2) and (2, 1) are 0, 0 and 2.
-    CHECK(result(R"("op": "blossom", "arguments": [3, 0], )" + progressive) == R"({"value": "0"})");
-    CHECK(result(R"("op": "blossom", "arguments": [1, 2], )" + progressive) == R"({"value": "2"})");
-    CHECK(result(R"("op": "evaluate", "at": [2], "map": {"kind": "taylor", "center": 1,
+    CHECK(result_text(R"("op": "blossom", "arguments": [3, 0], )" + progressive) == R"({"value": "0"})");
+    CHECK(result_text(R"("op": "blossom", "arguments": [1, 2], )" + progressive) == R"({"value": "2"})");
+    CHECK(result_text(R"("op": "evaluate", "at": [2], "map": {"kind": "taylor", "center": 1,
                     "coefficients": [5, 0, "1/2"]})") == R"({"values": ["11/2"]})");
-    CHECK(result(R"("op": "evaluate", "at": ["1/2"], )" + quarter) == R"({"values": [["3/5", "4/5"]]})");
-    CHECK(refusal(R"("op": "evaluate", "at": [1], "map": {"kind": "samples", "degree": 0,
+    CHECK(result_text(R"("op": "evaluate", "at": ["1/2"], )" + quarter) == R"({"values": [["3/5", "4/5"]]})");
+    CHECK(refusal_text(R"("op": "evaluate", "at": [1], "map": {"kind": "samples", "degree": 0,
                      "values": [["1/2", 1]]})") == "wrong_kind /map");
-    CHECK(refusal(R"("op": "evaluate", "at": [1, 4], )" + spline) == "outside_domain /at/1");
+    CHECK(refusal_text(R"("op": "evaluate", "at": [1, 4], )" + spline) == "outside_domain /at/1");
 }
 
 TEST_CASE("the pyramid is the triangle of de Casteljau or de Boor") {
-    CHECK(result(R"("op": "evaluate", "pyramid": true, "at": ["1/2"],
+    CHECK(result_text(R"("op": "evaluate", "pyramid": true, "at": ["1/2"],
                     "map": {"kind": "bezier", "control_points": [0, 2, 0]})") ==
           R"({"values": ["1"], "pyramids": [[["0", "2", "0"], ["1", "1"], ["1"]]]})");
-    CHECK(result(R"("op": "evaluate", "pyramid": true, "at": ["3/2"], )" + spline) ==
+    CHECK(result_text(R"("op": "evaluate", "pyramid": true, "at": ["3/2"], )" + spline) ==
           R"({"values": ["21/8"], "pyramids": [[["2", "3", "1"], ["11/4", "5/2"], ["21/8"]]]})");
-    CHECK(result(R"("op": "evaluate", "pyramid": true, "at": ["1/2"], )" + quarter) ==
+    CHECK(result_text(R"("op": "evaluate", "pyramid": true, "at": ["1/2"], )" + quarter) ==
           R"({"values": [["3/5", "4/5"]], "pyramids": [[[["1", "0"], ["1", "1"], ["0", "1"]], )"
           R"([["1", "1/2"], ["1/3", "1"]], [["3/5", "4/5"]]]], )"
           R"("pyramid_weights": [[["1", "1", "2"], ["1", "3/2"], ["5/4"]]]})");
 }
 
 TEST_CASE("a segment of a spline is named where there are several") {
-    CHECK(result(R"("op": "blossom", "segment": 3, "arguments": [1, 2], )" + spline) == R"({"value": "3"})");
-    CHECK(result(R"("op": "blossom", "segment": 2, "arguments": [1, 2], )" + polar) == R"({"value": "3"})");
-    CHECK(result(R"("op": "blossom", "segment": 3, "arguments": [1, 2], "construction": "polarization", )" +
-                 spline) == R"({"value": "3"})");
-    CHECK(refusal(R"("op": "blossom", "arguments": [1, 2], )" + spline) == "outside_domain /segment");
-    CHECK(refusal(R"("op": "blossom", "segment": 1, "arguments": [1, 2], )" + spline) ==
+    CHECK(result_text(R"("op": "blossom", "segment": 3, "arguments": [1, 2], )" + spline) ==
+          R"({"value": "3"})");
+    CHECK(result_text(R"("op": "blossom", "segment": 2, "arguments": [1, 2], )" + polar) ==
+          R"({"value": "3"})");
+    CHECK(result_text(
+              R"("op": "blossom", "segment": 3, "arguments": [1, 2], "construction": "polarization", )" +
+              spline) == R"({"value": "3"})");
+    CHECK(refusal_text(R"("op": "blossom", "arguments": [1, 2], )" + spline) == "outside_domain /segment");
+    CHECK(refusal_text(R"("op": "blossom", "segment": 1, "arguments": [1, 2], )" + spline) ==
           "outside_domain /segment");
-    CHECK(refusal(R"("op": "blossom", "segment": 1, "arguments": [1, 2, 3], )" + cubic) ==
+    CHECK(refusal_text(R"("op": "blossom", "segment": 1, "arguments": [1, 2, 3], )" + cubic) ==
           "unknown_field /segment");
-    CHECK(refusal(R"("op": "blossom", "segment": 3, "arguments": [1], )" + spline) ==
+    CHECK(refusal_text(R"("op": "blossom", "segment": 3, "arguments": [1], )" + spline) ==
           "wrong_arity /arguments");
 }
 
@@ -105,16 +94,16 @@ TEST_CASE("derivatives of rational maps follow the quotient rule, as values and 
     const std::string circle =
         R"("map": {"kind": "polynomial", "text": ["1 - t^2", "2t"], "denominator": "1 + t^2"})";
     // C' = (-4t, 2 - 2t^2) / (1 + t^2)^2
-    CHECK(result(R"("op": "derivative", "at": [0, 1], )" + circle) ==
+    CHECK(result_text(R"("op": "derivative", "at": [0, 1], )" + circle) ==
           R"({"values": [["0", "2"], ["-1", "0"]]})");
-    CHECK(result(R"("op": "derivative", )" + circle) ==
+    CHECK(result_text(R"("op": "derivative", )" + circle) ==
           R"({"map": {"kind": "polynomial", "degree": 4, "coefficients": [["0", "2"], ["-4", "0"], )"
           R"(["0", "-2"], ["0", "0"], ["0", "0"]], "denominator": ["1", "0", "2", "0", "1"]}})");
-    CHECK(result(R"("op": "derivative", "at": [0, 1], )" + quarter) ==
+    CHECK(result_text(R"("op": "derivative", "at": [0, 1], )" + quarter) ==
           R"({"values": [["0", "2"], ["-1", "0"]]})");
     const Json derived = served(R"({"op": "derivative", )" + quarter + "}");
-    CHECK(result(R"("op": "evaluate", "at": [0, 1], "map": )" +
-                 cli::to_text(*at_pointer(derived, "/result/map"))) ==
+    CHECK(result_text(R"("op": "evaluate", "at": [0, 1], "map": )" +
+                      cli::to_text(*at_pointer(derived, "/result/map"))) ==
           R"({"values": [["0", "2"], ["-1", "0"]]})");
 }
 
@@ -122,18 +111,19 @@ TEST_CASE("an arc of the circle over any parameters stays on the circle") {
     const Json arc = served(
         R"({"op": "control-points", "interval": ["-1/3", "5/2"], "degree": 4,
             "map": {"kind": "polynomial", "text": ["1 - t^2", "2t"], "denominator": "1 + t^2"}})");
-    CHECK(result(R"("op": "evaluate", "at": ["-1/3", "5/2"], "map": )" +
-                 cli::to_text(*at_pointer(arc, "/result/map"))) ==
+    CHECK(result_text(R"("op": "evaluate", "at": ["-1/3", "5/2"], "map": )" +
+                      cli::to_text(*at_pointer(arc, "/result/map"))) ==
           R"({"values": [["4/5", "-3/5"], ["-21/29", "20/29"]]})");
 }
 
 TEST_CASE("part of a spline is a Bezier curve on one span, a spline on several") {
     CHECK(
-        result(R"("op": "control-points", "interval": [1, 2], )" + spline) ==
+        result_text(R"("op": "control-points", "interval": [1, 2], )" + spline) ==
         R"({"map": {"kind": "bezier", "degree": 2, "interval": ["1", "2"], "control_points": ["5/2", "3", "2"]}})");
     CHECK(served_at("/result/map/knots", R"({"op": "control-points", "interval": ["1/2", 2], )" + spline +
                                              "}") == R"(["1/2", "1/2", "1/2", "1", "2", "2", "2"])");
-    CHECK(refusal(R"("op": "control-points", "interval": [2, 4], )" + spline) == "outside_domain /interval");
+    CHECK(refusal_text(R"("op": "control-points", "interval": [2, 4], )" + spline) ==
+          "outside_domain /interval");
 }
 
 TEST_CASE("rational curves meet as the curves that they are, or as homogeneous ones") {
@@ -141,7 +131,7 @@ TEST_CASE("rational curves meet as the curves that they are, or as homogeneous o
     const std::string maps =
         R"("at": 1, "maps": [{"kind": "polynomial", "text": ["t"], "denominator": "1 + t^2"},
                              {"kind": "polynomial", "text": ["t + t^2"], "denominator": "(1 + t)^1(1 + t^2)^1"}])";
-    CHECK(result(R"("op": "continuity", )" + maps) ==
+    CHECK(result_text(R"("op": "continuity", )" + maps) ==
           R"({"order": "infinite", "reason": "The curves are the same rational map at 1"})");
     const std::string plain =
         R"("at": 1, "maps": [{"kind": "polynomial", "text": "t", "denominator": "1"},
@@ -152,34 +142,36 @@ TEST_CASE("rational curves meet as the curves that they are, or as homogeneous o
                              {"kind": "polynomial", "text": "t^2", "denominator": "1"}])";
     CHECK(served_at("/result/first_difference", R"({"op": "continuity", )" + different + "}") ==
           R"({"derivative": 1, "left": "1", "right": "2"})");
-    CHECK(refusal(R"("op": "continuity", "at": 1, "maps": [{"kind": "polynomial", "text": "t"}])") ==
+    CHECK(refusal_text(R"("op": "continuity", "at": 1, "maps": [{"kind": "polynomial", "text": "t"}])") ==
           "wrong_arity /maps");
-    CHECK(refusal(R"("op": "continuity", "at": 3, )" + spline) == "outside_domain /at");
+    CHECK(refusal_text(R"("op": "continuity", "at": 3, )" + spline) == "outside_domain /at");
 }
 
 TEST_CASE("roots are found once, with their multiplicities, on splines and rational maps too") {
     CHECK(
-        result(
+        result_text(
             R"("op": "roots", "interval": [3, -3], "map": {"kind": "polynomial", "text": "(t + 2)(t - 1)^2"})") ==
         R"({"roots": [{"value": "-2", "multiplicity": 1}, {"value": "1", "multiplicity": 2}]})");
-    CHECK(result(R"("op": "roots", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
+    CHECK(result_text(R"("op": "roots", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
                     "control_points": [1, 0, -1]})") == R"({"roots": [{"value": "1", "multiplicity": 1}]})");
-    CHECK(result(R"("op": "roots", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
+    CHECK(result_text(R"("op": "roots", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
                     "control_points": [1, -1, 0]})") ==
           R"({"roots": [{"value": "1/2", "multiplicity": 1}, {"value": "2", "multiplicity": 1}]})");
-    CHECK(
-        result(R"("op": "roots", "map": {"kind": "polynomial", "text": "t^2 - 1/4t", "denominator": "t"})") ==
-        R"({"roots": [{"value": "1/4", "multiplicity": 1}]})");
-    CHECK(refusal(R"("op": "roots", "map": {"kind": "polynomial", "text": ["t"]})") == "wrong_kind /map");
-    CHECK(refusal(R"("op": "roots", "width": 0, )" + cubic) == "wrong_kind /width");
+    CHECK(result_text(
+              R"("op": "roots", "map": {"kind": "polynomial", "text": "t^2 - 1/4t", "denominator": "t"})") ==
+          R"({"roots": [{"value": "1/4", "multiplicity": 1}]})");
+    CHECK(refusal_text(R"("op": "roots", "map": {"kind": "polynomial", "text": ["t"]})") ==
+          "wrong_kind /map");
+    CHECK(refusal_text(R"("op": "roots", "width": 0, )" + cubic) == "wrong_kind /width");
 }
 
 TEST_CASE("weights of zero are refused unless the points carry their weights") {
     const std::string points = R"("op": "evaluate", "at": ["1/2"], "map": {"kind": "bspline", "degree": 1,
                                    "knots": [0, 0, 1, 1], "control_points": )";
-    CHECK(refusal(points + R"([[1], [2]], "weights": [1, 0]})") == "zero_weight /map/weights/1");
-    CHECK(result(points + R"([[1, 1], [2, 0]], "homogeneous": true})") == R"({"values": [["3/2", "1/2"]]})");
-    CHECK(refusal(R"("op": "evaluate", "at": ["1/2"], "map": {"kind": "bezier", "control_points": [1, 1],
+    CHECK(refusal_text(points + R"([[1], [2]], "weights": [1, 0]})") == "zero_weight /map/weights/1");
+    CHECK(result_text(points + R"([[1, 1], [2, 0]], "homogeneous": true})") ==
+          R"({"values": [["3/2", "1/2"]]})");
+    CHECK(refusal_text(R"("op": "evaluate", "at": ["1/2"], "map": {"kind": "bezier", "control_points": [1, 1],
                       "weights": [1, -1]})") == "zero_weight /at/0");
 }
 
@@ -188,13 +180,14 @@ TEST_CASE("curves are refused where they are not taken, with the kinds that are"
     CHECK(*at_pointer(response, "/error/message")->text() ==
           "a map of kind polynomial is not taken here; taken are: bspline");
     for (const std::string op : {R"("agree")", R"("segments")"}) {
-        CHECK(
-            refusal(R"("op": )" + op + R"(, "map": {"kind": "samples", "degree": 0, "values": [[0, 1]]})") ==
-            "wrong_kind /map");
+        CHECK(refusal_text(R"("op": )" + op +
+                           R"(, "map": {"kind": "samples", "degree": 0, "values": [[0, 1]]})") ==
+              "wrong_kind /map");
     }
-    CHECK(refusal(R"("op": "insert-knots", "knots": [1], )" + progressive) == "wrong_kind /map");
-    CHECK(refusal(R"("op": "join", "maps": [{"kind": "polynomial", "text": "t"}])") == "wrong_kind /maps/0");
-    CHECK(refusal(R"("op": "join", "maps": [])") == "wrong_arity /maps");
+    CHECK(refusal_text(R"("op": "insert-knots", "knots": [1], )" + progressive) == "wrong_kind /map");
+    CHECK(refusal_text(R"("op": "join", "maps": [{"kind": "polynomial", "text": "t"}])") ==
+          "wrong_kind /maps/0");
+    CHECK(refusal_text(R"("op": "join", "maps": [])") == "wrong_arity /maps");
 }
 
 TEST_CASE("every operation gives rounded numbers beside the exact ones") {
@@ -206,7 +199,7 @@ TEST_CASE("every operation gives rounded numbers beside the exact ones") {
              R"("op": "roots", )" + spline, R"("op": "basis-functions", "degree": 1, "knots": [0, 0, 1, 1])",
              R"("op": "graph", )" + spline, R"("op": "convert", "to": "taylor", )" + cubic}) {
         CAPTURE(request);
-        CHECK(result(request + R"(, "numbers": "double")").find("_double\": ") != std::string::npos);
-        CHECK(result(request + R"(, "numbers": "hexfloat")").find("_hex\": ") != std::string::npos);
+        CHECK(result_text(request + R"(, "numbers": "double")").find("_double\": ") != std::string::npos);
+        CHECK(result_text(request + R"(, "numbers": "hexfloat")").find("_hex\": ") != std::string::npos);
     }
 }

@@ -14,19 +14,6 @@ using namespace blossom::testing;
 
 namespace {
 
-std::string result(const std::string& request) {
-    const Json response = served("{" + request + "}");
-    const Json* found = response.find("result");
-    return found ? cli::to_text(*found) : cli::to_text(response);
-}
-
-std::string refusal(const std::string& request) {
-    const Json response = served("{" + request + "}");
-    const Json* error = response.find("error");
-    if (!error) return cli::to_text(response);
-    return *error->find("code")->text() + " " + *error->find("at")->text();
-}
-
 Json number(const std::string& text) { return Json::Number{text}; }
 
 }  // namespace
@@ -60,20 +47,20 @@ TEST_CASE("the unit in the last place is the distance of the doubles around a nu
 TEST_CASE("an audit gives the exact error of each number, and its size in units in the last place") {
     const std::string map = R"("op": "audit", "map": {"kind": "bezier", "control_points": ["0", "1/3"]}, )";
     CHECK(
-        result(map + R"("computed": {"control_points": [0, 0.3333333333333333]})") ==
+        result_text(map + R"("computed": {"control_points": [0, 0.3333333333333333]})") ==
         R"({"errors": {"control_points": ["0", "-1/54043195528445952"]}, )"
         R"("ulps": {"control_points": ["0", "1/3"]}, "greatest_ulps": "1/3", "numbers": 2, "not_nearest": 0})");
     CHECK(served_at("/result/not_nearest",
                     "{" + map + R"("computed": {"control_points": [5e-324, 0.33333333333333337]}})") == "2");
-    CHECK(refusal(map + R"("computed": {"control_points": [0]})") ==
+    CHECK(refusal_text(map + R"("computed": {"control_points": [0]})") ==
           "mismatched_dimensions /computed/control_points");
-    CHECK(refusal(map + R"("computed": {"control_points": [0, [1]]})") ==
+    CHECK(refusal_text(map + R"("computed": {"control_points": [0, [1]]})") ==
           "mismatched_dimensions /computed/control_points/1");
-    CHECK(refusal(map + R"("computed": {"control_points": [0, null]})") ==
+    CHECK(refusal_text(map + R"("computed": {"control_points": [0, null]})") ==
           "not_a_number /computed/control_points/1");
-    CHECK(refusal(map + R"("computed": {"knots": [0]})") == "wrong_kind /computed/knots");
-    CHECK(refusal(map + R"("computed": {})") == "missing_field /computed/control_points");
-    CHECK(refusal(map + R"("computed": {"points": []})") == "unknown_field /computed/points");
+    CHECK(refusal_text(map + R"("computed": {"knots": [0]})") == "wrong_kind /computed/knots");
+    CHECK(refusal_text(map + R"("computed": {})") == "missing_field /computed/control_points");
+    CHECK(refusal_text(map + R"("computed": {"points": []})") == "unknown_field /computed/points");
 }
 
 TEST_CASE("what is exported is imported again, with its numbers rounded") {
@@ -87,7 +74,7 @@ TEST_CASE("what is exported is imported again, with its numbers rounded") {
                       R"({"op": "export", "format": ")" + format + R"(", )" + spline + weights + "}");
         CAPTURE(format, document);
         const std::string read =
-            result(R"("op": "import", "format": ")" + format + R"(", "document": )" + document);
+            result_text(R"("op": "import", "format": ")" + format + R"(", "document": )" + document);
         CHECK(read == R"({"maps": [{"kind": "bspline", "degree": 1, "knots": ["0", "0", "1/2", "1/2"], )"
                       R"("control_points": [["6004799503160661/18014398509481984", "2"], ["5", "-1"]])" +
                           std::string(weighted ? R"(, "weights": ["3", "1/2"])" : "") + "}]}");
@@ -95,26 +82,27 @@ TEST_CASE("what is exported is imported again, with its numbers rounded") {
 }
 
 TEST_CASE("files as the other libraries write them are read") {
-    CHECK(result(R"("op": "import", "format": "geomdl", "document": {"shape": {"type": "curve", "count": 1,
+    CHECK(
+        result_text(R"("op": "import", "format": "geomdl", "document": {"shape": {"type": "curve", "count": 1,
                     "data": [{"type": "spline", "rational": false, "dimension": 2, "degree": 1,
                               "knotvector": [0.0, 0.0, 1.0, 1.0], "delta": 0.01,
                               "control_points": {"points": [[0.0, 0.5], [1.0, 2.0]]}}]}})") ==
-          R"({"maps": [{"kind": "bspline", "degree": 1, "knots": ["0", "0", "1", "1"], )"
-          R"("control_points": [["0", "1/2"], ["1", "2"]]}]})");
-    CHECK(result(R"("op": "import", "format": "splinepy", "document": {"Name": "SplineGroup",
+        R"({"maps": [{"kind": "bspline", "degree": 1, "knots": ["0", "0", "1", "1"], )"
+        R"("control_points": [["0", "1/2"], ["1", "2"]]}]})");
+    CHECK(result_text(R"("op": "import", "format": "splinepy", "document": {"Name": "SplineGroup",
                     "NumberOfSplines": 1, "Base64Encoding": false, "SplineList": [{"degrees": [1],
                     "control_points": [[0.0], [1.0]], "weights": [[1.0], [2.0]],
                     "SplineType": "RationalBezier", "dim": 1, "para_dim": 1}]})") ==
           R"({"maps": [{"kind": "bspline", "degree": 1, "knots": ["0", "0", "1", "1"], )"
           R"("control_points": [["0"], ["1"]], "weights": ["1", "2"]}]})");
-    CHECK(refusal(R"("op": "import", "format": "tinyspline", "document": {"degree": 1, "dimension": 2,
+    CHECK(refusal_text(R"("op": "import", "format": "tinyspline", "document": {"degree": 1, "dimension": 2,
                      "control_points": [0, 1, 2], "knots": [0, 0, 1, 1]})") ==
           "mismatched_dimensions /document/control_points");
-    CHECK(refusal(R"("op": "import", "format": "splinepy", "document": {"Base64Encoding": true})") ==
+    CHECK(refusal_text(R"("op": "import", "format": "splinepy", "document": {"Base64Encoding": true})") ==
           "wrong_kind /document/Base64Encoding");
-    CHECK(refusal(R"("op": "import", "format": "geomdl", "document": {"shape": {"type": "surface"}})") ==
+    CHECK(refusal_text(R"("op": "import", "format": "geomdl", "document": {"shape": {"type": "surface"}})") ==
           "wrong_kind /document/shape/type");
-    CHECK(refusal(R"("op": "import", "format": "iges", "document": {})") == "wrong_kind /format");
-    CHECK(refusal(R"("op": "export", "format": "tinyspline", "map": {"kind": "bezier",
+    CHECK(refusal_text(R"("op": "import", "format": "iges", "document": {})") == "wrong_kind /format");
+    CHECK(refusal_text(R"("op": "export", "format": "tinyspline", "map": {"kind": "bezier",
                      "control_points": [1], "weights": [2]})") == "wrong_kind /map");
 }

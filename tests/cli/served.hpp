@@ -22,4 +22,19 @@ inline std::string served_at(std::string_view pointer, std::string_view line, co
     return place ? to_text(*place) : "";
 }
 
+/// The result of a request without its braces, as JSON text; the whole response when it is refused.
+inline std::string result_text(const std::string& request, const Limits& limits = {}) {
+    const Json response = served("{" + request + "}", limits);
+    const Json* found = response.find("result");
+    return to_text(found ? *found : response);
+}
+
+/// The code and the place of the error, "wrong_kind /map"; the whole response when there is none.
+inline std::string refusal_text(const std::string& request, const Limits& limits = {}) {
+    const Json response = served("{" + request + "}", limits);
+    const Json* error = response.find("error");
+    if (!error) return to_text(response);
+    return *error->find("code")->text() + " " + *error->find("at")->text();
+}
+
 }  // namespace blossom::cli

@@ -25,7 +25,7 @@ Basis read_basis(const Json& value) {
 }
 
 struct Conversion {
-    Basis to;
+    Basis to = Basis::monomial;
     std::optional<Interval> interval;
     Rational center;
     std::optional<std::size_t> span;

@@ -17,6 +17,7 @@ namespace {
 std::vector<BezierCurve> bezier_curves(std::vector<Map>& maps, const Limits& limits) {
     make_form_common(maps, limits);
     std::vector<BezierCurve> curves;
+    curves.reserve(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i) {
         curves.push_back(serve<BezierCurve>(
             maps[i], [](const BezierCurve& curve) { return curve; }, "/maps/" + std::to_string(i)));

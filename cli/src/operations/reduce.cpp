@@ -31,8 +31,8 @@ struct Reduced {
 };
 
 struct Reduce {
-    std::size_t degree;
-    ReductionMethod method;
+    std::size_t degree = 0;
+    ReductionMethod method = ReductionMethod::least_squares;
     std::optional<Interval> interval;
     const Limits& limits;
 
