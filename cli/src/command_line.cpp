@@ -176,12 +176,15 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
     const CLI::Option* format = flag("--format", "print the files in canonical form instead");
     const CLI::Option* quiet = flag("--quiet", "print only what is not as expected, and the summary");
     const CLI::Option* as_json = flag("--json", "print one line of JSON for each claim");
+    const CLI::Option* certificate =
+        add_value(*command, "--certificate", "FILE", "write a record of each proof, for check-certificate");
+    const CLI::Option* coq = add_value(*command, "--coq", "FILE", "write the proved cases as lemmas of Coq");
     const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
     const LimitOptions limits(*command);
     command->footer([&operation] { return example_text(operation); });
     const auto action = [=](const Streams& streams) {
         return prove({results_of(*paths), results_of(*statements), results_of(*degrees), format->count() > 0,
-                      as_json->count() > 0, quiet->count() > 0,
+                      as_json->count() > 0, quiet->count() > 0, result_of(*certificate), result_of(*coq),
                       integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs), limits.read()},
                      streams);
     };
@@ -203,6 +206,22 @@ Subcommand add_explain(CLI::App& app, const Operation& explain) {
 Subcommand add_own_command(CLI::App& app, const Operation& operation) {
     return operation.name == explain_operation().name ? add_explain(app, operation)
                                                       : add_prove(app, operation);
+}
+
+Subcommand add_check_certificate(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("check-certificate", "Check the proofs that prove --certificate has recorded");
+    const CLI::Option* file =
+        add_value(*command, "FILE", "", "the certificate; \"-\" is the standard input")->required();
+    const LimitOptions limits(*command);
+    command->footer(
+        "Example:\n"
+        "  $ blossom check-certificate proofs.json\n"
+        "  12 proofs confirmed, 0 problems");
+    const auto action = [=](const Streams& streams) {
+        return check_certificate_file(result_of(*file), limits.read(), streams);
+    };
+    return {command, action};
 }
 
 Subcommand add_batch(CLI::App& app) {
@@ -266,6 +285,7 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
         commands.push_back(operation.has_own_command ? add_own_command(app, operation)
                                                      : add_operation(app, operation));
     }
+    commands.push_back(add_check_certificate(app));
     commands.push_back(add_batch(app));
     commands.push_back(add_completion(app));
 

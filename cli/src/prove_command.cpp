@@ -1,6 +1,7 @@
 #include "prove_command.hpp"
 
 #include <fmt/format.h>
+#include <blossom/proofs/coq.hpp>
 #include <blossom/proofs/formatter.hpp>
 #include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>
@@ -9,10 +10,13 @@
 #include <atomic>
 #include <condition_variable>
 #include <filesystem>
+#include <fstream>
 #include <mutex>
 #include <thread>
 
+#include "proof_certificate.hpp"
 #include "decisions.hpp"
+#include "json_text.hpp"
 #include "operations/map_options.hpp"
 
 namespace blossom::cli {
@@ -27,9 +31,13 @@ struct Text {
 
 /// A block on its way: decided by some thread, reported in order.
 struct Task {
-    const Text* text;
-    const proofs::Block* block;
-    std::vector<proofs::Decision> decisions;
+    std::size_t number = 0;
+    const Text* text = nullptr;
+    const proofs::Block* block = nullptr;
+    std::vector<proofs::Decision> decisions = {};
+    Json::Array certificates = {};
+    std::vector<std::string> lemmas = {};
+    std::size_t without_lemma = 0;
     bool done = false;
 };
 
@@ -129,6 +137,44 @@ std::string report_text(const Task& task, const proofs::Decision& decision, cons
     return text;
 }
 
+std::string block_text(const proofs::Block& block) {
+    std::string text;
+    for (const proofs::Statement& statement : block.statements) text += proofs::to_text(statement) + "\n";
+    return text;
+}
+
+/// "block_7_fj_eq20_n_3": what a case is called in Coq, apart from its number.
+std::string lemma_name(const Task& task, const proofs::ProvedCase& proved) {
+    std::string name = fmt::format("block_{}_{}", task.number + 1, task.block->id);
+    for (const auto& [parameter, value] : proved.block.parameters)
+        name += "_" + parameter + "_" + std::to_string(value);
+    for (char& c : name) {
+        if (c == '-' || c == '.') c = '_';
+    }
+    return name;
+}
+
+/// Decides one task, with the records that are asked for.
+void decide(Task& task, const ProveCommand& command) {
+    const std::string text = command.certificate.empty() ? "" : block_text(*task.block);
+    const auto record = [&](const proofs::ProvedCase& proved) {
+        if (!command.certificate.empty())
+            task.certificates.push_back(certificate_entry(proved, task.block->id, text));
+        if (command.coq.empty()) return;
+        const std::size_t line = proofs::place_of(task.text->content, proved.relation.offset).line;
+        const std::string name =
+            fmt::format("{}_line_{}_{}", lemma_name(task, proved), line, task.lemmas.size());
+        if (auto lemma = proofs::coq_lemma(proved, name)) {
+            task.lemmas.push_back(std::move(*lemma));
+        } else {
+            ++task.without_lemma;
+        }
+    };
+    const bool records = !command.certificate.empty() || !command.coq.empty();
+    task.decisions =
+        proofs::decide(*task.block, command.limits, records ? proofs::ProofListener(record) : nullptr);
+}
+
 /// Decides the tasks on several threads and hands each to `report` in order.
 void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
                const std::function<void(const Task&)>& report) {
@@ -137,9 +183,8 @@ void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
         for (std::size_t i = next++; i < tasks.size(); i = next++) {
-            auto decisions = proofs::decide(*tasks[i].block, command.limits);
+            decide(tasks[i], command);
             const std::scoped_lock lock(mutex);
-            tasks[i].decisions = std::move(decisions);
             tasks[i].done = true;
             finished.notify_one();
         }
@@ -204,7 +249,44 @@ Json line_of(const Task& task, const proofs::Decision& decision) {
     return line;
 }
 
+/// Writes a file. Errors: std::system_error.
+void write_file(const std::string& path, std::string_view text) {
+    std::ofstream file(path, std::ios::binary);
+    file.write(text.data(), static_cast<std::streamsize>(text.size()));
+    file.close();
+    if (!file) throw std::system_error(errno, std::generic_category(), path);
+}
+
+void write_records(std::vector<Task>& tasks, const ProveCommand& command, const Streams& streams) {
+    if (!command.certificate.empty()) {
+        Json::Array entries;
+        for (Task& task : tasks) std::ranges::move(task.certificates, std::back_inserter(entries));
+        write_file(command.certificate, to_text(sealed_certificate(std::move(entries))) + "\n");
+    }
+    if (command.coq.empty()) return;
+    std::string text = proofs::coq_preamble();
+    std::size_t without = 0;
+    for (const Task& task : tasks) {
+        for (const std::string& lemma : task.lemmas) text += lemma;
+        without += task.without_lemma;
+    }
+    write_file(command.coq, text);
+    if (without > 0 && !command.as_json) {
+        streams.output(fmt::format(
+            "{} cases have no lemma: they have hypotheses, maps of several variables, or are too long\n",
+            without));
+    }
+}
+
 }  // namespace
+
+Outcome check_certificate_file(const std::string& path, const Limits& limits, const Streams& streams) {
+    const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
+    const CertificateCheck check = check_certificate(parse_json(text, limits));
+    for (const std::string& problem : check.problems) streams.output(problem + "\n");
+    streams.output(fmt::format("{} proofs confirmed, {} problems\n", check.confirmed, check.problems.size()));
+    return check.problems.empty() ? Outcome::success : Outcome::refused;
+}
 
 Outcome prove(const ProveCommand& command, const Streams& streams) {
     const std::vector<Text> texts = read_texts(command, streams);
@@ -216,7 +298,8 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
         rows.back().second.unread = text.document.errors.size();
         for (const Error& error : text.document.errors)
             streams.errors(proofs::diagnostic(text.name, text.content, error));
-        for (const proofs::Block& block : text.document.blocks) tasks.push_back({&text, &block, {}, false});
+        for (const proofs::Block& block : text.document.blocks)
+            tasks.push_back({.number = tasks.size(), .text = &text, .block = &block});
     }
     const Style style(streams.coloured_output);
     std::size_t reported = 0;
@@ -243,6 +326,7 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
     if (!command.as_json && (command.paths.size() + command.statements.size() > 1 || tasks.size() > 1)) {
         streams.output(summary_text(rows));
     }
+    write_records(tasks, command, streams);
     Count total;
     for (const auto& [name, count] : rows) total.add(count);
     if (total.unread > 0) return Outcome::wrong_usage;

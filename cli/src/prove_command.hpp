@@ -19,6 +19,8 @@ struct ProveCommand {
     bool only_format = false;
     bool as_json = false;
     bool quiet = false;
+    std::string certificate;  ///< the file for it, or empty
+    std::string coq;          ///< the file for lemmas, or empty
     std::size_t jobs = 1;
     Limits limits;
 };
@@ -26,5 +28,8 @@ struct ProveCommand {
 /// Decides everything and reports it in order. Success when all is as expected, `refused` when something is
 /// not, `wrong_usage` when a text could not be read.
 Outcome prove(const ProveCommand& command, const Streams& streams);
+
+/// Checks the certificates of a file and says how many proofs were confirmed. `refused` when one was not.
+Outcome check_certificate_file(const std::string& path, const Limits& limits, const Streams& streams);
 
 }  // namespace blossom::cli

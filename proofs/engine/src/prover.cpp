@@ -38,7 +38,7 @@ public:
 
     void prepare() { elimination_.solve(); }
 
-    void decide(const Relation& relation, Decision& decision) {
+    void decide(const Relation& relation, Decision& decision, const ProofListener& on_proof) {
         const Fraction left = expander_(relation.left);
         const Fraction right = expander_(relation.right);
         decision.terms += left.numerator.size();
@@ -53,7 +53,14 @@ public:
                 decision.conditions.push_back(text);
         }
         ++decision.cases;
-        if (difference.is_zero()) return;
+        if (difference.is_zero()) {
+            if (on_proof && decision.expects_proof) {
+                std::vector<std::size_t> solved;
+                for (const auto& solution : elimination_.solutions()) solved.push_back(solution.symbol);
+                on_proof({block_, relation, left, field.factors(), std::move(solved)});
+            }
+            return;
+        }
         std::vector<SparsePolynomial> nonzero;
         for (const std::size_t factor : conditions) {
             nonzero.push_back(elimination_.reduced(field.factors()[factor]));
@@ -120,7 +127,7 @@ std::string_view verdict_name(Verdict verdict) {
     }
 }
 
-std::vector<Decision> decide(const Block& block, const Limits& limits) {
+std::vector<Decision> decide(const Block& block, const Limits& limits, const ProofListener& on_proof) {
     std::vector<Decision> decisions = lines_of(block);
     const auto is_open = [](const Decision& decision) { return decision.verdict == Verdict::proved; };
     try {
@@ -133,7 +140,7 @@ std::vector<Decision> decide(const Block& block, const Limits& limits) {
                 Decision& decision = *std::ranges::find(decisions, relation.statement, &Decision::statement);
                 if (!is_open(decision)) continue;
                 try {
-                    decided.decide(relation, decision);
+                    decided.decide(relation, decision, on_proof);
                 } catch (const Error& error) {
                     record(decision, error);
                 }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <blossom/proofs/fraction.hpp>
 #include <blossom/proofs/ground.hpp>
 #include <blossom/proofs/parser.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -58,6 +61,16 @@ struct Decision {
     bool as_expected() const { return verdict == (expects_proof ? Verdict::proved : Verdict::refuted); }
 };
 
+/// One case of a claim that was proved, while its expansion is at hand.
+struct ProvedCase {
+    const GroundBlock& block;
+    const Relation& relation;
+    const Fraction& left;                          ///< the normal form of the left side
+    const std::vector<SparsePolynomial>& factors;  ///< those of its denominator, by number
+    std::vector<std::size_t> solved;               ///< the symbols that the hypotheses gave, in order
+};
+using ProofListener = std::function<void(const ProvedCase& proved)>;
+
 /// Decides every claim and refutation of a block, for every choice of the parameters, exactly.
 ///
 /// A claim is proved when both sides, expanded to rational functions of the coefficients and the variables,
@@ -65,7 +78,9 @@ struct Decision {
 /// the least case with a difference gives the counterexample. No sampling: see docs/identity-language.md.
 ///
 /// Cost: that of the expansions, within `limits.expansion_terms` and `limits.expansion_work` for each case.
-/// Errors are in the decisions, each with its offset in the text.
-std::vector<Decision> decide(const Block& block, const Limits& limits = {});
+/// Errors are in the decisions, each with its offset in the text. `on_proof` hears of every case of a claim
+/// that was proved.
+std::vector<Decision> decide(const Block& block, const Limits& limits = {},
+                             const ProofListener& on_proof = {});
 
 }  // namespace blossom::proofs
