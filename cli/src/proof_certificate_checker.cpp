@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
-#include "proof_certificate.hpp"
 #include "fields.hpp"
+#include "proof_certificate.hpp"
 
 /// The checker of certificates. Slow and plain on purpose: polynomials are maps from exponents to numbers,
 /// the blossom is the sum over all ways to choose a monomial from the arguments.

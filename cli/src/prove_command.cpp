@@ -14,10 +14,10 @@
 #include <mutex>
 #include <thread>
 
-#include "proof_certificate.hpp"
 #include "decisions.hpp"
 #include "json_text.hpp"
 #include "operations/map_options.hpp"
+#include "proof_certificate.hpp"
 
 namespace blossom::cli {
 

@@ -105,3 +105,32 @@ TEST_CASE("what is wrong in a statement is said where it is") {
     CHECK(message("let x = x\nclaim x == 1") == "8 the abbreviation x refers to itself");
     CHECK(message("for n in 3..2\nclaim 1 == 1").ends_with("a range is empty"));
 }
+
+TEST_CASE("a claim for no case at all is not proved") {
+    CHECK(verdicts("given a == b\nclaim (a - b)/(a - b) == 1").find("leave no case") != std::string::npos);
+    CHECK(verdicts("assume a != b\ngiven a == b\nclaim a == b").find("leave no case") != std::string::npos);
+    const auto decisions = decided("given x/(a - b) == 1\nclaim x == a - b");
+    CHECK(decisions[0].verdict == proofs::Verdict::proved);
+    CHECK(decisions[0].conditions == std::vector<std::string>{"a != b"});
+}
+
+TEST_CASE("what would take too long or too much is refused before it does") {
+    Limits small;
+    small.expansion_work = 1'000'000;
+    small.expansion_terms = 10'000;
+    const auto is_refused = [&](const std::string& text) {
+        return verdicts(text, small).find("exceeds the limit") != std::string::npos;
+    };
+    CHECK(is_refused("for n in 1..1000000000000\nclaim 1 == 1"));
+    CHECK(is_refused("claim 1 == 1 for i in 1..1000000000000"));
+    CHECK(is_refused("claim sum(i, 1, 1000000000000, 1) == 1"));
+    CHECK(is_refused("claim sum(i, 1, 10000, sum(j, 1, 10000, 1)) == 1"));
+    CHECK(is_refused("claim sum(S, subsets(100, 50), 1) == 1"));
+    CHECK(is_refused("claim (a + b + c + d)^1000 == 1"));
+    CHECK(is_refused("claim factorial(1000000) == 1"));
+    CHECK(is_refused("claim 2^100000000 == 1"));
+    CHECK(is_refused("map b degree 1000\nclaim b(t) == 1"));
+    CHECK(is_refused("map b degree 40\nclaim b[t_1..t_40] == 1"));
+    CHECK(is_refused("let x_i = x_{i+1}\nclaim x_1 == 1"));
+    CHECK(verdicts("claim t_{10000000000000000000} == 1").find("expected an integer") != std::string::npos);
+}

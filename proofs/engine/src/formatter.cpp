@@ -212,20 +212,17 @@ std::string formatted(const Document& document) {
     std::string text;
     auto comment = document.comments.begin();
     const auto print_comments_before = [&](std::size_t offset) {
-        bool printed = false;
         for (; comment != document.comments.end() && comment->offset < offset; ++comment) {
             if (comment->own_line) {
-                // Comments above a head belong to it: the empty line stands before them.
-                printed = true;
                 text += comment->text + "\n";
             } else if (!text.empty()) {
                 text.insert(text.size() - 1, "  " + comment->text);
             }
         }
-        return printed;
     };
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        // A comment behind the line before is put there first.
+        // Comments above a head belong to it: the empty line stands before them, and before that what stands
+        // behind the last line.
         if (comment != document.comments.end() && comment->offset < lines[i].offset && !comment->own_line) {
             print_comments_before(comment->offset + 1);
         }

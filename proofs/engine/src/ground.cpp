@@ -22,8 +22,7 @@ void for_each_choice(Grounder& grounder, const std::vector<const Range*>& ranges
     if (grounder.bound(range.name)) {
         throw Error(ErrorCode::syntax, "\"" + range.name + "\" is declared already", "", range.offset);
     }
-    const long long last = grounder.integer(range.last);
-    for (long long value = grounder.integer(range.first); value <= last; ++value) {
+    for (const long long value : grounder.interval(range.first, range.last)) {
         grounder.bind(range.name, value);
         chosen.emplace_back(range.name, value);
         for_each_choice(grounder, ranges, i + 1, chosen, action);
@@ -53,7 +52,10 @@ void add_relations(Grounder& grounder, const Statement& statement, std::size_t n
             for (const Expression& name : grounder.members(quantified))
                 relation.quantified.push_back(grounder.scalar_symbol(name));
         }
-        (grounder.block().*list).push_back(std::move(relation));
+        auto& relations = grounder.block().*list;
+        require_within(relations.size() + 1, grounder.limits().expansion_terms, "expansion_terms",
+                       "the number of cases of one line, up to");
+        relations.push_back(std::move(relation));
     });
 }
 

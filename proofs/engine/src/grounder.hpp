@@ -33,6 +33,8 @@ public:
 
     NodeId scalar(const Expression& e);
     long long integer(const Expression& e);
+    /// first, ..., last. Errors: `limit_exceeded` for more than `expansion_terms`.
+    Set interval(const Expression& first, const Expression& last);
     /// A degree, dimension, order or number of copies.
     std::size_t count(const Expression& e);
     /// The members of t_1..t_n, or the only name.
@@ -42,6 +44,7 @@ public:
     void finish_parameters() { parameters_ = bound_; }
 
     GroundBlock& block() { return block_; }
+    const Limits& limits() const { return limits_; }
 
 private:
     /// A number, or an argument with coordinates and mass.
@@ -69,7 +72,7 @@ private:
     Value let_value(const std::string& name, const Expression& e);
     Value call(const Expression& e);
     Value sum_of(const Expression& e, std::vector<Value> values);
-    Value scaled(NodeId factor, const Value& value, const Expression& e);
+    Value scaled(NodeId factor, const Value& value);
     Value binary(const Expression& e);
     NodeId power(const Expression& e);
     NodeId application(const Expression& e);
@@ -78,7 +81,6 @@ private:
     void add_arguments(const Expression& e, const Direction& direction, std::vector<NodeArgument>& arguments);
 
     std::vector<Value> over_range(const Expression& call);
-    Set interval(const Expression& first, const Expression& last);
     Set set_of(const Expression& e);
     std::vector<Bound> elements_of(const Expression& e);
     std::vector<Expression> run_members(const Expression& run);
@@ -86,6 +88,7 @@ private:
     std::string full_name(const Expression& name);
 
     NodeId constant(Rational value);
+    void spend(std::size_t steps, std::size_t offset);
     NodeId symbol_node(std::size_t number);
     std::size_t symbol(const std::string& name, bool coefficient);
     NodeId polynomial_node(const SparsePolynomial& polynomial);
@@ -116,6 +119,7 @@ private:
     std::set<std::string> open_lets_;
     std::map<Rational, NodeId> constants_;
     std::size_t depth_ = 0;
+    std::size_t steps_ = 0;  ///< of grounding, against `expansion_work`
 };
 
 }  // namespace blossom::proofs

@@ -12,6 +12,8 @@ namespace blossom::proofs {
 namespace {
 
 constexpr std::size_t deepest = 1000;
+/// What grounding one expression costs, in term operations of an expansion.
+constexpr std::size_t steps_an_expression = 20;
 
 [[noreturn]] void refuse(const std::string& message, std::size_t offset) {
     throw Error(ErrorCode::syntax, message, "", offset);
@@ -47,13 +49,14 @@ NodeId Grounder::scalar(const Expression& e) {
 
 Grounder::Value Grounder::value(const Expression& e) {
     const Depth depth(depth_, e.offset);
+    spend(steps_an_expression, e.offset);
     switch (e.kind) {
         case ExpressionKind::number:
             return constant(parse_rational(e.name, limits_));
         case ExpressionKind::name:
             return name(e);
         case ExpressionKind::negative:
-            return scaled(constant(-1), value(e.children[0]), e);
+            return scaled(constant(-1), value(e.children[0]));
         case ExpressionKind::power:
             return power(e);
         case ExpressionKind::pair:
@@ -102,7 +105,7 @@ Grounder::Value Grounder::sum_of(const Expression& e, std::vector<Value> values)
     return result;
 }
 
-Grounder::Value Grounder::scaled(NodeId factor, const Value& value, const Expression&) {
+Grounder::Value Grounder::scaled(NodeId factor, const Value& value) {
     if (const NodeId* id = std::get_if<NodeId>(&value)) return multiply({factor, *id});
     NodeArgument result = std::get<NodeArgument>(value);
     for (NodeId& coordinate : result.coordinates) coordinate = multiply({factor, coordinate});
@@ -114,17 +117,17 @@ Grounder::Value Grounder::binary(const Expression& e) {
     const Value left = value(e.children[0]);
     const Value right = value(e.children[1]);
     if (e.kind == ExpressionKind::sum) return sum_of(e, {left, right});
-    if (e.kind == ExpressionKind::difference) return sum_of(e, {left, scaled(constant(-1), right, e)});
+    if (e.kind == ExpressionKind::difference) return sum_of(e, {left, scaled(constant(-1), right)});
     const NodeId* a = std::get_if<NodeId>(&left);
     const NodeId* b = std::get_if<NodeId>(&right);
     if (e.kind == ExpressionKind::product) {
-        if (a) return scaled(*a, right, e);
-        if (b) return scaled(*b, left, e);
+        if (a) return scaled(*a, right);
+        if (b) return scaled(*b, left);
         refuse("two points or vectors cannot be multiplied", e.offset);
     }
     if (!b) refuse("a point or vector cannot divide", e.children[1].offset);
     if (a) return divide(*a, *b, e.children[1].offset);
-    return scaled(divide(constant(1), *b, e.children[1].offset), left, e);
+    return scaled(divide(constant(1), *b, e.children[1].offset), left);
 }
 
 NodeId Grounder::power(const Expression& e) {
@@ -208,10 +211,15 @@ Grounder::Value Grounder::call(const Expression& e) {
     if (e.name == "sum") return sum_of(e, over_range(e));
     if (e.name == "size") return constant(set_of(e.children[0]).size());
     if (e.name == "bernstein") return bernstein(e);
-    if (e.name == "factorial") return constant(factorial(count(e.children[0])));
+    if (e.name == "factorial") {
+        const std::size_t n = count(e.children[0]);
+        spend(n, e.offset);
+        return constant(factorial(n));
+    }
     if (e.name == "binomial") {
         const std::size_t n = count(e.children[0]);
         const long long k = integer(e.children[1]);
+        spend(n, e.offset);
         return constant(k < 0 ? Integer(0) : binomial(n, static_cast<std::size_t>(k)));
     }
     if (e.name == "subsets" || e.name == "without") {
@@ -221,7 +229,7 @@ Grounder::Value Grounder::call(const Expression& e) {
     if (e.name == "mean") {
         if (values.empty()) refuse("the mean of nothing is not defined", e.offset);
         const NodeId weight = constant(Rational(1, values.size()));
-        return scaled(weight, sum_of(e, std::move(values)), e);
+        return scaled(weight, sum_of(e, std::move(values)));
     }
     std::vector<NodeId> factors;
     for (const Value& value : values) {

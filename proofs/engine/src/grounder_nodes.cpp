@@ -14,6 +14,15 @@ const Rational* Grounder::constant_value(NodeId id) const {
     return node.kind == NodeKind::constant ? &node.value : nullptr;
 }
 
+void Grounder::spend(std::size_t steps, std::size_t offset) {
+    steps_ += steps;
+    if (steps_ <= limits_.expansion_work) return;
+    throw Error(ErrorCode::limit_exceeded,
+                "the number of steps to write the statement out exceeds the limit expansion_work = " +
+                    std::to_string(limits_.expansion_work),
+                "", offset);
+}
+
 NodeId Grounder::push(Node node, std::size_t offset) {
     require_within(block_.nodes.size() + 1, limits_.numbers, "numbers", "the size of the expanded statement");
     node.offset = offset;
@@ -80,6 +89,7 @@ NodeId Grounder::raise(NodeId base, std::size_t exponent, std::size_t offset) {
             require_result_bits(
                 exponent * std::max(value->numerator().bit_length(), value->denominator().bit_length()),
                 limits_);
+            spend(exponent, offset);
             return constant(pow(*value, exponent));
         }
     } catch (const Error& error) {

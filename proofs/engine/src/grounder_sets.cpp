@@ -34,10 +34,12 @@ const Bound* Grounder::bound(const std::string& name) const {
 long long Grounder::integer(const Expression& e) {
     const Rational* value = constant_value(scalar(e));
     const auto word = value && value->is_integer() ? value->numerator().to_int64() : std::nullopt;
-    if (!word) {
+    constexpr long long greatest = 1LL << 60;
+    if (!word || *word > greatest || *word < -greatest) {
         throw Error(ErrorCode::syntax,
-                    value ? to_string(*value) + " found, expected an integer"
-                          : "an expression with variables found, expected an integer",
+                    value && word ? "the integer " + to_string(*value) + " is too large here"
+                    : value       ? to_string(*value) + " found, expected an integer"
+                                  : "an expression with variables found, expected an integer",
                     "", e.offset);
     }
     return *word;

@@ -46,6 +46,9 @@ public:
         const SparsePolynomial difference = elimination_.reduced(field.difference(left, right).numerator);
         std::set<std::size_t> conditions = elimination_.conditions();
         add_divisors(relation, conditions);
+        for (const auto* list : {&block_.assumptions, &block_.hypotheses}) {
+            for (const Relation& other : *list) add_divisors(other, conditions);
+        }
         conditions.insert(elimination_.assumed().begin(), elimination_.assumed().end());
         for (const std::size_t factor : conditions) {
             const std::string text = condition_text(field.factors()[factor], block_.symbols);
@@ -53,14 +56,6 @@ public:
                 decision.conditions.push_back(text);
         }
         ++decision.cases;
-        if (difference.is_zero()) {
-            if (on_proof && decision.expects_proof) {
-                std::vector<std::size_t> solved;
-                for (const auto& solution : elimination_.solutions()) solved.push_back(solution.symbol);
-                on_proof({block_, relation, left, field.factors(), std::move(solved)});
-            }
-            return;
-        }
         std::vector<SparsePolynomial> nonzero;
         for (const std::size_t factor : conditions) {
             nonzero.push_back(elimination_.reduced(field.factors()[factor]));
@@ -70,6 +65,14 @@ public:
                                 condition_text(field.factors()[factor], block_.symbols) + " impossible",
                             "", relation.offset);
             }
+        }
+        if (difference.is_zero()) {
+            if (on_proof && decision.expects_proof) {
+                std::vector<std::size_t> solved;
+                for (const auto& solution : elimination_.solutions()) solved.push_back(solution.symbol);
+                on_proof({block_, relation, left, field.factors(), std::move(solved)});
+            }
+            return;
         }
         decision.verdict = Verdict::refuted;
         decision.counterexample =
