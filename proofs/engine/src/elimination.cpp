@@ -29,6 +29,7 @@ std::vector<SparsePolynomial> coefficients_in(const SparsePolynomial& polynomial
         terms[key].push_back(SparsePolynomial::term(polynomial.coefficient(i), exponents));
     }
     std::vector<SparsePolynomial> result;
+    result.reserve(terms.size());
     for (const auto& [key, summands] : terms) result.push_back(sum(summands));
     return result;
 }
@@ -44,6 +45,7 @@ std::vector<SparsePolynomial> coefficients_in(const SparsePolynomial& polynomial
         terms[power].push_back(SparsePolynomial::term(polynomial.coefficient(i), exponents));
     }
     std::vector<SparsePolynomial> result;
+    result.reserve(terms.size());
     for (const auto& summands : terms) result.push_back(sum(summands));
     return result;
 }

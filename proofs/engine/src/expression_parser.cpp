@@ -42,6 +42,8 @@ public:
     }
     Nesting(const Nesting&) = delete;
     Nesting& operator=(const Nesting&) = delete;
+    Nesting(Nesting&&) = delete;
+    Nesting& operator=(Nesting&&) = delete;
     ~Nesting() { --depth_; }
 
 private:

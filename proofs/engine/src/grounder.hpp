@@ -55,6 +55,8 @@ private:
         Binding(Grounder& grounder, const std::string& name, Bound value);
         Binding(const Binding&) = delete;
         Binding& operator=(const Binding&) = delete;
+        Binding(Binding&&) = delete;
+        Binding& operator=(Binding&&) = delete;
         ~Binding();
 
     private:

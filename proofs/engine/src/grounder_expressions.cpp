@@ -33,6 +33,8 @@ public:
     }
     Depth(const Depth&) = delete;
     Depth& operator=(const Depth&) = delete;
+    Depth(Depth&&) = delete;
+    Depth& operator=(Depth&&) = delete;
     ~Depth() { --depth_; }
 
 private:
