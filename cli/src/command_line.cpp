@@ -10,6 +10,7 @@
 
 #include "completion.hpp"
 #include "explain/explain_options.hpp"
+#include "explain/write_gallery.hpp"
 #include "limit_table.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
@@ -194,13 +195,20 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
 /// `explain OP ARGS...`: every operation once more, as a command of this command.
 Subcommand add_explain(CLI::App& app, const Operation& explain) {
     CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
-    command->require_subcommand(1);
+    command->require_subcommand(0, 1);
+    const CLI::Option* gallery =
+        add_value(*command, "--gallery", "FOLDER", "write all chapters as a small site");
     std::vector<Subcommand> commands;
     for (const Operation& operation : explained_operations()) {
         commands.push_back(add_operation(*command, operation));
     }
     command->footer([&explain] { return example_text(explain); });
-    return {command, [commands](const Streams& streams) { return chosen(commands).action(streams); }};
+    const auto action = [=](const Streams& streams) {
+        if (gallery->count() > 0) return write_gallery(result_of(*gallery), streams);
+        if (command->get_subcommands().empty()) throw UsageError("explain needs a command or --gallery");
+        return chosen(commands).action(streams);
+    };
+    return {command, action};
 }
 
 Subcommand add_own_command(CLI::App& app, const Operation& operation) {

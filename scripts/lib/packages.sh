@@ -15,6 +15,13 @@ build header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel        
 build header:pugixml.hpp                  libpugixml-dev      pugixml-devel       pugixml
 test  header:catch2/*.hpp                 catch2              catch-devel         catch2
 test  command:pkg-config                  pkg-config          pkgconf-pkg-config  pkgconf
+test  command:python3                     python3             python3             python
+gallery command:python3                   python3             python3             python
+gallery command:chromium                  chromium            chromium            chromium
+gallery command:pdflatex                  texlive-latex-recommended texlive-latex mactex-no-gui
+gallery file:/usr/share/texlive/texmf-dist/tex/latex/pgf/frontendlayer/tikz.sty texlive-pictures texlive-pgf mactex-no-gui
+gallery file:/usr/share/texmf/tex/latex/lm/lmodern.sty lmodern texlive-lm mactex-no-gui
+gallery command:pdftoppm                  poppler-utils       poppler-utils       poppler
 bench header:benchmark/benchmark.h        libbenchmark-dev    google-benchmark-devel google-benchmark
 ci    command:ccache                      ccache              ccache              ccache
 ci    command:clang++-19                  clang-19            clang               llvm@19

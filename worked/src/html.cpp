@@ -26,10 +26,12 @@ public:
             pugi::xml_node step = section(main, std::to_string(i + 1) + ". " + document.steps[i].title);
             blocks(step, document.steps[i].blocks);
         }
-        pugi::xml_node result = section(main, "Result");
-        result.append_attribute("class") = "result";
-        blocks(result, document.result);
-        check(section(main, "Check"), document.check);
+        if (!document.result.empty()) {
+            pugi::xml_node result = section(main, "Result");
+            result.append_attribute("class") = "result";
+            blocks(result, document.result);
+        }
+        if (document.check) check(section(main, "Check"), *document.check);
     }
 
 private:

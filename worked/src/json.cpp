@@ -85,13 +85,13 @@ public:
         for (const Step& step : document.steps) {
             steps.push_back({{"title", step.title}, {"blocks", blocks(step.blocks)}});
         }
-        return {{"title", document.title},
-                {"source", document.source},
-                {"maps", std::move(maps)},
-                {"statement", blocks(document.statement)},
-                {"steps", std::move(steps)},
-                {"result", blocks(document.result)},
-                {"check", {{"blocks", blocks(document.check.blocks)}, {"holds", document.check.holds}}}};
+        Json json{{"title", document.title},   {"source", document.source},
+                  {"maps", std::move(maps)},   {"statement", blocks(document.statement)},
+                  {"steps", std::move(steps)}, {"result", blocks(document.result)}};
+        if (document.check) {
+            json["check"] = {{"blocks", blocks(document.check->blocks)}, {"holds", document.check->holds}};
+        }
+        return json;
     }
 
 private:

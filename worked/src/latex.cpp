@@ -26,9 +26,10 @@ public:
             text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +
                     blocks(document.steps[i].blocks);
         }
-        return text + heading("Result") + blocks(document.result) + heading("Check") +
-               blocks(document.check.blocks) + "\n" +
-               (document.check.holds ? "This holds exactly.\n" : "This does not hold.\n");
+        if (!document.result.empty()) text += heading("Result") + blocks(document.result);
+        if (!document.check) return text;
+        return text + heading("Check") + blocks(document.check->blocks) + "\n" +
+               (document.check->holds ? "This holds exactly.\n" : "This does not hold.\n");
     }
 
 private:
@@ -47,24 +48,38 @@ private:
 
     std::string block(const Paragraph& paragraph) const { return words(paragraph.text) + "\\par"; }
 
+    /// Formulas that fit stand aligned below each other, one side a line; TeX breaks the others at their
+    /// signs.
     std::string block(const Display& display) const {
         std::string text;
-        for (const Formula& formula : display.formulas) text += this->display(formula) + "\n";
-        return text;
+        std::string rows;
+        for (const Formula& formula : display.formulas) {
+            const std::string more = aligned(formula);
+            if (!more.empty()) {
+                rows += (rows.empty() ? "" : "\\\\[.4ex]\n") + more;
+                continue;
+            }
+            text += alignment(rows) + in_lines(formula) + "\n";
+            rows.clear();
+        }
+        return text + alignment(rows);
     }
 
-    /// Each side on its own line where they fit, otherwise a paragraph that TeX breaks at the signs.
-    std::string display(const Formula& formula) const {
-        const bool chain = formula.kind == FormulaKind::relation && formula.parts.size() > 1;
-        if (!chain) return in_lines(formula);
+    static std::string alignment(const std::string& rows) {
+        return rows.empty() ? "" : "\\begin{align*}\n" + rows + "\n\\end{align*}\n";
+    }
+
+    /// The lines of an alignment, or "" for what has no sides or is too long.
+    std::string aligned(const Formula& formula) const {
+        if (formula.kind != FormulaKind::relation) return "";
         const std::size_t left = columns(to_text(formula.parts.front(), notation_));
-        std::string rows;
+        std::string rows = to_latex(formula.parts.front(), notation_);
         for (std::size_t i = 1; i < formula.parts.size(); ++i) {
-            if (left + columns(to_text(formula.parts[i], notation_)) > line_letters) return in_lines(formula);
-            rows += (i == 1 ? to_latex(formula.parts.front(), notation_) : std::string("\\\\\n")) + " &" +
-                    latex_sign(formula.name) + " " + to_latex(formula.parts[i], notation_);
+            if (left + columns(to_text(formula.parts[i], notation_)) > line_letters) return "";
+            rows += std::string(i == 1 ? "" : "\\\\\n") + " &" + latex_sign(formula.name) + " " +
+                    to_latex(formula.parts[i], notation_);
         }
-        return "\\begin{align*}\n" + rows + "\n\\end{align*}";
+        return rows;
     }
 
     std::string in_lines(const Formula& formula) const {
@@ -141,7 +156,7 @@ std::string render_latex_fragment(const Document& document, const Notation& nota
 }
 
 std::string render_latex(const Document& document, const Notation& notation) {
-    return "\\documentclass[11pt,a4paper]{article}\n" + latex_preamble() +
+    return "\\documentclass[11pt,a4paper,fleqn]{article}\n" + latex_preamble() +
            "\\setlength{\\parindent}{0pt}\\setlength{\\parskip}{.5ex plus "
            ".3ex}\n\\allowdisplaybreaks\\raggedbottom\n"
            "\\begin{document}\n" +

@@ -24,9 +24,10 @@ public:
             text += "## " + std::to_string(i + 1) + ". " + escaped(document.steps[i].title) + "\n\n" +
                     blocks(document.steps[i].blocks);
         }
-        return text + "## Result\n\n" + blocks(document.result) + "## Check\n\n" +
-               blocks(document.check.blocks) +
-               (document.check.holds ? "This holds exactly.\n" : "This does not hold.\n");
+        if (!document.result.empty()) text += "## Result\n\n" + blocks(document.result);
+        if (!document.check) return text;
+        return text + "## Check\n\n" + blocks(document.check->blocks) +
+               (document.check->holds ? "This holds exactly.\n" : "This does not hold.\n");
     }
 
 private:

@@ -35,7 +35,7 @@ void append_operator(pugi::xml_node parent, std::string_view text, const char* s
 void append_fence(pugi::xml_node parent, std::string_view text) {
     pugi::xml_node node = parent.append_child("mo");
     node.text().set(std::string(text).c_str());
-    node.append_attribute("fence") = "true";
+    node.append_attribute("stretchy") = "false";
     node.append_attribute("lspace") = "0";
     node.append_attribute("rspace") = "0";
 }
@@ -48,6 +48,8 @@ void append_all(pugi::xml_node parent, const char* element, const Layout& layout
 void append_fenced(pugi::xml_node parent, const Layout& layout) {
     const std::size_t half = layout.text.size() / 2;
     pugi::xml_node row = parent.append_child("mrow");
+    // Arguments are written small, so that parentheses around them need not grow.
+    row.append_attribute("displaystyle") = "false";
     append_fence(row, layout.text.substr(0, half));
     append(row, layout.parts.front());
     append_fence(row, layout.text.substr(half));
@@ -74,10 +76,10 @@ void append(pugi::xml_node parent, const Layout& layout) {
             append_token(parent, "mtext", layout.text);
             break;
         case Kind::relation:
-            append_operator(parent, layout.text, "0.28em");
+            append_operator(parent, layout.text, "0.3em");
             break;
         case Kind::binary:
-            append_operator(parent, layout.text, "0.2em");
+            append_operator(parent, layout.text, "0.25em");
             break;
         case Kind::sign:
             append_operator(parent, layout.text, "0");

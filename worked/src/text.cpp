@@ -24,8 +24,8 @@ public:
             text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +
                     blocks(document.steps[i].blocks);
         }
-        text += heading("Result") + blocks(document.result);
-        return text + heading("Check") + check(document.check);
+        if (!document.result.empty()) text += heading("Result") + blocks(document.result);
+        return document.check ? text + heading("Check") + check(*document.check) : text;
     }
 
 private:

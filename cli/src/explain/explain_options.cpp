@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "explain/chapter_of.hpp"
-#include "operations/map_options.hpp"
+#include "explain/document_format.hpp"
 #include "operations/table.hpp"
 
 namespace blossom::cli {
@@ -15,17 +15,6 @@ Option inside_request(const Option& option) {
         option.apply(request["request"], values, limits);
     };
     return {option.name, "/request" + option.field, option.value, option.help, apply};
-}
-
-std::vector<Option> document_options() {
-    return {
-        field_option("--format", "format", "text|markdown|latex|latex-fragment|html|json",
-                     "how the document is written; by default text", plain_text),
-        field_option("--notation", "notation", "parentheses|brackets|multiplicative",
-                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses", plain_text),
-        flag_option("--multiplicities", "multiplicities", "write equal arguments once, as t^<3>"),
-        field_option("--columns", "columns", "N", "the columns of a text; by default 79", count),
-    };
 }
 
 Operation explained(const Operation& operation) {

@@ -15,6 +15,7 @@ Operation convert_operation();
 Operation derivative_operation();
 Operation elevate_operation();
 Operation evaluate_operation();
+Operation exercise_operation();
 Operation explain_operation();
 Operation export_operation();
 Operation graph_operation();

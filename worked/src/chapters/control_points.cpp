@@ -1,6 +1,8 @@
 #include <blossom/core/conversion.hpp>
 #include <blossom/worked/chapters.hpp>
 
+#include <algorithm>
+
 #include "chapters/elementary.hpp"
 #include "chapters/steps.hpp"
 
@@ -28,6 +30,8 @@ Table symmetric_table(const PolynomialCurve& curve, const BezierCurve& polygon) 
     return table;
 }
 
+bool is_one(const Coordinates& point) { return point.size() == 1 && point.front() == Rational(1); }
+
 /// p(u_1, ..., u_n) = sum of coefficients e_k / C(n, k).
 Formula symmetric_formula(const PolynomialCurve& curve) {
     const std::size_t n = curve.degree();
@@ -36,10 +40,10 @@ Formula symmetric_formula(const PolynomialCurve& curve) {
     std::vector<Formula> terms;
     for (std::size_t k = 0; k <= n; ++k) {
         const Coordinates c = curve.coefficients()[k];
-        if (c == Coordinates(c.size())) continue;
+        if (std::ranges::all_of(c, [](const Rational& one) { return one.is_zero(); })) continue;
         const Formula e = elementary(k, variables);
         const Formula weight = k == 0 || k == n ? e : fraction(e, binomial_of(number(n), number(k)));
-        terms.push_back(c == Coordinates{1} ? weight : product({point_formula(c), weight}));
+        terms.push_back(is_one(c) ? weight : product({point_formula(c), weight}));
     }
     return equation({blossom_of("p", variables), sum(std::move(terms))});
 }
@@ -87,7 +91,7 @@ Document control_points_over(const GivenMap& given, const Interval& interval, co
         StepBuilder("Which values they are")
             .say({"Control point k is the value of the blossom at ",
                   sum({number(polygon.degree()), product({number(-1), symbol("k")})}), " copies of ",
-                  number(interval.a()), " and k copies of ", number(interval.b()), "."})
+                  number(interval.a()), " and ", symbol("k"), " copies of ", number(interval.b()), "."})
             .done());
     if (const auto* bezier = std::get_if<BezierCurve>(&given.map)) {
         document.steps.push_back(two_subdivisions(*bezier, interval, limits));

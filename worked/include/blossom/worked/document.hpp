@@ -26,6 +26,7 @@ public:
 
     const std::vector<Part>& parts() const { return parts_; }
     bool empty() const { return parts_.empty(); }
+    void append(Part part) { parts_.push_back(std::move(part)); }
 
     friend bool operator==(const Text&, const Text&) = default;
 
@@ -106,7 +107,7 @@ struct Document {
     std::vector<Block> statement;
     std::vector<Step> steps;
     std::vector<Block> result;
-    Check check;
+    std::optional<Check> check;  ///< a sheet of problems has none, and no result
 };
 
 /// The largest degree of its maps.

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "answer.hpp"
+#include "streams.hpp"
+
+namespace blossom::cli {
+
+/// Writes the files of the gallery into a folder, which is made where there is none.
+/// Errors: std::system_error for a file that cannot be written.
+Outcome write_gallery(const std::string& folder, const Streams& streams);
+
+}  // namespace blossom::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <blossom/worked/document.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace blossom::worked {
+
+/// What a sheet is about.
+struct SheetRequest {
+    std::string topic;
+    std::uint64_t seed = 1;
+    std::size_t count = 5;
+    std::size_t level = 1;  ///< 1 to 3: degree 2, degree 3, degree 3 with fractions
+};
+
+/// A sheet of problems, and the same problems with their worked solutions.
+struct Sheet {
+    Document problems;
+    Document solutions;
+};
+
+/// The topics in the order of the chapters.
+std::vector<std::string_view> exercise_topics();
+
+/// Problems with small numbers, no two alike, none degenerate: leading coefficients are not zero, parameters
+/// are no ends of intervals, control polygons do not lie on a line. The same request gives the same sheet on
+/// every platform. Errors: `unknown_op` for a topic that is not known; `wrong_arity` for a level that is
+/// none; `limit_exceeded` for more than `most_problems`.
+Sheet exercise_sheet(const SheetRequest& request);
+constexpr std::size_t most_problems = 40;
+
+}  // namespace blossom::worked

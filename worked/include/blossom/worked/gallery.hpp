@@ -1,0 +1,29 @@
+#pragma once
+
+#include <blossom/worked/document.hpp>
+
+#include <string>
+#include <vector>
+
+namespace blossom::worked {
+
+/// A page of the gallery: a chapter on an example of the literature.
+struct GalleryPage {
+    std::string name;  ///< of its files
+    Document document;
+};
+
+/// All chapters, in the order in which one would teach them.
+std::vector<GalleryPage> gallery_pages();
+
+/// A file by its path within a folder.
+struct SiteFile {
+    std::string path;
+    std::string content;
+};
+
+/// A small site: index.html, a page for each chapter with links to its neighbours, each also as LaTeX,
+/// Markdown and JSON, and its first picture as pictures/NAME.svg.
+std::vector<SiteFile> gallery_files();
+
+}  // namespace blossom::worked

@@ -1,0 +1,153 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
+#include <blossom/worked/chapters.hpp>
+#include <blossom/worked/exercise.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "problem_numbers.hpp"
+#include "renaming.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+struct Topic {
+    std::string_view name;
+    std::string_view title;
+    Document (*make)(ProblemNumbers& numbers);
+};
+
+Document blossom_problem(ProblemNumbers& numbers) {
+    const PolynomialCurve curve = numbers.polynomial();
+    return three_ways({curve}, numbers.arguments(curve.degree()));
+}
+
+Document evaluation_problem(ProblemNumbers& numbers) {
+    const BezierCurve curve = numbers.polygon();
+    return evaluation_at({curve}, numbers.inside(curve.interval()));
+}
+
+Document derivative_problem(ProblemNumbers& numbers) {
+    const PolynomialCurve curve = numbers.polynomial();
+    const std::size_t order = numbers.level() == 1 ? 1 : 2;
+    return derivative_by_delta({curve}, order, numbers.inside(Interval(0, 2)));
+}
+
+Document control_points_problem(ProblemNumbers& numbers) {
+    return control_points_over({numbers.polynomial()}, numbers.interval());
+}
+
+Document subdivision_problem(ProblemNumbers& numbers) {
+    const BezierCurve curve = numbers.polygon();
+    return subdivision_at({curve}, numbers.inside(curve.interval()));
+}
+
+Document raising_problem(ProblemNumbers& numbers) { return degree_raised({numbers.polygon()}, 1); }
+
+Document conversion_problem(ProblemNumbers& numbers) {
+    return coefficients_to_control_points({numbers.polynomial()});
+}
+
+Document de_boor_problem(ProblemNumbers& numbers) {
+    const BSplineCurve curve = numbers.spline();
+    return de_boor_at(curve, numbers.inside(curve.knots().domain()));
+}
+
+Document insertion_problem(ProblemNumbers& numbers) {
+    const BSplineCurve curve = numbers.spline();
+    return knots_inserted(curve, std::array{numbers.inside(curve.knots().domain())});
+}
+
+constexpr std::array<Topic, 9> topics{
+    {{"blossom", "Blossom values in three ways", blossom_problem},
+     {"evaluation", "De Casteljau's algorithm", evaluation_problem},
+     {"derivative", "Derivatives by delta", derivative_problem},
+     {"control-points", "Control points over an interval", control_points_problem},
+     {"subdivision", "Subdivision", subdivision_problem},
+     {"degree-raising", "Degree raising", raising_problem},
+     {"conversion", "From coefficients to control points", conversion_problem},
+     {"de-boor", "De Boor's algorithm", de_boor_problem},
+     {"knot-insertion", "Knot insertion", insertion_problem}}};
+
+const Topic& find_topic(const std::string& name) {
+    const auto found = std::ranges::find(topics, name, &Topic::name);
+    if (found != topics.end()) return *found;
+    std::string known;
+    for (const Topic& topic : topics) known += (known.empty() ? "" : ", ") + std::string(topic.name);
+    throw Error(ErrorCode::unknown_op,
+                "there are no exercises on " + quoted(name) + "; there are on " + known, "/topic");
+}
+
+/// Everything of a document as the blocks of one step, its own steps under their titles.
+Step solution(const Document& document, std::string title) {
+    Step step{std::move(title), document.statement};
+    const auto append = [&](const std::string& heading, const std::vector<Block>& blocks) {
+        step.blocks.emplace_back(Paragraph{heading + "."});
+        step.blocks.insert(step.blocks.end(), blocks.begin(), blocks.end());
+    };
+    for (const Step& part : document.steps) append(part.title, part.blocks);
+    append("Result", document.result);
+    append("Check", document.check->blocks);
+    return step;
+}
+
+/// Whether two problems would be the same to who solves them.
+bool alike(const Document& a, const Document& b) {
+    const auto what = [](const Document& document) {
+        std::vector<Formula> formulas;
+        for (const Block& block : document.statement) {
+            if (const auto* display = std::get_if<Display>(&block)) {
+                formulas.insert(formulas.end(), display->formulas.begin(), display->formulas.end());
+            }
+        }
+        return formulas;
+    };
+    return what(a) == what(b);
+}
+
+}  // namespace
+
+std::vector<std::string_view> exercise_topics() {
+    std::vector<std::string_view> names;
+    for (const Topic& topic : topics) names.push_back(topic.name);
+    return names;
+}
+
+Sheet exercise_sheet(const SheetRequest& request) {
+    const Topic& topic = find_topic(request.topic);
+    require_within(request.count, most_problems, "problems of a sheet", "number of problems", "/count");
+    if (request.level < 1 || request.level > 3) {
+        throw Error(ErrorCode::wrong_arity, "the level is 1, 2 or 3, not " + std::to_string(request.level),
+                    "/level");
+    }
+    ProblemNumbers numbers(request.seed, request.level);
+    std::vector<Document> problems;
+    while (problems.size() < request.count) {
+        Document problem = topic.make(numbers);
+        const bool repeated =
+            std::ranges::any_of(problems, [&](const Document& earlier) { return alike(earlier, problem); });
+        if (!repeated) problems.push_back(std::move(problem));
+    }
+    const std::string title = std::string(topic.title) + ", level " + std::to_string(request.level) +
+                              ", sheet " + std::to_string(request.seed);
+    Sheet sheet;
+    sheet.problems.title = title;
+    sheet.solutions.title = title + ": solutions";
+    for (std::size_t i = 0; i < problems.size(); ++i) {
+        const Document problem = renamed(problems[i], std::to_string(i + 1));
+        const std::string heading = "Problem " + std::to_string(i + 1);
+        sheet.problems.steps.push_back({heading, problem.statement});
+        sheet.solutions.steps.push_back(solution(problem, heading));
+        for (Document* document : {&sheet.problems, &sheet.solutions}) {
+            const auto& maps = problem.maps;
+            const auto end = document == &sheet.problems ? maps.begin() + 1 : maps.end();
+            document->maps.insert(document->maps.end(), maps.begin(), end);
+        }
+    }
+    return sheet;
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,131 @@
+#include <blossom/worked/gallery.hpp>
+
+#include <blossom/core/polynomial_text.hpp>
+#include <blossom/worked/chapters.hpp>
+#include <blossom/worked/render.hpp>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "html_page.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+GivenMap cubic() { return {PolynomialCurve(parse_univariate("1 + 2t + 4t^2 - t^3").polynomial)}; }
+
+BezierCurve plane_cubic() {
+    const std::vector<Coordinates> points{{0, 0}, {1, 3}, {4, 3}, {5, 0}};
+    return BezierCurve(points);
+}
+
+/// Hart's knots, for a plane cubic of three segments.
+BSplineCurve plane_spline() {
+    return BSplineCurve(3, {0, 1, 2, 3, 4, 5, 6, 7}, {{0, 0}, {1, 3}, {4, 4}, {7, 3}, {8, 0}, {5, -1}});
+}
+
+std::vector<Argument> points(std::initializer_list<int> parameters) {
+    std::vector<Argument> arguments;
+    for (const int parameter : parameters) arguments.emplace_back(Parameter(parameter));
+    return arguments;
+}
+
+/// The unit circle as (1 - t^2, 2t) / (1 + t^2).
+GivenMap circle() {
+    const std::vector<Polynomial> coordinates{parse_univariate("1 - t^2").polynomial,
+                                              parse_univariate("2t").polynomial,
+                                              parse_univariate("1 + t^2").polynomial};
+    return {PolynomialCurve(coordinates)};
+}
+
+const Picture* first_picture(const Document& document) {
+    const auto in = [](const std::vector<Block>& blocks) {
+        const Picture* found = nullptr;
+        for (const Block& block : blocks) {
+            if (!found) found = std::get_if<Picture>(&block);
+        }
+        return found;
+    };
+    for (const Step& step : document.steps) {
+        if (const Picture* picture = in(step.blocks)) return picture;
+    }
+    return in(document.result);
+}
+
+std::string index_page(const std::vector<GalleryPage>& pages) {
+    HtmlPage page("Worked examples of blossoming");
+    append_words(page.main(), "h1", "Worked examples of blossoming");
+    append_words(
+        page.main(), "p",
+        "Every number on these pages is computed exactly. Each page can be made for any other input, and "
+        "each stands here as LaTeX, Markdown and JSON too.");
+    pugi::xml_node list = page.main().append_child("ol");
+    for (const GalleryPage& entry : pages) {
+        pugi::xml_node item = list.append_child("li");
+        append_words(item, "a", entry.document.title).append_attribute("href") =
+            (entry.name + ".html").c_str();
+        item.append_child(pugi::node_pcdata).set_value(": ");
+        for (const auto& [ending, words] :
+             {std::pair(".tex", "LaTeX"), std::pair(".md", "Markdown"), std::pair(".json", "JSON")}) {
+            append_words(item, "a", words).append_attribute("href") = (entry.name + ending).c_str();
+            item.append_child(pugi::node_pcdata).set_value(" ");
+        }
+    }
+    return page.text();
+}
+
+std::vector<Link> links_of(const std::vector<GalleryPage>& pages, std::size_t i) {
+    std::vector<Link> links{{"index.html", "All worked examples"}};
+    if (i > 0) links.push_back({pages[i - 1].name + ".html", "← " + pages[i - 1].document.title});
+    if (i + 1 < pages.size())
+        links.push_back({pages[i + 1].name + ".html", pages[i + 1].document.title + " →"});
+    return links;
+}
+
+}  // namespace
+
+std::vector<GalleryPage> gallery_pages() {
+    const Rational half(1, 2);
+    const std::array<Rational, 1> knot{Rational(7, 2)};
+    const std::vector<Coordinates> kinked{{0, 0}, {1, 3}, {3, 3}, {4, 1}, {6, 3}, {7, 0}};
+    std::vector<GalleryPage> pages;
+    const auto add = [&](std::string name, Document document) {
+        pages.push_back({std::move(name), std::move(document)});
+    };
+    add("three-ways", three_ways(cubic(), points({1, 2, 3})));
+    add("evaluation", evaluation_at({plane_cubic()}, half));
+    add("homogenisation", homogenisation(cubic()));
+    add("first-derivative", derivative_by_delta({plane_cubic()}, 1, half));
+    add("second-derivative", derivative_by_delta(cubic(), 2, half));
+    add("control-points", control_points_over(cubic(), Interval()));
+    add("subdivision", subdivision_at({plane_cubic()}, half));
+    add("degree-raising", degree_raised({plane_cubic()}, 1));
+    add("coefficients-to-control-points", coefficients_to_control_points(cubic()));
+    add("control-points-to-coefficients", control_points_to_coefficients({plane_cubic()}));
+    add("spline-to-bezier", spline_to_bezier(plane_spline()));
+    add("de-boor", de_boor_at(plane_spline(), Rational(7, 2)));
+    add("knot-insertion", knots_inserted(plane_spline(), knot));
+    add("continuity", continuity_at(BSplineCurve(3, {0, 0, 0, 1, 1, 2, 2, 2}, kinked), 1));
+    add("rational-arc", rational_arc(circle(), half));
+    return pages;
+}
+
+std::vector<SiteFile> gallery_files() {
+    const std::vector<GalleryPage> pages = gallery_pages();
+    std::vector<SiteFile> files{{"index.html", index_page(pages)}};
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        const auto& [name, document] = pages[i];
+        files.push_back({name + ".html", render_html(document, {}, links_of(pages, i))});
+        files.push_back({name + ".tex", render_latex(document)});
+        files.push_back({name + ".md", render_markdown(document)});
+        files.push_back({name + ".json", render_json(document)});
+        if (const Picture* picture = first_picture(document)) {
+            files.push_back({"pictures/" + name + ".svg", render_svg(*picture)});
+        }
+    }
+    return files;
+}
+
+}  // namespace blossom::worked

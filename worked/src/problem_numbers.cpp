@@ -1,0 +1,99 @@
+#include "problem_numbers.hpp"
+
+#include <algorithm>
+
+namespace blossom::worked {
+
+namespace {
+
+/// Twice the area of the triangle: zero when the points lie on a line.
+Rational area(const Coordinates& p, const Coordinates& q, const Coordinates& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+/// Every three neighbours make a triangle.
+bool bends_everywhere(const std::vector<Coordinates>& points) {
+    for (std::size_t i = 0; i + 2 < points.size(); ++i) {
+        if (area(points[i], points[i + 1], points[i + 2]).is_zero()) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::int64_t ProblemNumbers::between(std::int64_t least, std::int64_t greatest) {
+    const auto width = static_cast<std::uint64_t>(greatest - least + 1);
+    return least + static_cast<std::int64_t>(engine_() % width);
+}
+
+std::int64_t ProblemNumbers::not_zero(std::int64_t size) {
+    const std::int64_t value = between(1, size);
+    return between(0, 1) == 0 ? value : -value;
+}
+
+PolynomialCurve ProblemNumbers::polynomial() {
+    std::vector<Rational> coefficients;
+    for (std::size_t k = 0; k <= degree(); ++k) {
+        const Rational coefficient(not_zero(level_ == 1 ? 4 : 6));
+        coefficients.push_back(level_ == 3 ? coefficient / Rational(between(1, 3)) : coefficient);
+    }
+    return PolynomialCurve(Polynomial(coefficients));
+}
+
+std::vector<Coordinates> ProblemNumbers::plane_points(std::size_t count) {
+    std::vector<Coordinates> points;
+    do {
+        points.clear();
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto step = static_cast<std::int64_t>(k);
+            const Rational x(2 * step + between(0, 1));
+            points.push_back(
+                {x, level_ == 3 ? Rational(between(-7, 7)) / Rational(2) : Rational(between(-4, 4))});
+        }
+    } while (!bends_everywhere(points));
+    return points;
+}
+
+BezierCurve ProblemNumbers::polygon() { return BezierCurve(plane_points(degree() + 1)); }
+
+BSplineCurve ProblemNumbers::spline() {
+    const std::size_t n = degree();
+    const std::size_t count = n + 2;
+    std::vector<Rational> knots;
+    std::int64_t knot = 0;
+    for (std::size_t i = 0; i < count + n - 1; ++i) {
+        knots.emplace_back(knot);
+        knot += level_ == 3 ? between(1, 2) : 1;
+    }
+    return BSplineCurve(n, std::move(knots), plane_points(count));
+}
+
+std::vector<Argument> ProblemNumbers::arguments(std::size_t n) {
+    std::vector<Rational> numbers;
+    while (numbers.size() < n) {
+        const Rational value =
+            level_ == 3 ? Rational(between(-5, 5)) / Rational(2) : Rational(between(-3, 5));
+        if (std::ranges::find(numbers, value) == numbers.end()) numbers.push_back(value);
+    }
+    std::vector<Argument> arguments;
+    for (const Rational& value : numbers) arguments.emplace_back(Parameter(value));
+    return arguments;
+}
+
+Rational ProblemNumbers::inside(const Interval& interval) {
+    const std::int64_t parts = level_ == 1 ? 2 : between(2, 4);
+    const std::int64_t begin = *(interval.a() * Rational(parts)).numerator().to_int64();
+    const std::int64_t end = *(interval.b() * Rational(parts)).numerator().to_int64();
+    Rational value;
+    while (value.is_integer()) value = Rational(between(begin + 1, end - 1)) / Rational(parts);
+    return value;
+}
+
+Interval ProblemNumbers::interval() {
+    const std::int64_t a = between(-2, 2);
+    const std::int64_t b = a + between(1, 3);
+    if (a == 0 && b == 1) return interval();
+    return {Rational(a), Rational(b)};
+}
+
+}  // namespace blossom::worked

@@ -1,0 +1,86 @@
+#include "renaming.hpp"
+
+#include <algorithm>
+
+namespace blossom::worked {
+
+namespace {
+
+class Renaming {
+public:
+    Renaming(const Document& document, std::string index) : index_(std::move(index)) {
+        for (const NamedMap& map : document.maps) {
+            names_.push_back(map.map);
+            names_.push_back(map.blossom);
+        }
+    }
+
+    void apply(std::string& name) const {
+        if (std::ranges::find(names_, name) != names_.end()) name += index_;
+    }
+
+    void apply(Formula& formula) const {
+        if (formula.kind != FormulaKind::symbol && formula.kind != FormulaKind::words) apply(formula.name);
+        for (Formula& part : formula.parts) apply(part);
+    }
+
+    void apply(Text& text) const {
+        Text renamed;
+        for (Text::Part part : text.parts()) {
+            if (auto* formula = std::get_if<Formula>(&part)) apply(*formula);
+            renamed.append(std::move(part));
+        }
+        text = std::move(renamed);
+    }
+
+    void apply(std::vector<Block>& blocks) const {
+        for (Block& block : blocks) std::visit([&](auto& content) { apply(content); }, block);
+    }
+
+    void apply(Paragraph& paragraph) const { apply(paragraph.text); }
+
+    void apply(Display& display) const {
+        for (Formula& formula : display.formulas) apply(formula);
+    }
+
+    void apply(Table& table) const {
+        for (Text& title : table.header) apply(title);
+        for (auto& row : table.rows) {
+            for (Cell& cell : row) {
+                apply(cell.shown);
+                if (cell.meaning) apply(*cell.meaning);
+            }
+        }
+    }
+
+    void apply(TrianglePyramid& pyramid) const {
+        for (auto& level : pyramid.levels) {
+            for (PyramidNode& node : level) apply(node.label);
+        }
+    }
+
+    void apply(Picture& picture) const {
+        for (PicturePoint& point : picture.points) apply(point.label);
+    }
+
+private:
+    std::vector<std::string> names_;
+    std::string index_;
+};
+
+}  // namespace
+
+Document renamed(Document document, const std::string& index) {
+    const Renaming renaming(document, index);
+    for (NamedMap& map : document.maps) {
+        renaming.apply(map.map);
+        renaming.apply(map.blossom);
+    }
+    renaming.apply(document.statement);
+    for (Step& step : document.steps) renaming.apply(step.blocks);
+    renaming.apply(document.result);
+    if (document.check) renaming.apply(document.check->blocks);
+    return document;
+}
+
+}  // namespace blossom::worked
