@@ -35,8 +35,13 @@ std::string bare_text(const Json& point) {
 }
 
 std::string argument_text(const Json& argument) {
+    if (const Json::Array* list = argument.array()) {
+        std::string text;
+        for (const Json& element : *list) text += (text.empty() ? "" : ", ") + argument_text(element);
+        return "(" + text + ")";
+    }
     if (const Json* direction = argument.find("vector")) {
-        const std::string value = leaf_text(*direction);
+        const std::string value = bare_text(*direction);
         return value == "1" ? "delta" : "vector " + value;
     }
     if (const Json* pair = argument.find("homogeneous")) return bare_text(*pair);
@@ -66,6 +71,10 @@ std::vector<std::string> member_texts(const Json& result, std::string_view name)
         texts.push_back(point_text(points[i], twins ? &(*twins->array())[i] : nullptr));
     }
     return texts;
+}
+
+std::string parameter_text(const Json& parameter) {
+    return parameter.array() ? bare_text(parameter) : "(" + bare_text(parameter) + ")";
 }
 
 std::string arguments_text(const Json& arguments) {

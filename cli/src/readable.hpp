@@ -34,6 +34,9 @@ std::string member_text(const Json& result, std::string_view name);
 /// The same for a member that is a list of points.
 std::vector<std::string> member_texts(const Json& result, std::string_view name);
 
+/// A parameter in parentheses, "(1/2)", "(1/2, 1)".
+std::string parameter_text(const Json& parameter);
+
 /// The arguments of a request: "1, 2, delta".
 std::string arguments_text(const Json& arguments);
 

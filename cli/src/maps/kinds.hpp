@@ -36,4 +36,18 @@ Map read_samples(Fields& fields, const Limits& limits);
 Json write(const Samples& samples, const PointForm& form);
 std::string formula(const Samples& samples, const Map& map, std::string_view name);
 
+/// {"kind": "polynomial", "variables", "text" or "terms", "degree" or "degrees"?, "denominator"?, ...}
+Map read_several_variables(Fields& fields, const Limits& limits);
+Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form);
+std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name);
+/// "formal degree 2", or "formal degrees 2, 1".
+std::string degree_text(const Patch& patch);
+
+/// {"kind": "tensor", "degrees", "control_net", "intervals"?, "weights"?, "homogeneous"?}
+Map read_tensor(Fields& fields, const Limits& limits);
+/// {"kind": "simplex", "degree", "control_net", "vertices"?, "weights"?, "homogeneous"?}
+Map read_simplex(Fields& fields, const Limits& limits);
+Json write(const Patch& patch, const PointForm& form);
+std::string formula(const Patch& patch, const Map& map, std::string_view name);
+
 }  // namespace blossom::cli

@@ -18,6 +18,7 @@ struct Kind {
 constexpr Kind kinds[] = {
     {"polynomial", read_polynomial}, {"bezier", read_bezier},           {"taylor", read_taylor},
     {"bspline", read_bspline},       {"progressive", read_progressive}, {"samples", read_samples},
+    {"tensor", read_tensor},         {"simplex", read_simplex},
 };
 
 const Kind& read_kind(const Json& value) {
@@ -61,6 +62,7 @@ std::string description(const Map& map) {
     const auto degree = Overloads{
         [](const PolynomialCurve& curve) { return ", formal degree " + std::to_string(curve.degree()); },
         [](const BezierCurve& curve) { return ", degree " + std::to_string(curve.degree()); },
+        [](const Patch& patch) { return patch.is_polynomial() ? ", " + degree_text(patch) : ""; },
         [](const auto&) { return std::string(); }};
     return formula(map, "P") + std::visit(degree, map.value) +
            (map.form.homogeneous ? ", points with their weight last" : "");

@@ -13,6 +13,7 @@
 
 #include "fields.hpp"
 #include "json.hpp"
+#include "maps/patch.hpp"
 #include "maps/points.hpp"
 #include "maps/samples.hpp"
 
@@ -20,11 +21,11 @@ namespace blossom::cli {
 
 /// What a map is made of, one alternative a kind.
 using AnyMap =
-    std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve, Samples>;
+    std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve, Samples, Patch>;
 
 /// What messages call each alternative of `AnyMap`.
-inline constexpr std::string_view map_names[] = {"polynomial", "bezier",      "taylor",
-                                                 "bspline",    "progressive", "samples"};
+inline constexpr std::string_view map_names[] = {"polynomial",  "bezier",  "taylor", "bspline",
+                                                 "progressive", "samples", "patch"};
 static_assert(std::size(map_names) == std::variant_size_v<AnyMap>, "one name an alternative");
 
 /// A map as a request gives it. A rational one is a polynomial map into one dimension more: (w x, w), the

@@ -101,6 +101,7 @@ std::string tuple_of_polynomials(const PolynomialCurve& curve, std::size_t count
 }  // namespace
 
 Map read_polynomial(Fields& fields, const Limits& limits) {
+    if (fields.has("variables")) return read_several_variables(fields, limits);
     Written written = read_written(fields, limits);
     const auto denominator = fields.optional(
         "denominator", [&](const Json& value) { return read_denominator(value, written.variable, limits); });

@@ -4,7 +4,9 @@
 
 #include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
+#include "operations/construction_results.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 
 namespace blossom::cli {
@@ -15,17 +17,6 @@ std::string_view readable_name(std::string_view construction) {
     if (construction == construction_name(Construction::symmetric)) return "symmetric functions";
     if (construction == construction_name(Construction::casteljau)) return "de Casteljau";
     return construction;
-}
-
-template <class Value>
-Json skipped(const Agreement<Value>& agreement) {
-    Json::Array list;
-    for (const auto& result : agreement.results) {
-        if (result.value) continue;
-        list.emplace_back(Json::Object{{"construction", construction_name(result.construction)},
-                                       {"reason", result.skipped}});
-    }
-    return list;
 }
 
 /// One text a coordinate, or the text of the only one. A rational map has one more, its denominator.
@@ -45,16 +36,13 @@ std::size_t degree_of(const PolynomialMap& map) {
 Json agree_at(const PolynomialMap& map, const PointForm& form, std::span<const Argument> arguments,
               const Limits& limits) {
     const Agreement<Coordinates> agreement = blossom::agreement(map, arguments, limits);
-    Json::Object values;
-    for (const auto& [construction, value, reason] : agreement.results) {
-        if (!value) continue;
-        values.emplace_back(construction_name(construction),
-                            within("arguments", [&] { return to_json(*value, form); }));
-    }
+    Json values = construction_values(agreement, [&](const Coordinates& value) {
+        return within("arguments", [&] { return to_json(value, form); });
+    });
     return Json::Object{{"agree", agreement.agree()},
                         {"degree", degree_of(map)},
                         {"values", std::move(values)},
-                        {"skipped", skipped(agreement)}};
+                        {"skipped", skipped_constructions(agreement)}};
 }
 
 Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, const Limits& limits) {
@@ -64,19 +52,19 @@ Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, co
         {"for_all_arguments", agreement.agree()},
         {"degree", degree_of(map)},
         {"elementary", texts(elementary_symmetric_form(map, limits), form, "e", degree_of(map))}};
-    Json expansions;
-    for (const auto& [construction, value, reason] : agreement.results) {
-        if (value) expansions[construction_name(construction)] = texts(*value, form, "u", degree_of(map));
-    }
+    Json expansions = construction_values(agreement, [&](const std::vector<SparsePolynomial>& value) {
+        return texts(value, form, "u", degree_of(map));
+    });
     result["expansion"] = expansions.object()->front().second;
     // Where they differ, each of them is needed to see how.
     if (!agreement.agree()) result["expansions"] = std::move(expansions);
-    result["skipped"] = skipped(agreement);
+    result["skipped"] = skipped_constructions(agreement);
     return result;
 }
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return agree_on_patch(request, map, limits);
     const auto arguments = request.optional(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     request.finish();
@@ -142,10 +130,11 @@ std::string verdict(const Answered& answered) {
 
 std::string render(const Answered& answered) {
     const Json* arguments = answered.request.find("arguments");
-    return fmt::format(
-        "{}\n\n{}\n{}", description(map_of(answered)),
-        arguments ? values_text(answered, arguments_text(*arguments)) : expansion_text(answered),
-        verdict(answered));
+    return fmt::format("{}\n\n{}\n{}", description(map_of(answered)),
+                       arguments                     ? values_text(answered, arguments_text(*arguments))
+                       : has_patch(answered.request) ? patch_expansion_text(answered)
+                                                     : expansion_text(answered),
+                       verdict(answered));
 }
 
 }  // namespace

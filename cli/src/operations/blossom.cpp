@@ -7,6 +7,7 @@
 #include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/segment.hpp"
 #include "operations/table.hpp"
 
@@ -37,6 +38,7 @@ struct Value {
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return blossom_of_patch(request, map, limits);
     const std::vector<Argument> arguments = request.required(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     const auto construction = request.optional("construction", read_construction);

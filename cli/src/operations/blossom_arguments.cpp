@@ -25,7 +25,7 @@ Construction read_construction(const Json& value) {
 }
 
 Option arguments_option(std::string help) {
-    return field_option("--at", "arguments", "U1,U2,...", std::move(help), argument_list);
+    return field_option("--at", "arguments", "U1,U2,...", std::move(help), argument_list, patch_arguments);
 }
 
 }  // namespace blossom::cli

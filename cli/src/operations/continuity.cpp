@@ -4,9 +4,12 @@
 #include <blossom/core/rational_spline.hpp>
 #include <blossom/rational/number_text.hpp>
 
+#include <algorithm>
+
 #include "maps/serve.hpp"
 #include "operations/map_list.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 
 namespace blossom::cli {
@@ -98,6 +101,7 @@ Json answer(Fields& request, const Limits& limits) {
     std::vector<Map> maps;
     if (of_maps) {
         maps = read_maps_field(request, limits);
+        if (std::ranges::any_of(maps, patch_of)) return continuity_of_patches(request, maps, limits);
     } else {
         map = read_map_field(request, limits);
     }
@@ -118,7 +122,7 @@ std::string render(const Answered& answered) {
 Operation continuity_operation() {
     return {
         .name = "continuity",
-        .summary = "How smoothly a spline is at a knot, or two curves meet, and why",
+        .summary = "How smooth a spline is at a knot, or how smoothly two curves or patches meet, and why",
         .example = {"continuity", "--control-points", "0; 1; 4; 5; 9", "--knots", "0,0,0,1,2,3,3,3",
                     "--degree", "2", "--at", "1"},
         .options = with_map_options({

@@ -7,6 +7,7 @@
 #include "maps/serve.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 #include "svg/plot.hpp"
 
@@ -57,6 +58,7 @@ private:
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return control_net_of_patch(request, map, limits);
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     const auto degree =
@@ -79,13 +81,16 @@ void apply_degree(Json& request, const std::vector<std::string>& values, const L
 Operation control_points_operation() {
     return {
         .name = "control-points",
-        .summary = "The control points of a map over any interval: its Bezier curve, or part of a spline",
+        .summary = "The control points of a map over any interval, simplex or box, or part of a spline",
         .example = {"control-points", "1 + 2t + 4t^2 - t^3", "--interval", "2,-1"},
         .options = with_map_options({
             own_interval_option("the interval of the control points: of those given, or else of those "
                                 "wanted; by default 0,1"),
             field_option("--over", "interval", "A,B", "the interval of the control points wanted",
                          number_list),
+            field_option("--vertices", "vertices", "P0;P1;...",
+                         "of a patch: the vertices of the simplex wanted", tuple_list),
+            field_option("--intervals", "intervals", "A,B;C,D;...", "of a patch: the box wanted", tuple_list),
             {"--degree", "/degree", "N",
              "the formal degree wanted, by default that of the map; with --knots the degree of the spline",
              apply_degree},

@@ -8,6 +8,7 @@
 #include "operations/evaluator.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 #include "svg/plot.hpp"
 
@@ -43,6 +44,7 @@ Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return derivative_of_patch(request, map, limits);
     const std::size_t order =
         request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
     const auto parameters =
@@ -62,14 +64,15 @@ std::string derivative_name(std::size_t order) {
 
 std::string render(const Answered& answered) {
     const Json* order = answered.request.find("order");
-    const std::string name = derivative_name(order ? read_count(*order, answered.limits) : 1);
+    const std::string name =
+        has_patch(answered.request) ? "DP" : derivative_name(order ? read_count(*order, answered.limits) : 1);
     std::string text = description(map_of(answered)) + "\n\n";
     if (const Json* derived = answered.result.find("map")) return text + line_of(*derived, name, answered);
     const Json::Array& parameters = *answered.request.find("at")->array();
     const std::vector<std::string> values = member_texts(answered.result, "values");
     for (std::size_t i = 0; i < values.size(); ++i) {
         text +=
-            fmt::format("  {}({}) = {}\n", name, point_text(parameters[i]), answered.style.bold(values[i]));
+            fmt::format("  {}{} = {}\n", name, parameter_text(parameters[i]), answered.style.bold(values[i]));
     }
     return text;
 }
@@ -84,7 +87,11 @@ Operation derivative_operation() {
         .options = with_map_options({
             field_option("--order", "order", "K", "the order of the derivative; by default 1", count),
             field_option("--at", "at", "T1,T2,...", "the parameters; without them the derived map is given",
-                         number_list),
+                         number_list, patch_parameters),
+            field_option("--direction", "direction", "X,Y,...",
+                         "of a patch: the direction, as often as the order says", number_list),
+            field_option("--directions", "directions", "D1;D2;...", "of a patch: several directions",
+                         tuple_list),
         }),
         .answer = answer,
         .render = render,

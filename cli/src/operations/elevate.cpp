@@ -6,6 +6,7 @@
 #include "maps/serve.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 #include "svg/plot.hpp"
 
@@ -30,12 +31,17 @@ struct Elevate {
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return elevate_patch(request, map, limits);
     const std::size_t by =
         request.required("by", [&](const Json& value) { return read_count(value, limits); });
     request.finish();
     require_numbers(by, dimension_of(map), limits);
     const Map raised{serve<AnyMap>(map, Elevate{by, limits}), map.form, map.variable};
     return Json::Object{{"map", within("map", [&] { return to_json(raised); })}};
+}
+
+Json degrees_to_raise_by(std::string_view text, const Json&) {
+    return text.find(',') == std::string_view::npos ? count(text) : number_list(text);
 }
 
 }  // namespace
@@ -45,8 +51,9 @@ Operation elevate_operation() {
         .name = "elevate",
         .summary = "The same curve with a higher degree",
         .example = {"elevate", "--control-points", "0; 3; 0", "--by", "2"},
-        .options =
-            with_map_options({field_option("--by", "by", "R", "by how much the degree is raised", count)}),
+        .options = with_map_options({field_option(
+            "--by", "by", "R", "by how much the degree is raised; of a tensor product one a direction", count,
+            degrees_to_raise_by)}),
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,

@@ -2,6 +2,7 @@
 
 #include "operations/evaluator.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/pyramid.hpp"
 #include "operations/table.hpp"
 #include "svg/plot.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return evaluate_patch(request, map, limits);
     const auto parameters =
         request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
     const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);
@@ -29,7 +31,7 @@ std::string render(const Answered& answered) {
     const Json::Array& parameters = *answered.request.find("at")->array();
     const std::vector<std::string> values = member_texts(answered.result, "values");
     for (std::size_t i = 0; i < values.size(); ++i) {
-        text += fmt::format("  P({}) = {}\n", point_text(parameters[i]), answered.style.bold(values[i]));
+        text += fmt::format("  P{} = {}\n", parameter_text(parameters[i]), answered.style.bold(values[i]));
     }
     return text + pyramids_text(answered);
 }
@@ -42,7 +44,9 @@ Operation evaluate_operation() {
         .summary = "The values of a map at parameters, exactly",
         .example = {"evaluate", "1 + 1/2t^2; t - 3t^2", "--at", "0,1/3,-0.25"},
         .options = with_map_options({
-            field_option("--at", "at", "T1,T2,...", "the parameters; any rational numbers", number_list),
+            field_option("--at", "at", "T1,T2,...",
+                         "the parameters; any rational numbers; of a patch points, separated by ';'",
+                         number_list, patch_parameters),
             flag_option("--pyramid", "pyramid", "show every node of de Casteljau's or de Boor's triangle"),
         }),
         .answer = answer,

@@ -26,6 +26,16 @@ Json argument(std::string_view text) {
     return Json::Object{{"homogeneous", std::move(numbers)}};
 }
 
+/// "1,2", "vector:1,0" or "pair:1,0,2".
+Json point_argument(std::string_view text) {
+    for (const auto& [prefix, member] : {std::pair{"vector:", "vector"}, {"pair:", "homogeneous"}}) {
+        if (text.starts_with(prefix)) {
+            return Json::Object{{member, number_list(text.substr(std::string_view(prefix).size()))}};
+        }
+    }
+    return number_list(text);
+}
+
 /// Several texts, or one with ';', are the coordinates of a point; one text is a number.
 Json polynomial_texts(const std::vector<std::string>& values) {
     if (values.size() == 1 && values.front().find(';') == std::string::npos) return values.front();
@@ -88,6 +98,10 @@ std::vector<Option> map_options() {
          "makes the control points those of a B-spline over these knots, of degree --degree", apply_knots},
         {"--map", "/map", "JSON", "any map of the protocol, or what a command with --json printed",
          apply_map},
+        map_option("--variables", "variables", "X,Y,...", "makes the polynomial one in several variables",
+                   number_list),
+        map_option("--degrees", "degrees", "M,N,...",
+                   "one formal degree a variable: a tensor product, not a total degree", number_list),
         map_option("--degree", "degree", "N", "the formal degree; by default the actual one", count),
         map_option("--denominator", "denominator", "TEXT",
                    "makes the polynomial the numerator of a rational map", plain_text),
@@ -134,6 +148,14 @@ Json argument_list(std::string_view text) {
     return arguments;
 }
 
+Json tuple_list(std::string_view text) {
+    Json::Array tuples;
+    for (const std::string& tuple : split(text, ';')) {
+        if (!tuple.empty()) tuples.push_back(number_list(tuple));
+    }
+    return tuples;
+}
+
 Json count(std::string_view text) {
     const bool digits =
         !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
@@ -146,6 +168,17 @@ Option field_option(std::string name, const std::string& field, std::string valu
                     Json (*read)(std::string_view text)) {
     const auto apply = [field, read](Json& request, const std::vector<std::string>& values, const Limits&) {
         request[field] = read(values.front());
+    };
+    return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
+}
+
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text),
+                    Json (*read_patch)(std::string_view text, const Json& map)) {
+    const auto apply = [field, read, read_patch](Json& request, const std::vector<std::string>& values,
+                                                 const Limits&) {
+        request[field] =
+            has_patch(request) ? read_patch(values.front(), *request.find("map")) : read(values.front());
     };
     return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
 }
@@ -178,6 +211,30 @@ Option own_interval_option(std::string help) {
 bool has_control_points(const Json& request) {
     const Json* map = request.find("map");
     return map && map->find("control_points");
+}
+
+bool has_patch(const Json& request) {
+    const Json* map = request.find("map");
+    if (!map) return false;
+    const Json* kind = map->find("kind");
+    const std::string* name = kind ? kind->text() : nullptr;
+    return map->find("variables") || (name && (*name == "tensor" || *name == "simplex"));
+}
+
+bool is_tensor(const Json& map) { return map.find("degrees") != nullptr; }
+
+Json patch_parameters(std::string_view text, const Json&) { return tuple_list(text); }
+
+Json patch_arguments(std::string_view text, const Json& map) {
+    Json::Array arguments;
+    for (const std::string& part : split(text, ';')) {
+        if (is_tensor(map)) {
+            arguments.push_back(argument_list(part));
+        } else if (!part.empty()) {
+            arguments.push_back(point_argument(part));
+        }
+    }
+    return arguments;
 }
 
 bool has_knots(const Json& request) {

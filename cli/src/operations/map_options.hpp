@@ -28,11 +28,18 @@ Json point_list(std::string_view text);
 Json argument_list(std::string_view text);
 /// Digits as a JSON integer; anything else as it stands, to be refused where it is read.
 Json count(std::string_view text);
+/// "0,0; 1,2" as a list of lists of numbers; "0,0" has one.
+Json tuple_list(std::string_view text);
 Json plain_text(std::string_view text);
 
 /// An option that writes one field of the request.
 Option field_option(std::string name, const std::string& field, std::string value, std::string help,
                     Json (*read)(std::string_view text));
+
+/// The same with another reading for a request about a patch; `read_patch` may look at the map.
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text),
+                    Json (*read_patch)(std::string_view text, const Json& map));
 
 /// An option without value that makes one field of the request true.
 Option flag_option(std::string name, const std::string& field, std::string help);
@@ -46,6 +53,14 @@ Option own_interval_option(std::string help);
 
 /// Whether the request is about a control polygon, not a polynomial.
 bool has_control_points(const Json& request);
+/// Whether it is about a map on a product of simplices or in several variables.
+bool has_patch(const Json& request);
+/// Whether the map of such a request is a tensor product, with one list of arguments a direction.
+bool is_tensor(const Json& map);
+/// The parameters of a patch, "0,0; 1/2,1".
+Json patch_parameters(std::string_view text, const Json& map);
+/// The arguments of its blossom: points "1,2; vector:0,1", of a tensor product a list a direction "1,2; 0".
+Json patch_arguments(std::string_view text, const Json& map);
 /// Whether its control points are those of a B-spline.
 bool has_knots(const Json& request);
 

@@ -5,6 +5,7 @@
 #include "maps/serve.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 #include "svg/plot.hpp"
 
@@ -31,6 +32,7 @@ struct Subdivide {
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return subdivide_patch(request, map, limits);
     const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
     const auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});
@@ -41,6 +43,16 @@ Json answer(Fields& request, const Limits& limits) {
     return Json::Object{{"maps", std::move(maps)}};
 }
 
+/// "1/2,1/4", "1/2,-" or "midpoints".
+Json place(std::string_view text, const Json&) {
+    if (text == "midpoints") return text;
+    Json parameters = number_list(text);
+    for (Json& parameter : *parameters.array()) {
+        if (*parameter.text() == "-") parameter = Json();
+    }
+    return parameters;
+}
+
 }  // namespace
 
 Operation subdivide_operation() {
@@ -48,9 +60,11 @@ Operation subdivide_operation() {
         .name = "subdivide",
         .summary = "The control points of a curve on both sides of a parameter",
         .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
-        .options = with_map_options(
-            {field_option("--at", "at", "T",
-                          "the parameter; for Bezier curves it may lie outside the interval", plain_text)}),
+        .options = with_map_options({field_option(
+            "--at", "at", "T",
+            "the parameter; for Bezier curves it may lie outside the interval; of a simplex a point or "
+            "\"midpoints\", of a tensor product a number or - a direction",
+            plain_text, place)}),
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,

@@ -12,7 +12,7 @@ const std::vector<Operation>& operations() {
         continuity_operation(),  basis_functions_operation(), roots_operation(),
         prove_operation(),       audit_operation(),           import_operation(),
         export_operation(),      certify_operation(),         explain_operation(),
-        exercise_operation(),
+        exercise_operation(),    barycentric_operation(),
     };
     return table;
 }

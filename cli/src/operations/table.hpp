@@ -6,6 +6,7 @@ namespace blossom::cli {
 
 Operation agree_operation();
 Operation audit_operation();
+Operation barycentric_operation();
 Operation basis_functions_operation();
 Operation blossom_operation();
 Operation certify_operation();

@@ -1,0 +1,300 @@
+// The kinds tensor and simplex.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "maps/kinds.hpp"
+#include "readable.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+[[noreturn]] void refuse_net(const std::string& message) { throw Error(ErrorCode::incomplete_net, message); }
+
+/// The points of a net in order, all of the form of the first.
+class NetPoints {
+public:
+    explicit NetPoints(const Limits& limits) : limits_(limits) {}
+
+    void add(const Json& value) {
+        const bool scalar = !value.array();
+        if (points_.empty()) scalar_ = scalar;
+        Coordinates point = scalar ? Coordinates{read_number(value, limits_)} : read_numbers(value, limits_);
+        if (scalar != scalar_ || point.empty() ||
+            (!points_.empty() && point.size() != points_.front().size())) {
+            throw Error(ErrorCode::mismatched_dimensions,
+                        "the point is not of the form of those before; all are numbers, or all are arrays of "
+                        "the same "
+                        "length of at least 1");
+        }
+        points_.push_back(std::move(point));
+    }
+    Points finish() && { return {std::move(points_), scalar_}; }
+
+private:
+    const Limits& limits_;
+    std::vector<Coordinates> points_;
+    bool scalar_ = true;
+};
+
+/// leaf(value) for every entry of nested arrays with degrees[d] + 1 elements on level d.
+template <class Leaf>
+void visit_nested(const Json& value, std::span<const std::size_t> degrees, const Leaf& leaf) {
+    if (degrees.empty()) {
+        leaf(value);
+        return;
+    }
+    const Json::Array& elements = read_array(value);
+    if (elements.size() != degrees.front() + 1) {
+        refuse_net(fmt::format("there are {} entries here; degree {} needs {}", elements.size(),
+                               degrees.front(), degrees.front() + 1));
+    }
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        within(i, [&] { visit_nested(elements[i], degrees.subspan(1), leaf); });
+    }
+}
+
+/// The values in order, as nested arrays.
+Json nested(std::span<const Json> values, std::span<const std::size_t> degrees) {
+    if (degrees.empty()) return values.front();
+    Json::Array elements;
+    const std::size_t each = values.size() / (degrees.front() + 1);
+    for (std::size_t i = 0; i <= degrees.front(); ++i) {
+        elements.push_back(nested(values.subspan(i * each, each), degrees.subspan(1)));
+    }
+    return elements;
+}
+
+MultiIndex read_index_of(const Json& value, std::size_t entries, std::size_t degree, const Limits& limits) {
+    MultiIndex index = read_list(value, [&](const Json& element) { return read_count(element, limits); });
+    std::size_t sum = 0;
+    for (const std::size_t entry : index) sum += entry;
+    if (index.size() != entries || sum != degree) {
+        refuse_net(fmt::format("an index has {} entries of sum {}; this one has {} of sum {}", entries,
+                               degree, index.size(), sum));
+    }
+    return index;
+}
+
+std::string index_text(const MultiIndex& index) { return fmt::format("({})", fmt::join(index, ", ")); }
+
+/// leaf(value) for the value of every index, in the order of the net. Each index must occur once.
+template <class Leaf>
+void visit_indexed(const Json& value, std::size_t dimension, std::size_t degree, const Limits& limits,
+                   const Leaf& leaf) {
+    const Json::Array& entries = read_array(value);
+    const std::size_t count = multi_index_count(dimension, degree, limits);
+    std::vector<std::size_t> place(count, entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        within(i, [&] {
+            const Json::Array& pair = read_array(entries[i]);
+            if (pair.size() != 2) refuse_net("an entry of a net is a pair of an index and a value");
+            const MultiIndex index =
+                within(0, [&] { return read_index_of(pair[0], dimension + 1, degree, limits); });
+            std::size_t& known = place[position(index)];
+            if (known != entries.size()) {
+                refuse_net("the index " + index_text(index) + " occurs twice, first in entry " +
+                           std::to_string(known));
+            }
+            known = i;
+        });
+    }
+    const auto missing = std::ranges::find(place, entries.size());
+    if (missing != place.end()) {
+        const auto indices = multi_indices(dimension, degree);
+        refuse_net("the index " + index_text(indices[static_cast<std::size_t>(missing - place.begin())]) +
+                   " is missing");
+    }
+    for (const std::size_t i : place) {
+        within(i, [&] { within(1, [&] { leaf((*entries[i].array())[1]); }); });
+    }
+}
+
+/// One pair of index and value a point.
+Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
+    Json::Array entries;
+    std::size_t place = 0;
+    for (const MultiIndex& index : multi_indices(factor.dimension, factor.degree)) {
+        entries.emplace_back(Json::Array{Json::Array(index.begin(), index.end()), values[place++]});
+    }
+    return entries;
+}
+
+/// The fields "control_net", "weights" and "homogeneous"; visit(value, leaf) goes through a net in order.
+template <class Visit>
+WeightedPoints read_net(Fields& fields, const Limits& limits, const Visit& visit) {
+    Points points = fields.required("control_net", [&](const Json& value) {
+        NetPoints read(limits);
+        visit(value, [&](const Json& leaf) { read.add(leaf); });
+        return std::move(read).finish();
+    });
+    PointForm form{.scalar = points.scalar};
+    if (read_homogeneous(fields)) {
+        form = within("control_net", [&] { return homogeneous_form(points); });
+        if (fields.has("weights")) {
+            throw Error(
+                ErrorCode::wrong_kind,
+                R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
+                "/weights");
+        }
+        return {std::move(points.points), form};
+    }
+    std::size_t place = 0;
+    form.rational =
+        fields
+            .optional("weights",
+                      [&](const Json& value) {
+                          visit(value, [&](const Json& leaf) {
+                              const Rational weight = read_number(leaf, limits);
+                              if (weight.is_zero()) {
+                                  throw Error(ErrorCode::zero_weight,
+                                              "the weight is 0; with \"homogeneous\": true, points carry "
+                                              "their weight and may have weight 0");
+                              }
+                              Coordinates& point = points.points[place++];
+                              for (Rational& coordinate : point) coordinate *= weight;
+                              point.push_back(weight);
+                          });
+                          return true;
+                      })
+            .value_or(false);
+    return {std::move(points.points), form};
+}
+
+/// Writes the same fields; arrange(values) puts a list in the form of the net.
+template <class Arrange>
+void write_net(Json& map, const BezierPatch& patch, const PointForm& form, const Arrange& arrange) {
+    Json::Array points, weights;
+    for (const Coordinates& point : patch.control_net().to_points()) {
+        points.push_back(to_json(point, form));
+        if (form.separate_weights()) weights.emplace_back(point.back());
+    }
+    map["control_net"] = arrange(points);
+    if (form.separate_weights()) map["weights"] = arrange(weights);
+    if (form.homogeneous) map["homogeneous"] = true;
+}
+
+std::vector<std::size_t> degrees_of(const NetShape& shape) {
+    std::vector<std::size_t> degrees;
+    for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
+    return degrees;
+}
+
+Json vertices_json(const BarycentricFrame& frame) {
+    Json::Array vertices;
+    for (const Coordinates& vertex : frame.vertices())
+        vertices.emplace_back(Json::Array(vertex.begin(), vertex.end()));
+    return vertices;
+}
+
+Json write_tensor(const BezierPatch& patch, const std::vector<BarycentricFrame>& frames,
+                  const PointForm& form) {
+    const std::vector<std::size_t> degrees = degrees_of(patch.shape());
+    Json::Array intervals;
+    for (const BarycentricFrame& frame : frames) {
+        intervals.emplace_back(Json::Array{frame.vertices()[0][0], frame.vertices()[1][0]});
+    }
+    Json map = Json::Object{{"kind", "tensor"},
+                            {"degrees", Json::Array(degrees.begin(), degrees.end())},
+                            {"intervals", std::move(intervals)}};
+    write_net(map, patch, form, [&](std::span<const Json> values) { return nested(values, degrees); });
+    return map;
+}
+
+Json write_simplex(const BezierPatch& patch, const std::vector<BarycentricFrame>& frames,
+                   const PointForm& form) {
+    Json map = Json::Object{{"kind", "simplex"}, {"degree", patch.shape()[0].degree}};
+    if (!frames.empty()) map["vertices"] = vertices_json(frames.front());
+    write_net(map, patch, form,
+              [&](std::span<const Json> values) { return indexed(values, patch.shape()[0]); });
+    return map;
+}
+
+}  // namespace
+
+Map read_tensor(Fields& fields, const Limits& limits) {
+    const auto degrees = fields.required("degrees", [&](const Json& value) {
+        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
+    });
+    if (degrees.empty())
+        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/degrees");
+    const NetShape shape = within("degrees", [&] { return NetShape::tensor(degrees, limits); });
+    const auto visit = [&](const Json& value, const auto& leaf) { visit_nested(value, degrees, leaf); };
+    WeightedPoints read = read_net(fields, limits, visit);
+    auto frames = fields.optional("intervals", [&](const Json& value) {
+        std::vector<BarycentricFrame> given = read_intervals(value, limits);
+        if (given.size() == degrees.size()) return given;
+        throw Error(ErrorCode::wrong_arity,
+                    fmt::format("{} intervals for {} directions", given.size(), degrees.size()));
+    });
+    if (!frames) frames.emplace(degrees.size(), BarycentricFrame::standard(1));
+    require_numbers(read.points.size(), read.points.front().size(), limits);
+    return {Patch{BezierPatch(shape, read.points), true, std::move(*frames), {}}, read.form};
+}
+
+Map read_simplex(Fields& fields, const Limits& limits) {
+    const std::size_t degree =
+        fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    std::size_t dimension = 0;
+    // The number of entries of the first index says the dimension.
+    const auto visit = [&](const Json& value, const auto& leaf) {
+        const Json::Array& entries = read_array(value);
+        if (entries.empty()) refuse_net("a control net has at least one point");
+        const Json::Array& pair = read_array(entries.front());
+        const std::size_t length = pair.empty() || !pair.front().array() ? 0 : pair.front().array()->size();
+        if (length == 0) {
+            throw Error(ErrorCode::incomplete_net, "an entry of a net is a pair of an index and a value",
+                        "/0");
+        }
+        dimension = length - 1;
+        visit_indexed(value, dimension, degree, limits, leaf);
+    };
+    WeightedPoints read = read_net(fields, limits, visit);
+    std::vector<BarycentricFrame> frames;
+    const auto vertices = fields.optional("vertices", [&](const Json& value) {
+        BarycentricFrame frame = read_vertices(value, limits);
+        if (frame.dimension() == dimension && frame.space_dimension() == dimension) return frame;
+        throw Error(
+            ErrorCode::mismatched_dimensions,
+            fmt::format(
+                "a simplex of dimension {} has {} vertices with {} coordinates each; given are {} with {}",
+                dimension, dimension + 1, dimension, frame.dimension() + 1, frame.space_dimension()));
+    });
+    if (vertices) frames.push_back(*vertices);
+    require_numbers(read.points.size(), read.points.front().size(), limits);
+    return {Patch{BezierPatch(NetShape::simplex(dimension, degree, limits), read.points),
+                  false,
+                  std::move(frames),
+                  {}},
+            read.form};
+}
+
+Json write(const Patch& patch, const PointForm& form) {
+    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
+        return write(*polynomial, patch, form);
+    const auto& net = std::get<BezierPatch>(patch.map);
+    return patch.tensor ? write_tensor(net, patch.frames, form) : write_simplex(net, patch.frames, form);
+}
+
+std::string formula(const Patch& patch, const Map& map, std::string_view name) {
+    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
+        return formula(*polynomial, map, name);
+    std::string domain;
+    for (const BarycentricFrame& frame : patch.frames) {
+        std::string vertices;
+        for (const Coordinates& vertex : frame.vertices()) {
+            vertices +=
+                (vertices.empty() ? "" : ", ") +
+                (patch.tensor ? to_string(vertex[0]) : point_text(Json::Array(vertex.begin(), vertex.end())));
+        }
+        domain += fmt::format("{}[{}]", domain.empty() ? " over " : " x ", vertices);
+    }
+    const std::vector<std::size_t> degrees = degrees_of(patch.shape());
+    return fmt::format("{}: {} patch of degree{} {}{}, {} control points", name,
+                       patch.tensor ? "tensor product" : "simplex", degrees.size() == 1 ? "" : "s",
+                       fmt::join(degrees, ", "), domain, patch.shape().size());
+}
+
+}  // namespace blossom::cli
