@@ -18,6 +18,13 @@ PolynomialCurve monomial_curve(const PolynomialMap& map, const Limits& limits) {
     return monomial_form(std::get<BezierCurve>(map), limits);
 }
 
+std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
+    std::vector<Polynomial> coordinates;
+    coordinates.reserve(curve.dimension());
+    for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
+    return coordinates;
+}
+
 Interval own_interval(const ProgressiveCurve& curve) {
     const std::size_t n = curve.degree();
     // The two knots in the middle always differ, or there would be no such curve.

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "maps/map.hpp"
 
@@ -30,6 +31,9 @@ PolynomialMap polynomial_map(const ProgressiveCurve& curve, const Limits& limits
 
 /// By monomial coefficients.
 PolynomialCurve monomial_curve(const PolynomialMap& map, const Limits& limits);
+
+/// One polynomial a coordinate.
+std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve);
 
 /// The kinds for which `polynomial_map` is defined.
 template <class Value>

@@ -166,14 +166,13 @@ Operation audit_operation() {
                     R"({"control_points": [0, 0.333, 0.1]})"},
         .options = with_map_options({
             {"--computed", "/computed", "JSON",
-             "what the other program has for \"control_points\", \"weights\", \"knots\", \"coefficients\", "
-             "or "
-             "for the \"values\" at the parameters --at",
+             R"(what the other program has for "control_points", "weights", "knots", "coefficients", )"
+             R"(or for the "values" at the parameters --at)",
              apply_computed},
-            field_option("--at", "at", "T1,T2,...", "the parameters of \"values\"", number_list),
+            field_option("--at", "at", "T1,T2,...", R"(the parameters of "values")", number_list),
             format_option(),
             document_option(
-                "instead of --computed a file of another library, \"@NAME\" or \"-\", or its text"),
+                R"(instead of --computed a file of another library, "@NAME" or "-", or its text)"),
         }),
         .answer = answer,
         .render = render,

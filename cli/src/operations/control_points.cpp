@@ -22,8 +22,9 @@ struct ControlPoints {
 
     AnyMap operator()(const PolynomialCurve& curve) const {
         const std::size_t formal = degree.value_or(curve.degree());
-        return control_points(formal == curve.degree() ? curve : PolynomialCurve(coordinates(curve), formal),
-                              interval.value_or(Interval()), limits);
+        return control_points(
+            formal == curve.degree() ? curve : PolynomialCurve(coordinates_of(curve), formal),
+            interval.value_or(Interval()), limits);
     }
     AnyMap operator()(const BezierCurve& curve) const {
         const Interval wanted = interval.value_or(curve.interval());
@@ -39,20 +40,13 @@ struct ControlPoints {
     AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
     /// A Bezier curve where there is only one polynomial, otherwise a spline.
     AnyMap operator()(const BSplineCurve& curve) const {
-        const BSplineCurve part =
+        BSplineCurve part =
             interval ? within("interval", [&] { return restricted(curve, *interval, limits); }) : curve;
         if (part.knots().spans().size() == 1) return (*this)(bezier_segments(part, limits).front());
         if (!degree || *degree == part.degree()) return part;
         if (*degree > part.degree()) return elevate(part, *degree - part.degree(), limits);
         throw Error(ErrorCode::degree_too_low, "the spline has degree " + std::to_string(part.degree()),
                     "/degree");
-    }
-
-private:
-    static std::vector<Polynomial> coordinates(const PolynomialCurve& curve) {
-        std::vector<Polynomial> polynomials;
-        for (std::size_t j = 0; j < curve.dimension(); ++j) polynomials.push_back(curve.coordinate(j));
-        return polynomials;
     }
 };
 

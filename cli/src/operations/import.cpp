@@ -30,7 +30,7 @@ Operation import_operation() {
             "The curves of a file of tinyspline, geomdl or splinepy, with the exact values of its doubles",
         .example = {"import", "--format", "tinyspline", "--document",
                     R"({"degree": 1, "dimension": 1, "control_points": [0.1, 2], "knots": [0, 0, 1, 1]})"},
-        .options = {format_option(), document_option("the file, \"@NAME\" or \"-\", or its text")},
+        .options = {format_option(), document_option(R"(the file, "@NAME" or "-", or its text)")},
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_result,

@@ -15,8 +15,7 @@ struct WithWeight {
     const Limits& limits;
 
     AnyMap operator()(const PolynomialCurve& curve) const {
-        std::vector<Polynomial> coordinates;
-        for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
+        std::vector<Polynomial> coordinates = coordinates_of(curve);
         coordinates.emplace_back(1);
         return PolynomialCurve(coordinates, curve.degree());
     }
