@@ -96,7 +96,7 @@ PolynomialMap rational_derivative_map(const PolynomialMap& map, std::size_t orde
         }
     }
     coordinates.push_back(pow(weight, order + 1));
-    const PolynomialCurve derived(coordinates, degree);
+    PolynomialCurve derived(coordinates, degree);
     if (const auto* bezier = std::get_if<BezierCurve>(&map)) {
         return control_points(derived, bezier->interval(), limits);
     }
