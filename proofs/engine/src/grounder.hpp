@@ -2,6 +2,7 @@
 
 #include <blossom/core/sparse_polynomial.hpp>
 #include <blossom/proofs/ground.hpp>
+#include <blossom/rational/error.hpp>
 
 #include <map>
 #include <optional>
@@ -12,6 +13,11 @@
 #include <vector>
 
 namespace blossom::proofs {
+
+/// Throws the `syntax` error of what stands at `offset` of the text.
+[[noreturn]] inline void refuse(const std::string& message, std::size_t offset) {
+    throw Error(ErrorCode::syntax, message, "", offset);
+}
 
 using Set = std::vector<long long>;
 using Bound = std::variant<long long, Set>;

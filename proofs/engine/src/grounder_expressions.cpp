@@ -15,10 +15,6 @@ constexpr std::size_t deepest = 1000;
 /// What grounding one expression costs, in term operations of an expansion.
 constexpr std::size_t steps_an_expression = 20;
 
-[[noreturn]] void refuse(const std::string& message, std::size_t offset) {
-    throw Error(ErrorCode::syntax, message, "", offset);
-}
-
 /// Counts how deep grounding is, abbreviations that refer to each other included.
 class Depth {
 public:

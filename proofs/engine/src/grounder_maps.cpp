@@ -15,10 +15,6 @@ namespace blossom::proofs {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& message, std::size_t offset) {
-    throw Error(ErrorCode::syntax, message, "", offset);
-}
-
 /// Appends to `result` all exponents of `dimension - used.size()` more variables with sum at most `left`.
 void append_monomials(std::vector<std::size_t>& used, std::size_t dimension, std::size_t left,
                       std::vector<std::vector<std::size_t>>& result) {
