@@ -59,10 +59,7 @@ private:
     std::string symbol(std::size_t number) const {
         std::string name = "x_" + block_.symbols[number].name;
         std::ranges::replace_if(
-            name,
-            [](char c) {
-                return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'));
-            },
+            name, [](char c) { return (c < 'a' || c > 'z') && (c < 'A' || c > 'Z') && (c < '0' || c > '9'); },
             '_');
         return name;
     }
@@ -88,8 +85,9 @@ private:
         const std::string mass = text(argument.mass);
         for (std::size_t k = order; k <= n; ++k) {
             const std::string scale = to_string(falling_factorial(k, order));
-            result += (result.empty() ? "(" : " + ") + scale + " * " + text(map.coefficients[k]) + " * (" +
-                      u + ")^" + std::to_string(k - order);
+            result += result.empty() ? "(" : " + ";
+            result +=
+                scale + " * " + text(map.coefficients[k]) + " * (" + u + ")^" + std::to_string(k - order);
             if (mass != "1") result += " * (" + mass + ")^" + std::to_string(n - k);
         }
         return result.empty() ? "0" : checked(result + ")");

@@ -25,7 +25,7 @@ public:
     const std::set<std::size_t>& conditions() const { return conditions_; }
 
     struct Solution {
-        std::size_t symbol;
+        std::size_t symbol{};
         SparsePolynomial numerator;  ///< symbol = numerator / denominator
         SparsePolynomial denominator;
     };

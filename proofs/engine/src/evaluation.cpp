@@ -49,6 +49,7 @@ Rational Evaluator::application(const Application& application) {
         }
     }
     std::vector<Rational> coefficients;
+    coefficients.reserve(map.coefficients.size());
     for (const NodeId coefficient : map.coefficients) coefficients.push_back((*this)(coefficient));
     Rational scale = 1;
     const Rational value = contracted(

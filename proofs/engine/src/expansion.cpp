@@ -118,6 +118,7 @@ Fraction Expander::expanded(const Node& node) {
             return {SparsePolynomial::variable(node.index), {}};
         case NodeKind::sum: {
             std::vector<Fraction> summands;
+            summands.reserve(node.operands.size());
             for (std::size_t i = 0; i < node.operands.size(); ++i) summands.push_back(operand(i));
             return field_.sum(summands);
         }
@@ -142,6 +143,7 @@ Fraction Expander::expanded(const Node& node) {
 
 FractionField::Common Expander::over_common_denominator(const NodeArgument& argument) {
     std::vector<Fraction> entries;
+    entries.reserve(argument.coordinates.size());
     for (const NodeId coordinate : argument.coordinates) entries.push_back(*known_[coordinate]);
     entries.push_back(*known_[argument.mass]);
     return field_.over_common_denominator(entries);
@@ -165,6 +167,7 @@ Fraction Expander::application(const Application& application) {
         }
     }
     std::vector<Fraction> entries;
+    entries.reserve(map.coefficients.size());
     for (const NodeId coefficient : map.coefficients) entries.push_back(*known_[coefficient]);
     auto [coefficients, denominator] = field_.over_common_denominator(entries);
     result = field_.product(result, {1, std::move(denominator)});

@@ -228,7 +228,7 @@ Expression ExpressionParser::blossom_of(Expression map) {
         }
         result.groups.back().push_back(argument());
         if (!is("]") && !is(";")) {
-            expect(",", "\";\" or \"]\" after an argument");
+            expect(",", R"(";" or "]" after an argument)");
             if (is("]") || is(";")) refuse("an argument");
         }
     }

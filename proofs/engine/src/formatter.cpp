@@ -138,6 +138,7 @@ std::string joined(const std::vector<std::string>& parts) {
 
 std::string joined(const std::vector<Expression>& expressions) {
     std::vector<std::string> parts;
+    parts.reserve(expressions.size());
     for (const Expression& expression : expressions) parts.push_back(to_text(expression));
     return joined(parts);
 }
@@ -220,15 +221,15 @@ std::string formatted(const Document& document) {
             }
         }
     };
-    for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (auto& line : lines) {
         // Comments above a head belong to it: the empty line stands before them, and before that what stands
         // behind the last line.
-        if (comment != document.comments.end() && comment->offset < lines[i].offset && !comment->own_line) {
+        if (comment != document.comments.end() && comment->offset < line.offset && !comment->own_line) {
             print_comments_before(comment->offset + 1);
         }
-        if (lines[i].begins_block && !text.empty()) text += "\n";
-        print_comments_before(lines[i].offset);
-        text += lines[i].text + "\n";
+        if (line.begins_block && !text.empty()) text += "\n";
+        print_comments_before(line.offset);
+        text += line.text + "\n";
     }
     print_comments_before(std::string::npos);
     return text;

@@ -188,7 +188,7 @@ void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& re
     result.factors = multiplied(result.factors, {{number_of(rest), 1}});
 }
 
-FractionField::Factorisation FractionField::factorise(SparsePolynomial polynomial) {
+FractionField::Factorisation FractionField::factorise(const SparsePolynomial& polynomial) {
     Factorisation result{polynomial.coefficient(0), {}};
     SparsePolynomial rest = polynomial * SparsePolynomial(Rational(1) / result.unit);
     std::vector<std::size_t> occurring;

@@ -33,6 +33,7 @@ void for_each_choice(Grounder& grounder, const std::vector<const Range*>& ranges
 
 std::vector<const Range*> pointers(const std::vector<Range>& ranges) {
     std::vector<const Range*> result;
+    result.reserve(ranges.size());
     for (const Range& range : ranges) result.push_back(&range);
     return result;
 }
@@ -93,7 +94,7 @@ std::vector<Choice> parameter_choices(const Block& block, const Limits& limits) 
     Grounder grounder(limits);
     std::vector<const Range*> ranges;
     for (const Statement& statement : block.statements) {
-        if (statement.kind == StatementKind::parameter) ranges.push_back(&statement.ranges[0]);
+        if (statement.kind == StatementKind::parameter) ranges.push_back(&statement.ranges.front());
     }
     std::vector<Choice> choices;
     Choice chosen;

@@ -174,6 +174,7 @@ Grounder::Value Grounder::let_value(const std::string& full, const Expression& e
     if (known != let_values_.end()) return known->second;
     if (!open_lets_.insert(full).second) refuse("the abbreviation " + full + " refers to itself", e.offset);
     std::vector<long long> indices;
+    indices.reserve(e.children.size());
     for (const Expression& index : e.children) indices.push_back(integer(index));
     const auto hidden = std::exchange(bound_, parameters_);
     std::optional<Value> result;

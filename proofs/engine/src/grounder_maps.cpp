@@ -77,6 +77,7 @@ void Grounder::add_map(GroundMap map, std::size_t offset) {
 
 std::vector<Direction> Grounder::directions(const Statement& statement) {
     std::vector<Direction> result;
+    result.reserve(statement.expressions.size());
     for (const Expression& degree : statement.expressions) result.push_back({count(degree), 1});
     if (!statement.dimension.empty()) {
         if (result.size() != 1) refuse("a map on a simplex has one degree", statement.offset);
@@ -132,6 +133,7 @@ void Grounder::declare_let(const Statement& statement) {
 void Grounder::declare_polynomial(const Statement& statement) {
     const std::size_t variables = statement.names.size() - 1;
     std::vector<Direction> directions;
+    directions.reserve(statement.expressions.size());
     for (const Expression& degree : statement.expressions) directions.push_back({count(degree), 1});
     if (directions.size() == 1) directions[0].dimension = variables;
     if (directions.size() != 1 && directions.size() != variables) {

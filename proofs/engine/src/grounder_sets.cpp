@@ -120,7 +120,7 @@ std::vector<Bound> Grounder::elements_of(const Expression& e) {
         elements.emplace_back(members);
         // The last member that can grow does, and those behind follow it.
         std::size_t i = k;
-        while (i > 0 && members[i - 1] == static_cast<long long>(n - k + i)) --i;
+        while (i > 0 && members[i - 1] == static_cast<long long>(n) - static_cast<long long>(k - i)) --i;
         if (i == 0) return elements;
         std::iota(members.begin() + static_cast<std::ptrdiff_t>(i) - 1, members.end(), members[i - 1] + 1);
     }
@@ -191,6 +191,7 @@ std::vector<long long> Grounder::family_indices(const Expression& family) {
 std::string Grounder::full_name(const Expression& name) {
     if (name.children.empty()) return name.name;
     std::vector<std::string> indices;
+    indices.reserve(name.children.size());
     for (const Expression& index : name.children) indices.push_back(std::to_string(integer(index)));
     if (indices.size() == 1 && indices[0].front() != '-') return name.name + "_" + indices[0];
     std::string list;

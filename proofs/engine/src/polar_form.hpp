@@ -55,6 +55,7 @@ R polar_form(const Direction& direction, std::span<const R> coefficients,
 template <class R>
 R form_value(const Direction& direction, std::span<const R> coefficients, const RingArgument<R>& argument) {
     std::vector<std::vector<R>> powers;
+    powers.reserve(argument.coordinates.size());
     for (const R& coordinate : argument.coordinates) powers.push_back({R(1), coordinate});
     powers.push_back({R(1), argument.mass});
     for (auto& list : powers) {

@@ -15,6 +15,7 @@ namespace {
 /// "a != b" for a difference of two names, otherwise "polynomial != 0".
 std::string condition_text(const SparsePolynomial& factor, const std::vector<Symbol>& symbols) {
     std::vector<std::string> names;
+    names.reserve(symbols.size());
     for (const Symbol& symbol : symbols) names.push_back(symbol.name);
     const SparsePolynomial zero;
     if (factor.size() == 2 && factor.coefficient(0) == Rational(1) && factor.coefficient(1) == Rational(-1) &&

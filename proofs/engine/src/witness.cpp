@@ -4,6 +4,7 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <ranges>
 #include <set>
 
 #include "evaluation.hpp"
@@ -18,6 +19,7 @@ SparsePolynomial specialised(const SparsePolynomial& polynomial, std::size_t var
     const auto powers = coefficients_in(polynomial, variable);
     if (value.is_zero()) return powers.front();
     std::vector<SparsePolynomial> summands;
+    summands.reserve(powers.size());
     for (std::size_t k = 0; k < powers.size(); ++k) {
         summands.push_back(powers[k] * SparsePolynomial(pow(value, k)));
     }
@@ -61,8 +63,8 @@ std::vector<Rational> find_values(const GroundBlock& block, std::vector<SparsePo
         }
     }
     const auto& solutions = elimination.solutions();
-    for (auto solution = solutions.rbegin(); solution != solutions.rend(); ++solution) {
-        values[solution->symbol] = solution->numerator(values) / solution->denominator(values);
+    for (const auto& solution : std::ranges::reverse_view(solutions)) {
+        values[solution.symbol] = solution.numerator(values) / solution.denominator(values);
     }
     return values;
 }
@@ -80,6 +82,7 @@ WitnessMap written_out(const GroundMap& map, Evaluator& evaluate) {
     }
     const auto exponents = monomials(map.directions);
     std::vector<SparsePolynomial> terms;
+    terms.reserve(exponents.size());
     for (std::size_t i = 0; i < exponents.size(); ++i) {
         terms.push_back(SparsePolynomial::term(evaluate(map.coefficients[i]), exponents[i]));
     }

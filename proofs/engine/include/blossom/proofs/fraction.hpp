@@ -62,7 +62,7 @@ public:
         Rational unit;
         std::vector<std::pair<std::size_t, std::size_t>> factors;
     };
-    Factorisation factorise(SparsePolynomial polynomial);
+    Factorisation factorise(const SparsePolynomial& polynomial);
     const std::vector<SparsePolynomial>& factors() const { return factors_; }
 
 private:
