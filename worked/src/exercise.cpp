@@ -112,6 +112,7 @@ bool alike(const Document& a, const Document& b) {
 
 std::vector<std::string_view> exercise_topics() {
     std::vector<std::string_view> names;
+    names.reserve(topics.size());
     for (const Topic& topic : topics) names.push_back(topic.name);
     return names;
 }

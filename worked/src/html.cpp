@@ -109,6 +109,7 @@ private:
         append_words(details, "summary", "Every node written out");
         for (std::size_t r = 1; r < pyramid.levels.size(); ++r) {
             std::vector<Formula> equations;
+            equations.reserve(pyramid.levels[r].size());
             for (std::size_t i = 0; i < pyramid.levels[r].size(); ++i) {
                 equations.push_back(node_equation(pyramid, r, i));
             }

@@ -74,6 +74,7 @@ public:
             if (!changed) break;
         }
         std::vector<PlacedLabel> result;
+        result.reserve(placed_.size());
         for (const auto& label : placed_) result.push_back(*label);
         return result;
     }

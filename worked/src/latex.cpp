@@ -96,7 +96,7 @@ private:
             for (std::size_t j = 0; j < row.size(); ++j) text += (j ? " & " : "") + words(row[j].shown);
             text += " \\rule[-1.1ex]{0pt}{3.4ex}\\\\\n";
         }
-        return text + "\\hline\\end{tabular}}\\par\\medskip";
+        return text + R"(\hline\end{tabular}}\par\medskip)";
     }
 
     std::string block(const TrianglePyramid& pyramid) const {
@@ -112,8 +112,8 @@ private:
     }
 
     static std::string figure_caption(const std::string& caption) {
-        return "\\medskip\\noindent{\\small " + latex_text(caption) +
-               "}\\par\\nopagebreak\\smallskip\\noindent";
+        return R"(\medskip\noindent{\small )" + latex_text(caption) +
+               R"(}\par\nopagebreak\smallskip\noindent)";
     }
 
     std::string words(const Text& text) const {

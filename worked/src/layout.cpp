@@ -93,7 +93,6 @@ private:
             case FormulaKind::summation:
                 return Binding::sum;
             case FormulaKind::product:
-                return Binding::product;
             case FormulaKind::fraction:
                 return Binding::product;
             case FormulaKind::number:

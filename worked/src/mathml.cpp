@@ -134,7 +134,7 @@ std::string markup_of(const pugi::xml_document& document) {
 
 std::string to_mathml(const Formula& formula, const Notation& notation, bool display) {
     pugi::xml_document document;
-    append_math(document, layout_of(formula, notation), display);
+    append_math(document.root(), layout_of(formula, notation), display);
     return markup_of(document);
 }
 

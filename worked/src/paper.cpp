@@ -102,6 +102,7 @@ Spot Paper::spot(const Place& place) const {
 
 std::vector<Spot> Paper::spots(const std::vector<Place>& places) const {
     std::vector<Spot> spots;
+    spots.reserve(places.size());
     for (const Place& place : places) spots.push_back(spot(place));
     return spots;
 }

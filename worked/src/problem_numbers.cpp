@@ -65,7 +65,7 @@ BSplineCurve ProblemNumbers::spline() {
         knots.emplace_back(knot);
         knot += level_ == 3 ? between(1, 2) : 1;
     }
-    return BSplineCurve(n, std::move(knots), plane_points(count));
+    return {n, std::move(knots), plane_points(count)};
 }
 
 std::vector<Argument> ProblemNumbers::arguments(std::size_t n) {
@@ -76,6 +76,7 @@ std::vector<Argument> ProblemNumbers::arguments(std::size_t n) {
         if (std::ranges::find(numbers, value) == numbers.end()) numbers.push_back(value);
     }
     std::vector<Argument> arguments;
+    arguments.reserve(numbers.size());
     for (const Rational& value : numbers) arguments.emplace_back(Parameter(value));
     return arguments;
 }

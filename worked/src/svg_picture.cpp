@@ -125,7 +125,7 @@ std::string svg_style() {
 
 std::string render_svg(const Picture& picture, const Notation& notation) {
     pugi::xml_document document;
-    pugi::xml_node svg = append_picture(document, picture, notation, 1);
+    pugi::xml_node svg = append_picture(document.root(), picture, notation, 1);
     // A file that is shown as an image has the reader's scheme but no page: its paper is its own.
     svg.insert_child_after("style", svg.child("desc") ? svg.child("desc") : svg.child("title"))
         .text()

@@ -24,7 +24,10 @@ struct Column {
 class PyramidDrawing {
 public:
     PyramidDrawing(const TrianglePyramid& pyramid, const Notation& notation)
-        : pyramid_(pyramid), notation_(notation) {
+        : pyramid_(pyramid),
+          notation_(notation),
+          height_(2 * pitch * static_cast<Length>(pyramid.levels.front().size() - 1) + node_height +
+                  2 * margin) {
         Length left = margin;
         for (const auto& level : pyramid.levels) {
             Column column{left, 0};
@@ -41,8 +44,6 @@ public:
             columns_.push_back(column);
         }
         width_ = left + margin;
-        height_ =
-            2 * pitch * static_cast<Length>(pyramid.levels.front().size() - 1) + node_height + 2 * margin;
     }
 
     Length width() const { return width_; }

@@ -72,7 +72,7 @@ private:
 
     /// On one line where it fits, otherwise a line for each side, and more where a side is too long.
     std::string formula_lines(const Formula& formula) const {
-        const std::string whole = to_text(formula, notation_);
+        std::string whole = to_text(formula, notation_);
         if (columns(whole) + 2 <= width_) return whole;
         std::vector<std::vector<std::string>> sides;
         for (const Piece& piece : pieces_of(formula, notation_)) {

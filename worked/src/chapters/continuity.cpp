@@ -31,7 +31,7 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     const Contact joint = contact(curve, knot, limits);
     const std::size_t left = curve.knots().span_before(knot);
     const std::size_t right = curve.knots().span_at(knot);
-    document.statement.push_back(
+    document.statement.emplace_back(
         Paragraph{{"Wanted is how smoothly the segments on both sides of ", number(knot), " meet."}});
     Table table{"Both blossoms at the knot and beside it.",
                 {"k", "arguments", "segment before", "segment after", ""},
@@ -48,14 +48,14 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
                                  .add(std::move(table))
                                  .done());
     const std::size_t multiplicity = curve.knots().multiplicity(knot);
-    document.result.push_back(
+    document.result.emplace_back(
         joint.is_infinite() ? Paragraph{"All values agree: both segments are one polynomial, and the curve "
                                         "has all derivatives here."}
                             : Paragraph{{"The values agree up to k = ",
                                          number(Rational(Integer(static_cast<std::int64_t>(*joint.order)))),
                                          " and not beyond: the curve meets with this order."}});
     if (const auto plane = plane_spline(curve)) {
-        document.result.push_back(spline_picture(*plane, "The curve with its control polygon.", limits));
+        document.result.emplace_back(spline_picture(*plane, "The curve with its control polygon.", limits));
     }
     const auto promised =
         static_cast<std::ptrdiff_t>(curve.degree()) - static_cast<std::ptrdiff_t>(multiplicity);

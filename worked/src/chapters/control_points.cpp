@@ -15,8 +15,8 @@ Table symmetric_table(const PolynomialCurve& curve, const BezierCurve& polygon) 
     const std::size_t n = curve.degree();
     Table table{
         "The elementary symmetric functions of the arguments of each control point.", {"arguments"}, {}};
-    for (std::size_t k = 0; k <= n; ++k) table.header.push_back(index(symbol("e"), number(k)));
-    table.header.push_back("value");
+    for (std::size_t k = 0; k <= n; ++k) table.header.emplace_back(index(symbol("e"), number(k)));
+    table.header.emplace_back("value");
     for (std::size_t i = 0; i <= n; ++i) {
         const auto arguments = end_arguments(polygon.interval().a(), polygon.interval().b(), n, i);
         std::vector<Cell> row{tuple(argument_formulas(arguments))};
@@ -83,8 +83,8 @@ Step two_subdivisions(const BezierCurve& given, const Interval& interval, const 
 Document control_points_over(const GivenMap& given, const Interval& interval, const Limits& limits) {
     Document document =
         begun(given, "Control points over an interval", "Goldman, theorem 4: the dual functional property");
-    document.statement.push_back(Paragraph{{"Wanted are the Bezier control points over [",
-                                            number(interval.a()), ", ", number(interval.b()), "]."}});
+    document.statement.emplace_back(Paragraph{{"Wanted are the Bezier control points over [",
+                                               number(interval.a()), ", ", number(interval.b()), "]."}});
     const BezierCurve polygon =
         std::visit([&](const auto& curve) { return control_points(curve, interval, limits); }, given.map);
     document.steps.push_back(
@@ -104,9 +104,9 @@ Document control_points_over(const GivenMap& given, const Interval& interval, co
                                      .add(symmetric_table(curve, polygon))
                                      .done());
     }
-    document.result.push_back(Display{control_point_equations(polygon)});
+    document.result.emplace_back(Display{control_point_equations(polygon)});
     if (const auto plane = plane_map(given.map, limits)) {
-        document.result.push_back(polygon_picture(*plane, polygon, limits));
+        document.result.emplace_back(polygon_picture(*plane, polygon, limits));
     }
     const PolynomialCurve back = monomial_form(polygon, limits);
     document.check = {{Paragraph{"Turned back into coefficients, the control points give the map again:"},

@@ -45,7 +45,7 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
     const std::size_t n = curve.degree();
     Document document = begun({curve, given.variable}, "From coefficients to control points",
                               "Goldman, section 5 and figure 11(b)");
-    document.statement.push_back(Paragraph{"Wanted are its control points over [0, 1]."});
+    document.statement.emplace_back(Paragraph{"Wanted are its control points over [0, 1]."});
     const Blossom p(curve, limits);
     TrianglePyramid triangle =
         triangle_by({n, [n](std::size_t r, std::size_t i) { return adding_label(n, r, i); },
@@ -65,7 +65,7 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
                                  .add(std::move(triangle))
                                  .done());
     const BezierCurve polygon = control_points(curve, Interval(), limits);
-    document.result.push_back(Display{control_point_equations(polygon)});
+    document.result.emplace_back(Display{control_point_equations(polygon)});
     document.check = {{Paragraph{"Back from the control points to coefficients:"},
                        Display{{polynomial_equation(polygon, given.variable, limits)}}},
                       monomial_form(polygon, limits) == curve};
@@ -75,7 +75,7 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
 Document control_points_to_coefficients(const GivenMap& given, const Limits& limits) {
     Document document =
         begun(given, "From control points to coefficients", "Goldman, section 5 and figure 11(a)");
-    document.statement.push_back(Paragraph{"Wanted are its coefficients."});
+    document.statement.emplace_back(Paragraph{"Wanted are its coefficients."});
     const BezierCurve bezier = bezier_form(given.map, limits);
     const BezierCurve unit = control_points(bezier, Interval(), limits);
     const std::size_t n = unit.degree();
@@ -106,7 +106,7 @@ Document control_points_to_coefficients(const GivenMap& given, const Limits& lim
             .say("Each value on the upper edge is a coefficient divided by a binomial coefficient:")
             .show(std::move(equations))
             .done());
-    document.result.push_back(Display{{polynomial_equation(curve, given.variable, limits)}});
+    document.result.emplace_back(Display{{polynomial_equation(curve, given.variable, limits)}});
     const BezierCurve back = control_points(curve, bezier.interval(), limits);
     document.check = {
         {Paragraph{"The polynomial has the given control points:"}, Display{control_point_equations(back)}},

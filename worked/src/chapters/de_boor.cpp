@@ -55,7 +55,7 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
     const std::size_t span = curve.knots().span_at(t.value);
     const std::vector<Argument> arguments = with_copies({}, curve.degree(), t);
     const Formula wanted = call("F", {number(t.value)});
-    document.statement.push_back(Paragraph{{"Wanted is ", wanted, "."}});
+    document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, "."}});
     std::vector<Formula> used;
     for (std::size_t i = 0; i <= curve.degree(); ++i) {
         used.push_back(spline_value(window_arguments(curve.knots(), curve.knots().first_point(span) + i)));
@@ -75,7 +75,7 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
     if (const auto plane = plane_spline(curve)) triangle.add(construction(*plane, span, arguments, limits));
     document.steps.push_back(triangle.done());
     const Coordinates value = de_boor(curve, t, limits);
-    document.result.push_back(
+    document.result.emplace_back(
         Display{{equation({wanted, spline_value(arguments, span), point_formula(value)})}});
     document.check = de_boor_check(curve, span, t, value, limits);
     return document;

@@ -82,8 +82,9 @@ Document degree_raised(const GivenMap& given, std::size_t times, const Limits& l
     require_within(degree_of(given.map) + times, page_degree, "page degree", "raised degree");
     Document document = begun(given, "Degree raising", "DeRose, section 4.4; Goldman, exercise 12");
     const BezierCurve first = bezier_form(given.map, limits);
-    document.statement.push_back(Paragraph{{"Wanted are the control points of the same map as one of degree ",
-                                            number(first.degree() + times), "."}});
+    document.statement.emplace_back(
+        Paragraph{{"Wanted are the control points of the same map as one of degree ",
+                   number(first.degree() + times), "."}});
     BezierCurve current = first;
     for (std::size_t step = 1; step <= times; ++step) {
         const BezierCurve next = elevate(current, 1, limits);
@@ -107,9 +108,9 @@ Document degree_raised(const GivenMap& given, std::size_t times, const Limits& l
                                      .done());
         current = next;
     }
-    document.result.push_back(Display{control_point_equations(current, raised_name(times))});
+    document.result.emplace_back(Display{control_point_equations(current, raised_name(times))});
     if (auto picture = raised_picture(given.map, first, current, raised_name(times), limits)) {
-        document.result.push_back(std::move(*picture));
+        document.result.emplace_back(std::move(*picture));
     }
     const PolynomialCurve back = monomial_form(current, limits);
     document.check = {

@@ -12,6 +12,7 @@ namespace {
 /// n (n - 1) ... (n - k + 1).
 Formula falling(std::size_t n, std::size_t k) {
     std::vector<Formula> factors;
+    factors.reserve(k);
     for (std::size_t i = 0; i < k; ++i) factors.push_back(number(n - i));
     return product(std::move(factors));
 }
@@ -36,7 +37,7 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
         begun(given, "A derivative is a blossom value at delta", "Goldman, theorem 9 and figures 9 and 10");
     const std::size_t n = degree_of(given.map);
     const Formula wanted = derivative_of("P", order, number(t.value));
-    document.statement.push_back(
+    document.statement.emplace_back(
         Paragraph{{"Wanted is ", wanted, ", the derivative of order ", number(order), "."}});
     const Coordinates value = derivative(given.map, order, t, limits);
     if (order > n) {
@@ -45,7 +46,7 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
                 .say({"The blossom has only ", number(n),
                       " arguments, too few for so many vectors: the derivative is zero."})
                 .done());
-        document.result.push_back(Display{{equation({wanted, point_formula(value)})}});
+        document.result.emplace_back(Display{{equation({wanted, point_formula(value)})}});
         document.check = derivative_check(given, order, t, value, limits);
         return document;
     }
@@ -78,7 +79,7 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
                                       point_formula(Blossom(given.map, limits)(arguments))}),
                              point_formula(value)})})
             .done());
-    document.result.push_back(Display{{equation({wanted, point_formula(value)})}});
+    document.result.emplace_back(Display{{equation({wanted, point_formula(value)})}});
     document.check = derivative_check(given, order, t, value, limits);
     return document;
 }

@@ -31,7 +31,7 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
     const std::vector<Argument> arguments = with_copies({}, n, t);
     const Formula wanted = call("P", {number(t.value)});
     const Formula diagonal = value_of_blossom(arguments);
-    document.statement.push_back(Paragraph{{"Wanted is ", wanted, "."}});
+    document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, "."}});
 
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
@@ -51,7 +51,7 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
             .add_if(construction_picture(given.map, arguments, "The construction in the plane.", limits))
             .done());
     const Coordinates value = Blossom(given.map, limits)(arguments);
-    document.result.push_back(Display{{equation({wanted, diagonal, point_formula(value)})}});
+    document.result.emplace_back(Display{{equation({wanted, diagonal, point_formula(value)})}});
 
     const PolynomialCurve coefficients = coefficient_form(given.map, limits);
     const Coordinates direct = evaluate(coefficients, t, limits);

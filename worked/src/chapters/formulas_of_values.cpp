@@ -45,6 +45,7 @@ Formula map_at_variable(const GivenMap& given) { return call("P", {symbol(given.
 
 Formula combination(const std::vector<std::pair<Rational, Formula>>& terms) {
     std::vector<Formula> parts;
+    parts.reserve(terms.size());
     for (const auto& [weight, formula] : terms) {
         parts.push_back(weight == Rational(1) ? formula : product({number(weight), formula}));
     }
@@ -76,6 +77,7 @@ std::vector<Argument> end_arguments(const Rational& a, const Rational& b, std::s
 Display definition_of(const GivenMap& given) {
     if (const auto* curve = std::get_if<PolynomialCurve>(&given.map)) {
         std::vector<Formula> coordinates;
+        coordinates.reserve(curve->dimension());
         for (std::size_t j = 0; j < curve->dimension(); ++j) {
             coordinates.push_back(polynomial_formula(curve->coordinate(j), given.variable));
         }
@@ -108,8 +110,8 @@ Document begun(const GivenMap& given, std::string title, std::string source) {
     if (!polynomial)
         text = {words, number(n),
                 " by its control points, the values of its blossom at the ends of its interval:"};
-    document.statement.push_back(Paragraph{std::move(text)});
-    document.statement.push_back(definition_of(given));
+    document.statement.emplace_back(Paragraph{std::move(text)});
+    document.statement.emplace_back(definition_of(given));
     return document;
 }
 

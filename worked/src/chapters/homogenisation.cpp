@@ -48,6 +48,7 @@ SparsePolynomial homogenised(const SparsePolynomial& blossom, std::size_t n) {
 /// The polarization of the form sum c_k t^k w^(n-k), which knows nothing of the affine blossom.
 SparsePolynomial polarized_form(const Polynomial& polynomial, std::size_t n) {
     std::vector<HomogeneousPair<SparsePolynomial>> arguments;
+    arguments.reserve(n);
     for (std::size_t i = 0; i < n; ++i) {
         arguments.push_back({SparsePolynomial::variable(i), SparsePolynomial::variable(n + i)});
     }
@@ -124,9 +125,9 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
     Document document = begun({curve, given.variable}, "Blossoming and homogenising commute",
                               "Goldman, figures 4 and 5, theorem 6");
     require_within(n, written_degree, "degree of a page with all arguments", "formal degree");
-    document.statement.push_back(
+    document.statement.emplace_back(
         Paragraph{"Wanted is its blossom for all arguments, points and vectors alike."});
-    document.statement.push_back(square(n, given.variable));
+    document.statement.emplace_back(square(n, given.variable));
 
     const auto affine = agreement_for_all_arguments(curve, limits);
     const Symbolic& blossom = *affine.results.front().value;
@@ -158,7 +159,7 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
                                      .add(monomials(n, given.variable))
                                      .done());
     }
-    document.result.push_back(
+    document.result.emplace_back(
         Display{{equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})}});
     document.check = {
         {Paragraph{"Both ways round the square give the same polynomial in all arguments, and the "

@@ -55,7 +55,7 @@ Document knots_inserted(const BSplineCurve& curve, std::span<const Rational> kno
         begun(curve, "Knot insertion by Boehm's algorithm", "Hart, knot insertion; DeRose, section 4.7");
     std::vector<Formula> wanted;
     for (const Rational& knot : knots) wanted.push_back(number(knot));
-    document.statement.push_back(
+    document.statement.emplace_back(
         Paragraph{{"Wanted are the control points of the same curve with the further knots ",
                    tuple(std::move(wanted)), "."}});
     BSplineCurve current = curve;
@@ -76,11 +76,12 @@ Document knots_inserted(const BSplineCurve& curve, std::span<const Rational> kno
         Formula value = value_of_blossom(window_arguments(current.knots(), j), "g");
         equations.push_back(equation({std::move(value), point_formula(current.control_points()[j])}));
     }
-    document.result.push_back(Paragraph{{"The same curve over the new knots, its blossom called g there:"}});
-    document.result.push_back(Display{std::move(equations)});
+    document.result.emplace_back(
+        Paragraph{{"The same curve over the new knots, its blossom called g there:"}});
+    document.result.emplace_back(Display{std::move(equations)});
     const auto plane = plane_spline(curve);
     const auto refined = plane_spline(current);
-    if (plane && refined) document.result.push_back(insertion_picture(*plane, *refined, limits));
+    if (plane && refined) document.result.emplace_back(insertion_picture(*plane, *refined, limits));
     const BSplineCurve oslo = insert_knots_oslo(curve, knots, limits);
     std::vector<Formula> values;
     const Interval domain = curve.knots().domain();

@@ -74,7 +74,7 @@ Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& l
     const Coordinates homogeneous = evaluate(bezier, t, limits);
     const Coordinates point = projected(homogeneous);
     const Formula at = call("P", {number(t.value)});
-    document.statement.push_back(
+    document.statement.emplace_back(
         Paragraph{{"Its last coordinate is a weight: a point of the rational curve C is the others divided "
                    "by it. Wanted is "
                    "the point C of the curve at ",
@@ -91,9 +91,9 @@ Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& l
                                  .show({equation({at, point_formula(homogeneous)}),
                                         equation({symbol("C"), division(homogeneous), point_formula(point)})})
                                  .done());
-    document.result.push_back(
+    document.result.emplace_back(
         Display{{equation({symbol("C"), division(homogeneous), point_formula(point)})}});
-    if (auto picture = arc_picture(bezier, t, limits)) document.result.push_back(std::move(*picture));
+    if (auto picture = arc_picture(bezier, t, limits)) document.result.emplace_back(std::move(*picture));
     const Coordinates direct = evaluate(coefficient_form(given.map, limits), t, limits);
     document.check = {
         {Paragraph{"The coefficients, evaluated directly, give the same point with its weight:"},

@@ -37,8 +37,8 @@ Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve
     return StepBuilder("The segment on " + interval_text(interval))
         .say({"Its Bezier control points are the values of its blossom at ", number(interval.a()), " and ",
               number(interval.b()),
-              ". De Boor's triangle makes each from the control points of the spline; this is its last "
-              "level:"})
+              (". De Boor's triangle makes each from the control points of the spline; this is its last "
+               "level:")})
         .show(std::move(equations))
         .add(de_boor_triangle(curve, span, end_arguments(interval.a(), interval.b(), n, n / 2),
                               "The triangle of one of them.", limits))
@@ -70,13 +70,13 @@ Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
 Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
     Document document = begun(curve, "From a B-spline to Bezier curves",
                               "Hart, Boehm blossoms; DeRose, section 4.6 and figure 9");
-    document.statement.push_back(Paragraph{"Wanted are the Bezier control points of all its segments."});
+    document.statement.emplace_back(Paragraph{"Wanted are the Bezier control points of all its segments."});
     const std::vector<std::size_t> spans = curve.knots().spans();
     std::vector<BezierCurve> segments;
     for (const std::size_t span : spans) {
         segments.push_back(sablonniere(curve, span, limits));
         document.steps.push_back(segment_step(curve, span, segments.back(), limits));
-        document.result.push_back(Paragraph{{"Over " + interval_text(segments.back().interval()) + ":"}});
+        document.result.emplace_back(Paragraph{{"Over " + interval_text(segments.back().interval()) + ":"}});
         const Interval& interval = segments.back().interval();
         std::vector<Formula> equations;
         for (std::size_t k = 0; k <= curve.degree(); ++k) {
@@ -84,9 +84,9 @@ Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
                 equation({spline_value(end_arguments(interval.a(), interval.b(), curve.degree(), k), span),
                           point_formula(segments.back().control_points()[k])}));
         }
-        document.result.push_back(Display{std::move(equations)});
+        document.result.emplace_back(Display{std::move(equations)});
     }
-    if (const auto plane = plane_spline(curve)) document.result.push_back(bezier_picture(*plane, limits));
+    if (const auto plane = plane_spline(curve)) document.result.emplace_back(bezier_picture(*plane, limits));
     bool holds = true;
     for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
         const Rational& knot = segments[i].interval().b();

@@ -37,6 +37,7 @@ std::vector<Argument> window_arguments(const KnotVector& knots, std::size_t poin
 
 std::vector<Formula> spline_equations(const BSplineCurve& curve) {
     std::vector<Formula> equations;
+    equations.reserve(curve.control_points().size());
     for (std::size_t j = 0; j < curve.control_points().size(); ++j) {
         equations.push_back(equation(
             {spline_value(window_arguments(curve.knots(), j)), point_formula(curve.control_points()[j])}));
@@ -54,11 +55,11 @@ Document begun(const BSplineCurve& curve, std::string title, std::string source)
     document.maps.push_back({"F", "f", "t", curve});
     std::vector<Formula> knots;
     for (const Rational& knot : curve.knots().knots()) knots.push_back(number(knot));
-    document.statement.push_back(Paragraph{
+    document.statement.emplace_back(Paragraph{
         {"Given is the B-spline curve of degree ", number(curve.degree()), " over the knots ",
          tuple(std::move(knots)), ". Its control points are values of the blossoms of its segments at ",
          number(curve.degree()), " consecutive knots:"}});
-    document.statement.push_back(Display{spline_equations(curve)});
+    document.statement.emplace_back(Display{spline_equations(curve)});
     return document;
 }
 
@@ -66,6 +67,7 @@ std::optional<PlaneSpline> plane_spline(const BSplineCurve& curve) {
     if (curve.degree() == 0 || curve.dimension() > 2) return std::nullopt;
     if (curve.dimension() == 2) return PlaneSpline{curve, false};
     std::vector<Coordinates> points;
+    points.reserve(curve.control_points().size());
     for (std::size_t j = 0; j < curve.control_points().size(); ++j) {
         points.push_back({mean(curve.knots().window(j)), curve.control_points()[j][0]});
     }

@@ -36,7 +36,7 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
     const auto [left, right] = subdivide(bezier, t, limits);
-    document.statement.push_back(
+    document.statement.emplace_back(
         Paragraph{{"Wanted are its control points over [", number(a), ", ", number(t.value), "] and over [",
                    number(t.value), ", ", number(b), "]."}});
     TrianglePyramid pyramid = casteljau_triangle(
@@ -52,10 +52,10 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
             .add(std::move(pyramid))
             .add_if(both_polygons(given.map, bezier, t, limits))
             .done());
-    document.result.push_back(Paragraph{"The left polygon:"});
-    document.result.push_back(Display{control_point_equations(left)});
-    document.result.push_back(Paragraph{"The right polygon:"});
-    document.result.push_back(Display{control_point_equations(right)});
+    document.result.emplace_back(Paragraph{"The left polygon:"});
+    document.result.emplace_back(Display{control_point_equations(left)});
+    document.result.emplace_back(Paragraph{"The right polygon:"});
+    document.result.emplace_back(Display{control_point_equations(right)});
     const PolynomialCurve whole = coefficient_form(given.map, limits);
     document.check = {{Paragraph{"Both polygons, turned into coefficients, give the same map:"},
                        Display{{polynomial_equation(left, given.variable, limits)}}},

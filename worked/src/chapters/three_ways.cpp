@@ -39,6 +39,7 @@ Formula elementary_equation(std::span<const Argument> arguments, std::size_t k, 
     const auto subsets = subsets_of_size(arguments.size(), k);
     if (subsets.size() <= terms_written && arguments.size() > 1 && k > 0) {
         std::vector<Formula> terms;
+        terms.reserve(subsets.size());
         for (const auto& subset : subsets) terms.push_back(elementary_term(arguments, subset));
         sides.push_back(sum(std::move(terms)));
     }
@@ -52,7 +53,7 @@ Step symmetric_step(const GivenMap& given, std::span<const Argument> arguments, 
     const std::size_t n = curve.degree();
     const std::vector<Rational> values = elementary_values(arguments);
     Step step{"By elementary symmetric functions", {}};
-    step.blocks.push_back(Paragraph{
+    step.blocks.emplace_back(Paragraph{
         {"Each power ", power(symbol(given.variable), symbol("k")), " of the polynomial is replaced by ",
          fraction(index(symbol("e"), symbol("k")), binomial_of(number(n), symbol("k"))), ", where ",
          index(symbol("e"), symbol("k")),
@@ -73,10 +74,10 @@ Step symmetric_step(const GivenMap& given, std::span<const Argument> arguments, 
                                 : product({number(values[k]), point_formula(normalised)}));
         if (normalised.size() == 1 && !alone) std::swap(written.back().parts[0], written.back().parts[1]);
     }
-    step.blocks.push_back(std::move(sums));
-    step.blocks.push_back(Paragraph{"With the coefficients of the polynomial this gives"});
-    step.blocks.push_back(Display{{equation({value_of_blossom(arguments), sum(std::move(general)),
-                                             sum(std::move(written)), point_formula(value)})}});
+    step.blocks.emplace_back(std::move(sums));
+    step.blocks.emplace_back(Paragraph{"With the coefficients of the polynomial this gives"});
+    step.blocks.emplace_back(Display{{equation({value_of_blossom(arguments), sum(std::move(general)),
+                                                sum(std::move(written)), point_formula(value)})}});
     return step;
 }
 
@@ -154,12 +155,12 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
     const std::size_t n = curve.degree();
     Step step{"By polarization", {}};
     if (n == 0) {
-        step.blocks.push_back(Paragraph{"A constant has no arguments, and nothing to average."});
+        step.blocks.emplace_back(Paragraph{"A constant has no arguments, and nothing to average."});
         return step;
     }
     const bool points = all_points(arguments);
     const std::vector<SubsetRow> rows = subset_rows(arguments);
-    step.blocks.push_back(Paragraph{
+    step.blocks.emplace_back(Paragraph{
         points
             ? Text{"Only values of the map are used. Every subset of N arguments contributes the value at "
                    "its mean with the factor ",
@@ -171,15 +172,15 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
                    power(tuple({number(-1)}), sum({number(n), product({number(-1), symbol("N")})})),
                    "; subsets that look alike are counted together."}});
     if (rows.size() > rows_written) {
-        step.blocks.push_back(
+        step.blocks.emplace_back(
             Paragraph{{"The table would have ", number(rows.size()), " rows and is not written out."}});
     } else {
-        step.blocks.push_back(polarization_table(curve, rows, points));
+        step.blocks.emplace_back(polarization_table(curve, rows, points));
     }
     Coordinates total = value;
     for (Rational& coordinate : total) coordinate *= Rational(factorial(n));
-    step.blocks.push_back(Paragraph{{"The terms add up to ", point_formula(total), ", and so"}});
-    step.blocks.push_back(
+    step.blocks.emplace_back(Paragraph{{"The terms add up to ", point_formula(total), ", and so"}});
+    step.blocks.emplace_back(
         Display{{equation({value_of_blossom(arguments),
                            product({fraction(number(1), factorial_of(number(n))), point_formula(total)}),
                            point_formula(value)})}});
@@ -189,14 +190,14 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
 Step casteljau_step(const GivenMap& given, std::span<const Argument> arguments, const Limits& limits) {
     const BezierCurve bezier = bezier_form(given.map, limits);
     Step step{"By de Casteljau's algorithm, one argument a level", {}};
-    step.blocks.push_back(Paragraph{
+    step.blocks.emplace_back(Paragraph{
         {"Level r replaces one end of the interval [", number(bezier.interval().a()), ", ",
          number(bezier.interval().b()),
-         "] by the r-th argument. On its arrows stand the coordinates of this argument in the interval: the "
-         "weights with which the two neighbours are combined."}});
-    step.blocks.push_back(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits));
+         ("] by the r-th argument. On its arrows stand the coordinates of this argument in the interval: the "
+          "weights with which the two neighbours are combined.")}});
+    step.blocks.emplace_back(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits));
     auto picture = construction_picture(given.map, arguments, "The construction in the plane.", limits);
-    if (picture) step.blocks.push_back(std::move(*picture));
+    if (picture) step.blocks.emplace_back(std::move(*picture));
     return step;
 }
 
@@ -225,11 +226,11 @@ Document three_ways(const GivenMap& given, std::span<const Argument> arguments, 
     const Agreement<Coordinates> values = agreement(given.map, arguments, limits);
     const Coordinates value = *values.results.front().value;
     const Formula left = value_of_blossom(arguments);
-    document.statement.push_back(Paragraph{{"Wanted is the value ", left, " of its blossom."}});
+    document.statement.emplace_back(Paragraph{{"Wanted is the value ", left, " of its blossom."}});
     document.steps.push_back(symmetric_step(given, arguments, value, limits));
     document.steps.push_back(polarization_step(given, arguments, value, limits));
     document.steps.push_back(casteljau_step(given, arguments, limits));
-    document.result.push_back(Display{{equation({left, point_formula(value)})}});
+    document.result.emplace_back(Display{{equation({left, point_formula(value)})}});
     document.check = agreement_check(values, left);
     return document;
 }
