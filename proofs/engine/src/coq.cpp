@@ -86,8 +86,8 @@ private:
         for (std::size_t k = order; k <= n; ++k) {
             const std::string scale = to_string(falling_factorial(k, order));
             result += result.empty() ? "(" : " + ";
-            result +=
-                scale + " * " + text(map.coefficients[k]) + " * (" + u + ")^" + std::to_string(k - order);
+            result.append(scale).append(" * ").append(text(map.coefficients[k])).append(" * (").append(u);
+            result += ")^" + std::to_string(k - order);
             if (mass != "1") result += " * (" + mass + ")^" + std::to_string(n - k);
         }
         return result.empty() ? "0" : checked(result + ")");
