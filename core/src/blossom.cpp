@@ -43,6 +43,10 @@ Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> ar
                           Construction construction, const Limits& limits) {
     require_arity(degree_of(map), arguments.size());
     if (auto value = value_in_words(map, arguments, construction, limits)) return *std::move(value);
+    if (construction == Construction::symmetric) {
+        const auto* bezier = std::get_if<BezierCurve>(&map);
+        return Blossom::value_once(bezier ? monomial_form(*bezier, limits) : map, arguments, limits);
+    }
     const ClearedArguments cleared = construction == Construction::polarization
                                          ? cleared_together(arguments, limits)
                                          : cleared_one_by_one(arguments);

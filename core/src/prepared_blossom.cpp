@@ -3,6 +3,7 @@
 #include <blossom/core/blossom.hpp>
 #include <blossom/rational/error.hpp>
 
+#include "binomial_weights.hpp"
 #include "blossom_bits.hpp"
 #include "on_threads.hpp"
 #include "run_construction.hpp"
@@ -13,17 +14,23 @@ namespace blossom {
 namespace {
 
 /// Normalised coefficients, or the control points.
-LinearFactorSums prepared(const PolynomialMap& map) {
+LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
     if (const auto* bezier = std::get_if<BezierCurve>(&map))
-        return {bezier->control_points().numbers(), bezier->dimension()};
+        return {bezier->control_points().numbers(), bezier->dimension(), use};
     const PointArray& coefficients = std::get<PolynomialCurve>(map).coefficients();
-    std::vector<Quotients<Integer>> rows;
-    for (const auto row : coefficients.rows()) rows.push_back(constructions::normalised_coefficients(row));
-    return {point_array(rows, coefficients.denominator()).numbers(), coefficients.dimension()};
+    const auto weights = binomial_weights(coefficients.size() - 1);
+    std::vector<Integer> numerators;
+    numerators.reserve(coefficients.numbers().size());
+    for (const auto row : coefficients.rows()) {
+        for (std::size_t k = 0; k < row.size(); ++k) numerators.push_back(row[k] * weights->numerators[k]);
+    }
+    RationalVector numbers(std::move(numerators), weights->denominator * coefficients.denominator());
+    if (use == LinearFactorSums::Use::many) numbers.make_canonical();
+    return {std::move(numbers), coefficients.dimension(), use};
 }
 
 /// The most factors for which there is room on the stack.
-constexpr std::size_t most_word_factors = 64;
+constexpr std::size_t most_factors_in_place = 64;
 
 /// The bits of an argument whose numerator and denominator are words.
 constexpr std::size_t word_argument_bits = 65;
@@ -31,8 +38,10 @@ constexpr std::size_t word_argument_bits = 65;
 }  // namespace
 
 struct Blossom::Kernel {
-    Kernel(const PolynomialMap& map, const Limits& given)
-        : limits(given), sums(prepared(map)), bits(numerator_bits(map) + degree_of(map) * frame_bits(map)) {
+    Kernel(const PolynomialMap& map, const Limits& given, LinearFactorSums::Use use)
+        : limits(given),
+          sums(prepared(map, use)),
+          bits(numerator_bits(map) + degree_of(map) * frame_bits(map)) {
         if (const auto* bezier = std::get_if<BezierCurve>(&map)) {
             interval = cleared(bezier->interval());
             frame = WordFrame(*interval);
@@ -43,15 +52,18 @@ struct Blossom::Kernel {
 
     void evaluate(std::span<const Argument> arguments, std::size_t first_row,
                   std::span<Rational> coordinates) const {
-        if (words_are_within_limits && arguments.size() <= most_word_factors) {
-            WordFactor factors[most_word_factors];
-            std::size_t read = 0;
+        WordFactor in_place[most_factors_in_place];
+        std::vector<WordFactor> on_heap;
+        if (arguments.size() > most_factors_in_place) on_heap.resize(arguments.size());
+        WordFactor* factors = on_heap.empty() ? in_place : on_heap.data();
+        std::size_t read = 0;
+        if (words_are_within_limits)
             while (read < arguments.size() && frame.read(arguments[read], factors[read])) ++read;
-            if (read == arguments.size()) {
-                return sums.evaluate(std::span<const WordFactor>(factors, read), first_row, coordinates);
-            }
+        if (words_are_within_limits && read == arguments.size()) {
+            sums.evaluate(std::span<const WordFactor>(factors, read), first_row, coordinates);
+        } else {
+            sums.evaluate(integer_factors(arguments), first_row, coordinates);
         }
-        sums.evaluate(integer_factors(arguments), first_row, coordinates);
     }
 
     std::vector<IntegerFactor> integer_factors(std::span<const Argument> arguments) const {
@@ -84,7 +96,7 @@ Blossom::Blossom(PolynomialMap map, Limits limits)
     : degree_(degree_of(map)),
       dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
     require_within(degree_, limits.degree, "degree", "the formal degree", "/degree");
-    kernel_ = std::make_shared<const Kernel>(map, limits);
+    kernel_ = std::make_shared<const Kernel>(map, limits, LinearFactorSums::Use::many);
 }
 
 Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
@@ -98,6 +110,14 @@ Rational Blossom::coordinate(std::size_t j, std::span<const Argument> arguments)
     require_arity(degree_, arguments.size());
     Rational value;
     kernel_->evaluate(arguments, j, {&value, 1});
+    return value;
+}
+
+Coordinates Blossom::value_once(const PolynomialMap& map, std::span<const Argument> arguments,
+                                const Limits& limits) {
+    const Kernel kernel(map, limits, LinearFactorSums::Use::once);
+    Coordinates value(kernel.sums.rows());
+    kernel.evaluate(arguments, 0, value);
     return value;
 }
 

@@ -1,7 +1,7 @@
 #include <blossom/rational/linear_factor_sums.hpp>
 #include <blossom/rational/row_recurrences.hpp>
 
-#include <optional>
+#include <utility>
 
 #include "fixed_width_rows.hpp"
 #include "limb_sums.hpp"
@@ -31,14 +31,43 @@ Bounds bounds(const Prepared& rows, std::span<const WordFactor> factors) {
     return {product.bits(), sum.bits()};
 }
 
+/// The numbers of factors for which residues are used: by measurement, and by what a product of two halves
+/// may sum up without a reduction.
+constexpr std::size_t least_residue_factors = 8;
+constexpr std::size_t most_residue_factors = residues::most_terms - 1;
+
+SumKernel kernel_for(std::size_t factors) {
+    const bool residues = least_residue_factors <= factors && factors <= most_residue_factors;
+    return residues ? SumKernel::residues : SumKernel::integers;
+}
+
 SumKernel kernel_for(const Prepared& rows, std::span<const WordFactor> factors) {
-    if (factors.size() > machine_sums::most_factors) return SumKernel::integers;
+    if (factors.size() > machine_sums::most_factors) return kernel_for(factors.size());
     const bool words = !rows.words.empty();
     if (words && machine_sums::word_denominator(rows.words_of(0), factors)) return SumKernel::word;
     const std::size_t bits = bounds(rows, factors).sum;
     if (words && bits < 128) return SumKernel::wide;
     if (bits / 64 < most_sum_limbs) return SumKernel::limbs;
-    return SumKernel::integers;
+    return kernel_for(factors.size());
+}
+
+/// The greatest magnitude that a factor can take in its coefficients together.
+Integer size_of(const IntegerFactor& factor) { return abs(factor.constant) + abs(factor.slope); }
+
+/// A bound in bits on the numerators of the sums.
+template <class R>
+std::size_t sum_bits(const Prepared& rows, std::span<const LinearFactor<R>> factors) {
+    fixed_width::BitBound words(rows.bits);
+    std::size_t further = 0;
+    for (const LinearFactor<R>& factor : factors) {
+        const Integer size = size_of(factor);
+        if (const auto word = size.to_int64()) {
+            words.multiply(static_cast<std::uint64_t>(*word));
+        } else {
+            further += size.bit_length();
+        }
+    }
+    return words.bits() + further;
 }
 
 /// A numerator in two's complement, or its negative, over the denominator in lowest terms.
@@ -82,20 +111,62 @@ void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, s
     }
 }
 
+/// Factors of the denominator of all sums, each positive, words gathered as far as they stay words; and
+/// whether their product is the negative of the denominator.
+template <class R>
+std::pair<std::vector<Integer>, bool> denominator_factors(const Prepared& rows,
+                                                          std::span<const LinearFactor<R>> factors) {
+    std::vector<Integer> result;
+    bool negative = false;
+    Integer gathered = 1;
+    const auto multiply = [&](const Integer& factor) {
+        const Integer size = abs(factor);
+        negative ^= factor.sign() < 0;
+        Integer product = gathered * size;
+        if (!product.to_int64()) {
+            if (!gathered.is_one()) result.push_back(gathered);
+            product = size;
+        }
+        gathered = std::move(product);
+    };
+    if (!rows.further_denominator.is_one()) result.push_back(rows.further_denominator);
+    for (const std::uint64_t factor : rows.denominators) multiply(factor);
+    for (const LinearFactor<R>& factor : factors) multiply(factor.denominator);
+    if (!gathered.is_one()) result.push_back(gathered);
+    return {std::move(result), negative};
+}
+
+template <class R>
+void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> factors, std::size_t first_row,
+                       std::span<Rational> sums) {
+    residues::Digits digits;
+    digits.reserve(2 * factors.size());
+    for (const LinearFactor<R>& factor : factors) {
+        digits.push_back(factor.constant);
+        digits.push_back(factor.slope);
+    }
+    const std::vector<Integer> numerators = residue_sums(rows.numbers.numerators(), rows.residues, digits,
+                                                         sum_bits(rows, factors), first_row, sums.size());
+    const auto [denominators, negative] = denominator_factors(rows, factors);
+    for (std::size_t j = 0; j < sums.size(); ++j)
+        sums[j] = reduced_quotient(negative ? -numerators[j] : numerators[j], denominators);
+}
+
 void evaluate_integers(const Prepared& rows, std::span<const IntegerFactor> factors, std::size_t first_row,
                        std::span<Rational> sums) {
     std::vector<Integer> constants;
     std::vector<Integer> slopes;
-    Integer denominator = rows.numbers.denominator();
     for (const IntegerFactor& factor : factors) {
         constants.push_back(factor.constant);
         slopes.push_back(factor.slope);
-        denominator *= factor.denominator;
     }
     const std::vector<Integer> product =
         product_of_linear_factors(std::span<const Integer>(constants), std::span<const Integer>(slopes));
-    for (std::size_t j = 0; j < sums.size(); ++j)
-        sums[j] = Rational(dot(rows.integers_of(first_row + j), product), denominator);
+    const auto [denominators, negative] = denominator_factors(rows, factors);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        const Integer sum = dot(rows.integers_of(first_row + j), product);
+        sums[j] = reduced_quotient(negative ? -sum : sum, denominators);
+    }
 }
 
 constexpr SumKernelRule rules[] = {
@@ -104,6 +175,7 @@ constexpr SumKernelRule rules[] = {
     {SumKernel::wide, "wide",
      "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
     {SumKernel::limbs, "limbs", "at most 64 factors of words; numerators of the sums below 2^511"},
+    {SumKernel::residues, "residues", "8 to 4095 factors of any size"},
     {SumKernel::integers, "integers", "any"},
 };
 
@@ -143,6 +215,8 @@ void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t
             return evaluate_wide(rows, factors, first_row, sums);
         case SumKernel::limbs:
             return evaluate_limbs(rows, factors, first_row, sums);
+        case SumKernel::residues:
+            return evaluate_residues(rows, factors, first_row, sums);
         case SumKernel::integers:
             break;
     }
@@ -150,12 +224,18 @@ void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t
     integers.reserve(factors.size());
     for (const WordFactor& factor : factors)
         integers.push_back({factor.constant, factor.slope, factor.denominator});
-    evaluate_integers(rows, integers, first_row, sums);
+    evaluate(integers, first_row, sums);
 }
 
 void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
                                 std::span<Rational> sums) const {
+    if (kernel(factors) == SumKernel::residues)
+        return evaluate_residues(*prepared_, factors, first_row, sums);
     evaluate_integers(*prepared_, factors, first_row, sums);
+}
+
+SumKernel LinearFactorSums::kernel(std::span<const IntegerFactor> factors) const {
+    return kernel_for(factors.size());
 }
 
 }  // namespace blossom

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machine_sums.hpp"
+#include "residue_sums.hpp"
 
 namespace blossom {
 
@@ -33,6 +34,7 @@ struct LinearFactorSums::Prepared {
     std::vector<std::uint64_t> limbs;         ///< empty when the numbers are too wide
     std::vector<std::uint64_t> denominators;  ///< factors of the common denominator
     Integer further_denominator;              ///< the common denominator divided by them
+    ResidueCache residues;
 };
 
 /// Splits off the small prime factors of `value` > 0, gathered in words; what is left stays in `value`, or

@@ -49,4 +49,8 @@ inline void set_reduced(Rational& value, std::int64_t numerator, std::uint64_t d
 Rational reduced_quotient(std::span<const std::uint64_t> numerator, bool negative,
                           std::span<const std::uint64_t> denominator, const Integer& further);
 
+/// numerator / prod factors, all factors positive. Cost: the remainders of the numerator by a tree of the
+/// factors, and one gcd a factor.
+Rational reduced_quotient(const Integer& numerator, std::span<const Integer> factors);
+
 }  // namespace blossom

@@ -3,6 +3,7 @@
 #include <blossom/rational/linear_factor_sums.hpp>
 
 #include <map>
+#include <thread>
 #include <vector>
 
 #include "support/number_generators.hpp"
@@ -139,7 +140,8 @@ TEST_CASE("sums over products of linear factors of every size", "[linear_factor_
     CHECK(met[SumKernel::word] > 1000);
     CHECK(met[SumKernel::wide] > 1000);
     CHECK(met[SumKernel::limbs] > 1000);
-    CHECK(met[SumKernel::integers] > 100);
+    CHECK(met[SumKernel::residues] > 100);
+    CHECK(met[SumKernel::integers] > 30);
 }
 
 TEST_CASE("sums that overflow a kernel by one bit", "[linear_factor_sums]") {
@@ -224,6 +226,81 @@ TEST_CASE("rows are taken from the one asked for", "[linear_factor_sums]") {
         CHECK(values[j] ==
               evident_sum(std::span<const Rational>(numbers).subspan(2 * j + 2, 2), {&factor, 1}));
     }
+}
+
+TEST_CASE("sums by residues", "[linear_factor_sums]") {
+    Random random(7);
+    Met met;
+    for (int i = 0; i < 120; ++i) {
+        const std::size_t n = 8 + random.below(i % 10 == 0 ? 80 : 25);
+        check(random_case(random, n, 60 + random.below(900), 40 + random.below(22)), met);
+    }
+    CHECK(met[SumKernel::residues] > 80);
+}
+
+TEST_CASE("sums by residues of factors beyond words and of negative denominators", "[linear_factor_sums]") {
+    Random random(8);
+    for (int i = 0; i < 60; ++i) {
+        const std::size_t n = 8 + random.below(12);
+        std::vector<Rational> numbers;
+        for (std::size_t k = 0; k <= n; ++k) numbers.push_back(rational(random));
+        std::vector<IntegerFactor> factors;
+        std::vector<Rational> product{1};
+        for (std::size_t k = 0; k < n; ++k) {
+            Integer denominator = integer(random);
+            if (denominator.is_zero()) denominator = -7;
+            factors.push_back({integer(random), integer(random), denominator});
+            const Rational constant(factors.back().constant, denominator);
+            const Rational slope(factors.back().slope, denominator);
+            product.emplace_back();
+            for (std::size_t j = product.size() - 1; j > 0; --j)
+                product[j] = constant * product[j] + slope * product[j - 1];
+            product[0] *= constant;
+        }
+        Rational expected;
+        for (std::size_t k = 0; k <= n; ++k) expected += numbers[k] * product[k];
+        const LinearFactorSums sums(RationalVector(numbers), 1);
+        CHECK(sums.kernel(factors) == SumKernel::residues);
+        Rational value;
+        sums.evaluate(factors, 0, {&value, 1});
+        CHECK(value == expected);
+    }
+}
+
+// Their magnitudes straddle those that one more group of primes is taken for, and half the product of primes.
+TEST_CASE("sums by residues at the limits of a number of primes", "[linear_factor_sums]") {
+    for (std::size_t bits = 880; bits <= 1210; ++bits) {
+        for (const int sign : {-1, 1}) {
+            const std::size_t rest = bits - 9 * 60;
+            Case given = power_case(9, std::int64_t{1} << 60, ((Integer(1) << rest) - 1) * sign);
+            const LinearFactorSums sums(RationalVector(given.numbers), 1);
+            REQUIRE(sums.kernel(given.factors) == SumKernel::residues);
+            Rational value;
+            sums.evaluate(given.factors, 0, {&value, 1});
+            CHECK(value == Rational(given.numbers.back().numerator() << 540));
+        }
+    }
+}
+
+TEST_CASE("one prepared row is asked by several threads for sums of growing size", "[linear_factor_sums]") {
+    Random random(9);
+    std::vector<Case> cases;
+    const Case first = random_case(random, 12, 700, 60);
+    std::vector<Rational> expected;
+    for (std::size_t i = 0; i < 12; ++i) {
+        cases.push_back({first.numbers, random_case(random, 12, 1, 6 + 5 * i).factors});
+        expected.push_back(evident_sum(first.numbers, cases.back().factors));
+    }
+    const LinearFactorSums sums(RationalVector(first.numbers), 1);
+    std::vector<Rational> values(24);
+    const auto work = [&](std::size_t thread) {
+        for (std::size_t i = 0; i < 12; ++i)
+            sums.evaluate(cases[i].factors, 0, std::span(values).subspan(12 * thread + i, 1));
+    };
+    std::jthread other(work, 1);
+    work(0);
+    other.join();
+    for (std::size_t i = 0; i < 24; ++i) CHECK(values[i] == expected[i % 12]);
 }
 
 TEST_CASE("every kernel has one rule, in order", "[linear_factor_sums]") {

@@ -61,7 +61,13 @@ public:
     std::vector<Rational> values(std::span<const std::vector<Argument>> tuples, std::size_t jobs = 1) const;
 
 private:
+    friend Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
+                                     Construction construction, const Limits& limits);
     struct Kernel;
+
+    /// The value of a blossom that is asked once.
+    static Coordinates value_once(const PolynomialMap& map, std::span<const Argument> arguments,
+                                  const Limits& limits);
 
     std::size_t degree_;
     std::size_t dimension_;

@@ -24,7 +24,7 @@ using WordFactor = LinearFactor<std::int64_t>;
 using IntegerFactor = LinearFactor<Integer>;
 
 /// The ways to compute the sums below; the first that provably suffices is taken.
-enum class SumKernel { word, wide, limbs, integers };
+enum class SumKernel { word, wide, limbs, residues, integers };
 
 /// A kernel and when it is taken.
 struct SumKernelRule {
@@ -65,6 +65,7 @@ public:
 
     /// What `evaluate` chooses.
     SumKernel kernel(std::span<const WordFactor> factors) const;
+    SumKernel kernel(std::span<const IntegerFactor> factors) const;
 
     /// The sum of one row of numbers row[k] / prod denominators, if the kernels `word` and `wide` suffice for
     /// it; there is nothing to prepare then. `row` does not contain the least value of 64 bits.

@@ -1,0 +1,37 @@
+#pragma once
+
+// Sums over products of linear factors by residues.
+
+#include <blossom/rational/linear_factor_sums.hpp>
+
+#include <mutex>
+#include <vector>
+
+#include "residue_system.hpp"
+
+namespace blossom {
+
+/// The numbers of all rows modulo the first groups of primes, kept for the next call while they take no more
+/// than `most_kept`.
+class ResidueCache {
+public:
+    using Residues = std::shared_ptr<const std::vector<residues::Octet>>;
+
+    /// Group after group, each with all numbers in their order.
+    Residues of(std::span<const Integer> numbers, std::size_t groups) const;
+
+    static constexpr std::size_t most_kept = std::size_t{64} << 20;  ///< bytes
+
+private:
+    mutable std::mutex mutex_;
+    mutable Residues kept_;
+};
+
+/// The numerators of the sums for `count` rows from `first_row` on, which have at most `bits` bits. `factors`
+/// are constants and slopes in turn, fewer than 2 most_terms; `numbers` are those of all rows, and `cache`
+/// belongs to them.
+std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache& cache,
+                                  const residues::Digits& factors, std::size_t bits, std::size_t first_row,
+                                  std::size_t count);
+
+}  // namespace blossom
