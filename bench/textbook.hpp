@@ -1,7 +1,5 @@
 #pragma once
 
-#include <boost/multiprecision/gmp.hpp>
-
 #include <cstddef>
 #include <vector>
 
@@ -9,19 +7,20 @@
 /// operation by operation, each of which reduces its result.
 namespace textbook {
 
-using Number = boost::multiprecision::mpq_rational;
+template <class Number>
 using Numbers = std::vector<Number>;
 
 /// sum_k c_k e_k(u) / C(n, k), the e_k by the usual recurrence.
-inline Number symmetric(const Numbers& coefficients, const Numbers& arguments) {
+template <class Number>
+Number symmetric(const Numbers<Number>& coefficients, const Numbers<Number>& arguments) {
     const std::size_t n = arguments.size();
-    Numbers elementary(n + 1);
+    Numbers<Number> elementary(n + 1);
     elementary[0] = 1;
     for (std::size_t i = 0; i < n; ++i) {
         for (std::size_t k = i + 1; k > 0; --k) elementary[k] += arguments[i] * elementary[k - 1];
     }
     Number sum = 0;
-    boost::multiprecision::mpz_int binomial = 1;
+    Number binomial = 1;
     for (std::size_t k = 0; k <= n; ++k) {
         sum += coefficients[k] * elementary[k] / binomial;
         binomial = binomial * (n - k) / (k + 1);
@@ -30,7 +29,8 @@ inline Number symmetric(const Numbers& coefficients, const Numbers& arguments) {
 }
 
 /// DeRose's figure 6 over [0, 1].
-inline Number casteljau(Numbers points, const Numbers& arguments) {
+template <class Number>
+Number casteljau(Numbers<Number> points, const Numbers<Number>& arguments) {
     for (std::size_t level = 0; level < arguments.size(); ++level) {
         const Number& u = arguments[level];
         for (std::size_t j = 0; j + level < arguments.size(); ++j) {
@@ -38,32 +38,6 @@ inline Number casteljau(Numbers points, const Numbers& arguments) {
         }
     }
     return points[0];
-}
-
-inline Number value(const Numbers& coefficients, const Number& t) {
-    Number sum = 0;
-    for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * t + coefficients[k];
-    return sum;
-}
-
-/// (1/n!) sum over subsets of (-1)^(n-N) N^n P(mean), one subset after the other.
-inline Number polarization(const Numbers& coefficients, const Numbers& arguments) {
-    const std::size_t n = arguments.size();
-    Number sum = 0;
-    for (std::size_t subset = 1; subset < std::size_t{1} << n; ++subset) {
-        Number total = 0;
-        unsigned count = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            if ((subset >> i & 1) == 0) continue;
-            total += arguments[i];
-            ++count;
-        }
-        const boost::multiprecision::mpz_int weight = pow(boost::multiprecision::mpz_int(count), unsigned(n));
-        const Number term = weight * value(coefficients, total / count);
-        (n - count) % 2 == 0 ? sum += term : sum -= term;
-    }
-    for (std::size_t k = 2; k <= n; ++k) sum /= k;
-    return sum;
 }
 
 }  // namespace textbook

@@ -22,7 +22,9 @@ gallery command:pdflatex                  texlive-latex-recommended texlive-late
 gallery file:/usr/share/texlive/texmf-dist/tex/latex/pgf/frontendlayer/tikz.sty texlive-pictures texlive-pgf mactex-no-gui
 gallery file:/usr/share/texmf/tex/latex/lm/lmodern.sty lmodern texlive-lm mactex-no-gui
 gallery command:pdftoppm                  poppler-utils       poppler-utils       poppler
-bench header:benchmark/benchmark.h        libbenchmark-dev    google-benchmark-devel google-benchmark
+bench header:flint/fmpq.h                libflint-dev        flint-devel         flint
+bench command:gp                          pari-gp             pari-gp             pari
+bench python:sympy                        python3-sympy       python3-sympy       sympy
 ci    command:ccache                      ccache              ccache              ccache
 ci    command:clang++-19                  clang-19            clang               llvm@19
 ci    command:clang-format-19             clang-format-19     clang-tools-extra   llvm@19

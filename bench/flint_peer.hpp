@@ -1,0 +1,133 @@
+#pragma once
+
+// One blossom value as an expert would write it with FLINT: numerators over a common denominator, the
+// product of the linear factors d_i X - a_i by FLINT's own product tree (by plain loops below some degree),
+// its inner product with the prepared coefficients, and one reduction. Memory is allocated once, outside of
+// what is timed.
+
+#include <blossom/rational/rational_vector.hpp>
+
+#include <flint/fmpq.h>
+#include <flint/fmpq_vec.h>
+#include <flint/fmpz_poly.h>
+#include <flint/fmpz_vec.h>
+
+#include <span>
+#include <string>
+
+namespace flint_peer {
+
+inline void set(fmpz_t to, const blossom::Integer& value) { fmpz_set_str(to, to_string(value).c_str(), 10); }
+
+/// A vector of fmpz that is cleared at the end.
+class Integers {
+public:
+    explicit Integers(slong size) : entries_(_fmpz_vec_init(size)), size_(size) {}
+    Integers(const Integers&) = delete;
+    Integers& operator=(const Integers&) = delete;
+    ~Integers() { _fmpz_vec_clear(entries_, size_); }
+    fmpz* data() const { return entries_; }
+    fmpz* at(slong i) const { return entries_ + i; }
+    slong size() const { return size_; }
+
+private:
+    fmpz* entries_;
+    slong size_;
+};
+
+/// Arguments p/q.
+class Arguments {
+public:
+    explicit Arguments(std::span<const blossom::Rational> values)
+        : entries_(_fmpq_vec_init(static_cast<slong>(values.size()))),
+          size_(static_cast<slong>(values.size())) {
+        for (slong i = 0; i < size_; ++i) {
+            set(fmpq_numref(entries_ + i), values[static_cast<std::size_t>(i)].numerator());
+            set(fmpq_denref(entries_ + i), values[static_cast<std::size_t>(i)].denominator());
+        }
+    }
+    Arguments(const Arguments&) = delete;
+    Arguments& operator=(const Arguments&) = delete;
+    ~Arguments() { _fmpq_vec_clear(entries_, size_); }
+    const fmpq* data() const { return entries_; }
+    slong size() const { return size_; }
+
+private:
+    fmpq* entries_;
+    slong size_;
+};
+
+/// A polynomial with coefficients numerators / denominator, asked for blossom values.
+class Polynomial {
+public:
+    explicit Polynomial(const blossom::RationalVector& coefficients)
+        : given_(static_cast<slong>(coefficients.size())), prepared_(given_.size()), product_(given_.size()) {
+        for (slong k = 0; k < given_.size(); ++k)
+            set(given_.at(k), coefficients.numerators()[static_cast<std::size_t>(k)]);
+        fmpz_init(given_denominator_);
+        fmpz_init(denominator_);
+        fmpz_init(binomial_);
+        fmpz_init(scale_);
+        fmpq_init(value_);
+        set(given_denominator_, coefficients.denominator());
+    }
+    Polynomial(const Polynomial&) = delete;
+    Polynomial& operator=(const Polynomial&) = delete;
+    ~Polynomial() {
+        fmpz_clear(given_denominator_);
+        fmpz_clear(denominator_);
+        fmpz_clear(binomial_);
+        fmpz_clear(scale_);
+        fmpq_clear(value_);
+    }
+
+    /// (-1)^k c_k / C(n, k) over one denominator in the order of prod (d_i X - a_i): lowest power last.
+    void prepare() {
+        const slong n = given_.size() - 1;
+        fmpz_one(scale_);
+        fmpz_one(binomial_);
+        for (slong k = 0; k <= n / 2; ++k) {
+            fmpz_lcm(scale_, scale_, binomial_);
+            fmpz_mul_ui(binomial_, binomial_, static_cast<ulong>(n - k));
+            fmpz_divexact_ui(binomial_, binomial_, static_cast<ulong>(k + 1));
+        }
+        fmpz_one(binomial_);
+        for (slong k = 0; k <= n; ++k) {
+            fmpz* entry = prepared_.at(n - k);
+            fmpz_divexact(entry, scale_, binomial_);
+            fmpz_mul(entry, entry, given_.at(k));
+            if (k % 2 == 1) fmpz_neg(entry, entry);
+            fmpz_mul_ui(binomial_, binomial_, static_cast<ulong>(n - k));
+            fmpz_divexact_ui(binomial_, binomial_, static_cast<ulong>(k + 1));
+        }
+        fmpz_mul(denominator_, scale_, given_denominator_);
+    }
+
+    const fmpq* value(const Arguments& arguments) {
+        const slong n = arguments.size();
+        _fmpz_poly_product_roots_fmpq_vec(product_.data(), arguments.data(), n);
+        _fmpz_vec_dot(fmpq_numref(value_), product_.data(), prepared_.data(), n + 1);
+        fmpz_mul(fmpq_denref(value_), product_.at(n), denominator_);
+        fmpq_canonicalise(value_);
+        return value_;
+    }
+
+    std::string text() const {
+        char* digits = fmpq_get_str(nullptr, 10, value_);
+        std::string result = digits;
+        flint_free(digits);
+        return result;
+    }
+
+private:
+    Integers given_;
+    Integers prepared_;
+    Integers product_;
+    fmpz_t given_denominator_;
+    fmpz_t denominator_;
+    fmpz_t binomial_;
+    fmpz_t scale_;
+    fmpq_t value_;
+};
+
+}  // namespace flint_peer

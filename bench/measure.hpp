@@ -1,0 +1,80 @@
+#pragma once
+
+// Interleaved timing: A B A B ... in one process, many short rounds, each by the CPU time of this thread, so
+// that what else runs on the machine falls on both sides alike.
+
+#include <ctime>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace measure {
+
+/// Seconds of CPU time of this thread.
+inline double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Effort {
+    int rounds = 21;
+    double seconds_a_round = 0.002;
+};
+
+inline double seconds_of(const std::function<void()>& run, std::size_t repetitions) {
+    const double start = cpu_seconds();
+    for (std::size_t i = 0; i < repetitions; ++i) run();
+    return (cpu_seconds() - start) / static_cast<double>(repetitions);
+}
+
+/// As many repetitions as take about one round.
+inline std::size_t repetitions(const std::function<void()>& run, double seconds) {
+    std::size_t count = 1;
+    for (;;) {
+        const double taken = seconds_of(run, count) * static_cast<double>(count);
+        if (taken >= seconds / 2) return count;
+        count = taken <= 0 ? count * 16
+                           : std::max(count + 1, static_cast<std::size_t>(static_cast<double>(count) *
+                                                                          std::min(16.0, seconds / taken)));
+    }
+}
+
+inline double median(std::vector<double> values) {
+    std::ranges::sort(values);
+    const std::size_t n = values.size();
+    return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+/// The median seconds of each side, and of the ratio of each further side to the first with its range.
+struct Ratio {
+    double median = 0;
+    double least = 0;
+    double greatest = 0;
+};
+struct Comparison {
+    std::vector<double> seconds;
+    std::vector<Ratio> ratios;  ///< side i + 1 to side 0
+};
+
+inline Comparison compare(const std::vector<std::function<void()>>& sides, const Effort& effort) {
+    std::vector<std::size_t> counts;
+    for (const auto& side : sides) counts.push_back(repetitions(side, effort.seconds_a_round));
+    std::vector<std::vector<double>> times(sides.size());
+    for (int round = 0; round < effort.rounds; ++round) {
+        for (std::size_t i = 0; i < sides.size(); ++i) times[i].push_back(seconds_of(sides[i], counts[i]));
+    }
+    Comparison result;
+    for (const auto& side : times) result.seconds.push_back(median(side));
+    for (std::size_t i = 1; i < sides.size(); ++i) {
+        std::vector<double> ratios;
+        for (std::size_t round = 0; round < times[i].size(); ++round)
+            ratios.push_back(times[i][round] / times[0][round]);
+        result.ratios.push_back({median(ratios), std::ranges::min(ratios), std::ranges::max(ratios)});
+    }
+    return result;
+}
+
+}  // namespace measure
