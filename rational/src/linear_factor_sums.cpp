@@ -33,7 +33,7 @@ Bounds bounds(const Prepared& rows, std::span<const WordFactor> factors) {
 
 /// The numbers of factors for which residues are used: by measurement, and by what a product of two halves
 /// may sum up without a reduction.
-constexpr std::size_t least_residue_factors = 8;
+constexpr std::size_t least_residue_factors = 16;
 constexpr std::size_t most_residue_factors = residues::most_terms - 1;
 
 SumKernel kernel_for(std::size_t factors) {
@@ -175,7 +175,7 @@ constexpr SumKernelRule rules[] = {
     {SumKernel::wide, "wide",
      "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
     {SumKernel::limbs, "limbs", "at most 64 factors of words; numerators of the sums below 2^511"},
-    {SumKernel::residues, "residues", "8 to 4095 factors of any size"},
+    {SumKernel::residues, "residues", "16 to 4095 factors of any size"},
     {SumKernel::integers, "integers", "any"},
 };
 

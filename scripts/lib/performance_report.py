@@ -15,7 +15,7 @@ colours = {"engine": "#c0392b", "FLINT": "#2c3e50", "mpq_rational": "#7f8c8d"}
 
 def two_digits(text):
     number = float(text)
-    return f"{number:.2g}" if number < 100 else f"{round(number, 1 - math.floor(math.log10(number)))}"
+    return f"{number:.2g}" if number < 100 else f"{int(round(number, 1 - math.floor(math.log10(number))))}"
 
 
 def duration(nanoseconds):
