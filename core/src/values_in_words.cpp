@@ -35,6 +35,8 @@ std::span<const std::int64_t> binomial_weights(std::size_t n) {
     return std::span(table[n]).first(n + 2);
 }
 
+// What is not read stays as it is.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 struct Factors {
     WordFactor words[most_factors];
     std::size_t size = 0;

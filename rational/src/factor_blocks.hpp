@@ -30,6 +30,8 @@ inline std::uint64_t size_of(const WordFactor& factor) {
 
 /// The product of the first factors of a sequence: of the first one, and of those that follow while the
 /// magnitudes of the coefficients sum to less than 2^63.
+// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class FactorBlock {
 public:
     void fill(std::span<const WordFactor> factors) {

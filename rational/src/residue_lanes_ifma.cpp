@@ -28,7 +28,7 @@ struct Ifma {
     }
     static Octet negated(const Moduli& moduli, const Octet& residues) {
         const __m512i value = load(residues);
-        Octet result;
+        Octet result{};
         _mm512_store_si512(
             &result, _mm512_maskz_sub_epi64(_mm512_test_epi64_mask(value, value), load(moduli.prime), value));
         return result;
@@ -48,7 +48,7 @@ struct Ifma {
             _mm512_add_epi64(_mm512_madd52hi_epu64(high, multiple, prime), _mm512_srli_epi64(lowest, 52));
         const __m512i folded = _mm512_madd52lo_epu64(_mm512_and_si512(quotient, low_50),
                                                      _mm512_srli_epi64(quotient, 50), load(moduli.delta));
-        Octet result;
+        Octet result{};
         _mm512_store_si512(&result, _mm512_min_epu64(folded, _mm512_sub_epi64(folded, prime)));
         return result;
     }

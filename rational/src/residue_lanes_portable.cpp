@@ -15,9 +15,9 @@ struct Portable {
         Wide lane[lanes];
     };
 
-    static const Octet& load(const Octet& from) { return from; }
+    static Octet load(const Octet& from) { return from; }
     static Octet broadcast(std::uint64_t value) {
-        Octet result;
+        Octet result{};
         for (std::uint64_t& lane : result.lane) lane = value;
         return result;
     }
@@ -28,13 +28,13 @@ struct Portable {
         for (std::size_t i = 0; i < lanes; ++i) sum.lane[i] += other.lane[i];
     }
     static Octet negated(const Moduli& moduli, const Octet& residues) {
-        Octet result;
+        Octet result{};
         for (std::size_t i = 0; i < lanes; ++i)
             result.lane[i] = residues.lane[i] == 0 ? 0 : moduli.prime.lane[i] - residues.lane[i];
         return result;
     }
     static Octet reduced(const Moduli& moduli, const Accumulator& sum) {
-        Octet result;
+        Octet result{};
         for (std::size_t i = 0; i < lanes; ++i) {
             const std::uint64_t prime = moduli.prime.lane[i];
             const std::uint64_t multiple =

@@ -4,7 +4,15 @@ namespace blossom {
 
 namespace {
 
-using namespace residues;
+using residues::Digits;
+using residues::groups_for;
+using residues::integer_with;
+using residues::moduli;
+using residues::Moduli;
+using residues::montgomery_powers;
+using residues::Octet;
+using residues::operations;
+using residues::plain_powers;
 
 /// The coefficients of the product of the factors modulo the primes of one group, by a tree of products.
 class ProductTree {

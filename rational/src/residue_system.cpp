@@ -51,7 +51,7 @@ std::uint64_t negative_inverse(std::uint64_t prime) {
 }
 
 Moduli next_group(std::uint64_t& candidate) {
-    Moduli group;
+    Moduli group{};
     for (std::size_t i = 0; i < lanes; ++i) {
         do candidate -= 2;
         while (!is_prime(candidate));
@@ -98,7 +98,7 @@ Tables::Tables(std::size_t groups) {
         primes.insert(primes.end(), std::begin(moduli(g).prime.lane), std::end(moduli(g).prime.lane));
     levels.emplace_back();
     for (std::size_t g = 0; g < groups; ++g) {
-        Octet inverse;
+        Octet inverse{};
         Integer group_product = 1;
         for (std::size_t i = 0; i < lanes; ++i) {
             const std::uint64_t prime = primes[g * lanes + i];
@@ -145,6 +145,7 @@ Integer Tables::group_sum(const Octet& residues, std::size_t group) const {
 
 Integer Tables::combined(std::span<const Octet> residues) const {
     std::vector<Integer> sums;
+    sums.reserve(residues.size());
     for (std::size_t g = 0; g < residues.size(); ++g)
         sums.push_back(group_sum(operations().dot(moduli(g), &residues[g], &inverses[g], 1), g));
     for (const std::vector<Integer>& products : std::span(levels).first(levels.size() - 1)) {
@@ -185,6 +186,7 @@ std::shared_ptr<const Tables> tables(std::size_t groups) {
 
 const Operations& chosen_operations() {
 #if defined(BLOSSOM_AVX512_IFMA)
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): read once, and nothing here writes the environment
     const char* level = std::getenv("BLOSSOM_VECTOR_LEVEL");
     const bool excluded = level && std::string_view(level) != "ifma";
     if (!excluded && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
@@ -260,7 +262,7 @@ Octet Digits::residues(std::size_t i, const Moduli& moduli, const Octet* powers)
 }
 
 std::vector<Octet> plain_powers(const Moduli& moduli, std::size_t count) {
-    Octet first;
+    Octet first{};
     for (std::size_t i = 0; i < lanes; ++i) first.lane[i] = (std::uint64_t{1} << 52) % moduli.prime.lane[i];
     return powers(moduli, count, first);
 }
