@@ -64,6 +64,7 @@ Quotients<R> by_symmetric_functions(const PatchMap& map, const TupleLists<R>& ar
                                  : sheared(shape, std::get<BezierPatch>(map).control_net(), -1, limits);
     const TupleLists<R> tuples = polynomial ? arguments : sheared(arguments, 1);
     std::vector<std::vector<R>> functions;
+    functions.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         functions.push_back(constructions::times_linear_forms<R>(shape[f].dimension, 0, {R(1)}, tuples[f]));
     }
@@ -83,6 +84,7 @@ Quotients<R> by_polarization(const PatchMap& map, const TupleLists<R>& arguments
         polynomial ? polynomial->coefficients() : form_of(shape, std::get<BezierPatch>(map).control_net());
     const auto value_at = [&](const std::vector<Tuple<R>>& tuples, const std::vector<std::size_t>&) {
         std::vector<std::vector<R>> monomials;
+        monomials.reserve(shape.factors());
         for (std::size_t f = 0; f < shape.factors(); ++f) {
             monomials.push_back(constructions::monomials(tuples[f], shape[f].degree));
         }

@@ -24,6 +24,7 @@ void require_same_factors(std::span<const BarycentricFrame> left, std::span<cons
 
 std::vector<std::size_t> common_degrees(const NetShape& left, const NetShape& right) {
     std::vector<std::size_t> degrees;
+    degrees.reserve(left.factors());
     for (std::size_t f = 0; f < left.factors(); ++f)
         degrees.push_back(std::max(left[f].degree, right[f].degree));
     return degrees;

@@ -100,6 +100,7 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
         points = std::move(longer);
     }
     std::vector<Coordinates> values;
+    values.reserve(points.size());
     for (const PatchPoint& point : points) values.push_back(map(point));
     const PointArray of_one_dimension(values);
     for (std::size_t f = shape.factors(); f-- > 0;) values = applied(formulas[f], values, shape.behind(f));

@@ -64,6 +64,7 @@ Coordinates polar_value(const NetShape& shape, const PointArray& polar, const Pa
     require_arguments(shape, arguments);
     const IntegerArguments integers = cleared_one_by_one(arguments, bits_of(polar), limits);
     std::vector<std::vector<Integer>> factors;
+    factors.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         factors.push_back(weights(shape[f], constructions::grouped<Integer>(integers.tuples[f])));
     }

@@ -169,6 +169,7 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
     }
     const Pyramids shared = pyramids(patch, factor, point, limits);
     std::vector<BezierPatch> pieces;
+    pieces.reserve(vertices);
     for (std::size_t k = 0; k < vertices; ++k) pieces.push_back(shared.piece(patch, factor, k));
     return pieces;
 }
@@ -179,7 +180,7 @@ std::vector<std::vector<Coordinates>> midpoint_simplices(std::size_t dimension) 
     std::vector<std::vector<Coordinates>> simplices;
     for (std::size_t choice = 0; choice < std::size_t{1} << dimension; ++choice) {
         std::size_t first = 0;
-        std::size_t second = static_cast<std::size_t>(std::popcount(choice));
+        auto second = static_cast<std::size_t>(std::popcount(choice));
         auto& simplex = simplices.emplace_back();
         for (std::size_t step = 0;; ++step) {
             Coordinates& vertex = simplex.emplace_back(dimension + 1);

@@ -72,6 +72,7 @@ std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& cu
     for (std::size_t k = 0; k < n; ++k) {
         descent.descend(arguments[k]);
         std::vector<Coordinates> level;
+        level.reserve(n - k);
         for (std::size_t l = 0; l < n - k; ++l) level.push_back(descent.entry(l));
         levels.push_back(std::move(level));
     }

@@ -22,6 +22,7 @@ void require_weight(const Rational& weight) {
 
 std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
     std::vector<Polynomial> coordinates;
+    coordinates.reserve(curve.dimension());
     for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
     return coordinates;
 }

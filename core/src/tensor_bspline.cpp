@@ -72,7 +72,7 @@ Grid cropped(const TensorBSpline& spline, std::span<const std::size_t> spans) {
 
 ProgressiveCurve progressive(const KnotVector& knots, std::size_t span, std::span<const Coordinates> points) {
     const auto around = knots.around(span);
-    return ProgressiveCurve({around.begin(), around.end()}, points);
+    return {{around.begin(), around.end()}, points};
 }
 
 std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters) {
@@ -185,6 +185,7 @@ BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::siz
 
 std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::size_t> spans) {
     std::vector<Interval> box;
+    box.reserve(spans.size());
     for (std::size_t d = 0; d < spans.size(); ++d) {
         box.emplace_back(spline.knots(d)[spans[d]], spline.knots(d)[spans[d] + 1]);
     }

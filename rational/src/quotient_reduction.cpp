@@ -17,7 +17,7 @@ std::uint64_t remainder(std::span<const std::uint64_t> words, std::uint64_t divi
 }
 
 /// A number >= 0 in words on the stack.
-struct Words {
+struct Words {  // NOLINT(cppcoreguidelines-pro-type-member-init): only the first `size` are ever read
     std::uint64_t words[most_words];
     std::size_t size = 1;
 

@@ -12,6 +12,8 @@ inline constexpr std::size_t lanes = 8;
 
 /// The most products that one sum takes: of 2^52 each, they stay below 2^64.
 inline constexpr std::size_t most_terms = 4096;
+/// The lower 50 bits: a prime is below 2^50.
+inline constexpr std::uint64_t low_50 = (std::uint64_t{1} << 50) - 1;
 
 /// A residue a lane.
 struct alignas(64) Octet {

@@ -1,5 +1,6 @@
 // Compiled for AVX-512 IFMA; run only where the processor has it.
 
+// NOLINTBEGIN(portability-simd-intrinsics): the portable way is a file of its own
 #include <immintrin.h>
 
 #include "residue_operations.hpp"
@@ -39,14 +40,14 @@ struct Ifma {
         const __m512i zero = _mm512_setzero_si512();
         const __m512i prime = load(moduli.prime);
         const __m512i low_52 = broadcast((std::uint64_t{1} << 52) - 1);
-        const __m512i low_50 = broadcast((std::uint64_t{1} << 50) - 1);
+        const __m512i lower = broadcast(low_50);
         const __m512i low = _mm512_and_si512(sum.low, low_52);
         const __m512i high = _mm512_add_epi64(sum.high, _mm512_srli_epi64(sum.low, 52));
         const __m512i multiple = _mm512_madd52lo_epu64(zero, low, load(moduli.negative_inverse));
         const __m512i lowest = _mm512_madd52lo_epu64(low, multiple, prime);
         const __m512i quotient =
             _mm512_add_epi64(_mm512_madd52hi_epu64(high, multiple, prime), _mm512_srli_epi64(lowest, 52));
-        const __m512i folded = _mm512_madd52lo_epu64(_mm512_and_si512(quotient, low_50),
+        const __m512i folded = _mm512_madd52lo_epu64(_mm512_and_si512(quotient, lower),
                                                      _mm512_srli_epi64(quotient, 50), load(moduli.delta));
         Octet result{};
         _mm512_store_si512(&result, _mm512_min_epu64(folded, _mm512_sub_epi64(folded, prime)));
@@ -59,3 +60,5 @@ struct Ifma {
 const Operations ifma_operations = OperationsOf<Ifma>::table;
 
 }  // namespace blossom::residues
+
+// NOLINTEND(portability-simd-intrinsics)

@@ -7,7 +7,6 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 constexpr std::uint64_t low_52 = (std::uint64_t{1} << 52) - 1;
-constexpr std::uint64_t low_50 = (std::uint64_t{1} << 50) - 1;
 
 struct Portable {
     using Vector = Octet;

@@ -13,7 +13,6 @@ namespace blossom::residues {
 namespace {
 
 constexpr std::size_t digit_bits = 50;
-constexpr std::uint64_t low_50 = (std::uint64_t{1} << 50) - 1;
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b, std::uint64_t prime) {
     return static_cast<std::uint64_t>(Wide{a} * b % prime);

@@ -53,6 +53,7 @@ Blossom Blossom::from_bezier_net(std::vector<Simplex> domain, std::span<const st
                     "a control net needs one degree a simplex and at least one point");
     }
     std::vector<SimplexFactor> factors;
+    factors.reserve(domain.size());
     for (std::size_t f = 0; f < domain.size(); ++f) factors.push_back({domain[f].dimension(), degrees[f]});
     BezierPatch patch(NetShape(std::move(factors), limits), coordinates_of(net));
     return {std::move(domain), net.front().space(), std::move(patch), limits};

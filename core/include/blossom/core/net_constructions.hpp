@@ -163,6 +163,7 @@ template <class R, class Form>
 std::vector<R> polarized(const NetShape& shape, const std::vector<TupleGroups<R>>& factors,
                          const Form& form) {
     std::vector<Tuple<R>> sums;
+    sums.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) sums.emplace_back(shape[f].dimension + 1, R(0));
     std::vector<std::size_t> sizes(shape.factors());
     const auto descend = [&](const auto& self, std::size_t factor, std::size_t group) -> std::vector<R> {
