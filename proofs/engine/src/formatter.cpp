@@ -224,7 +224,7 @@ std::string formatted(const Document& document) {
     for (auto& line : lines) {
         // Comments above a head belong to it: the empty line stands before them, and before that what stands
         // behind the last line.
-        if (comment != document.comments.end() && comment->offset < line.offset && !comment->own_line) {
+        while (comment != document.comments.end() && comment->offset < line.offset && !comment->own_line) {
             print_comments_before(comment->offset + 1);
         }
         if (line.begins_block && !text.empty()) text += "\n";
