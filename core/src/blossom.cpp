@@ -79,8 +79,8 @@ Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)
         for (Rational& coordinate : value) coordinate *= weight;
         return value;
     };
-    Coordinates value = constructions::alternating_sum<Rational>(constructions::grouped(pairs), {0, 0}, 0,
-                                                                 scaled_value_at_mean);
+    Coordinates value = constructions::alternating_sum<Rational, HomogeneousPair<Rational>>(
+        constructions::grouped(pairs), {0, 0}, 0, scaled_value_at_mean);
     const Rational divisor = factorial(arguments.size());
     for (Rational& coordinate : value) coordinate /= divisor;
     return value;

@@ -95,10 +95,10 @@ Quotients<R> by_polarization(const PatchMap& map, const TupleLists<R>& arguments
         }
         return values;
     };
-    std::vector<constructions::TupleGroups<R>> groups;
+    std::vector<constructions::Groups<Tuple<R>>> groups;
     Quotients<R> value{{}, form.denominator()};
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        groups.push_back(constructions::grouped<R>(std::span<const Tuple<R>>(arguments[f])));
+        groups.push_back(constructions::grouped(std::span<const Tuple<R>>(arguments[f])));
         value.denominator *= factorial(shape[f].degree);
     }
     value.numerators = constructions::polarized<R>(shape, groups, value_at);
@@ -141,7 +141,7 @@ const PointArray& numbers_of(const PatchMap& map) {
 std::size_t terms_of_polarization(const PatchArguments& arguments, std::size_t limit) {
     std::vector<std::size_t> multiplicities;
     for (const auto& list : arguments) {
-        for (const auto& group : constructions::grouped<Rational>(std::span<const Coordinates>(list))) {
+        for (const auto& group : constructions::grouped(std::span<const Coordinates>(list))) {
             multiplicities.push_back(group.second);
         }
     }

@@ -110,7 +110,7 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
 Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
                                 const PatchArguments& arguments, const Limits& limits) {
     require_arguments(shape, arguments);
-    std::vector<constructions::TupleGroups<Rational>> groups;
+    std::vector<constructions::Groups<Tuple<Rational>>> groups;
     std::vector<std::size_t> multiplicities;
     Integer divisor = 1;
     for (std::size_t f = 0; f < shape.factors(); ++f) {
@@ -118,7 +118,7 @@ Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
             require_mass(arguments[f][i], 1, "an argument",
                          "/arguments/" + std::to_string(f) + "/" + std::to_string(i));
         }
-        groups.push_back(constructions::grouped<Rational>(std::span<const Coordinates>(arguments[f])));
+        groups.push_back(constructions::grouped(std::span<const Coordinates>(arguments[f])));
         for (const auto& group : groups.back()) multiplicities.push_back(group.second);
         divisor *= factorial(shape[f].degree);
     }

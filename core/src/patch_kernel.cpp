@@ -13,7 +13,7 @@ namespace blossom {
 
 namespace {
 
-using IntegerGroups = constructions::TupleGroups<Integer>;
+using IntegerGroups = constructions::Groups<Tuple<Integer>>;
 
 /// prod_j sum_k argument_jk X_k: the power of the most frequent argument by the multinomial theorem, then one
 /// factor after the other.
@@ -66,7 +66,7 @@ Coordinates polar_value(const NetShape& shape, const PointArray& polar, const Pa
     std::vector<std::vector<Integer>> factors;
     factors.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        factors.push_back(weights(shape[f], constructions::grouped<Integer>(integers.tuples[f])));
+        factors.push_back(weights(shape[f], constructions::grouped<Tuple<Integer>>(integers.tuples[f])));
     }
     return contracted_points(polar, factors, integers.denominator);
 }

@@ -159,8 +159,7 @@ TEST_CASE("fj-eq21", "[statement]") {
         const auto form = [&](const SymbolTuples& sums, const std::vector<std::size_t>&) {
             return Symbols{triangle_value(n, b, sums.front())};
         };
-        const std::vector<constructions::TupleGroups<Symbol>> groups{
-            constructions::grouped<Symbol>(std::span<const SymbolTuple>(u))};
+        const std::vector<constructions::Groups<SymbolTuple>> groups{constructions::grouped<SymbolTuple>(u)};
         const Symbols polarized = constructions::polarized<Symbol>(shape, groups, form);
         CHECK(fraction(1, factorial(n)) * polarized.front() == value);
     }
@@ -183,9 +182,8 @@ TEST_CASE("fj-tensor-inverse", "[statement]") {
             }
             return Symbols{value};
         };
-        const std::vector<constructions::TupleGroups<Symbol>> groups{
-            constructions::grouped<Symbol>(std::span<const SymbolTuple>(u)),
-            constructions::grouped<Symbol>(std::span<const SymbolTuple>(v))};
+        const std::vector<constructions::Groups<SymbolTuple>> groups{constructions::grouped<SymbolTuple>(u),
+                                                                     constructions::grouped<SymbolTuple>(v)};
         const Symbols polarized = constructions::polarized<Symbol>(shape, groups, form);
         CHECK(fraction(1, factorial(m) * factorial(n)) * polarized.front() == by_casteljau(shape, b, {u, v}));
     }

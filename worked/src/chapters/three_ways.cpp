@@ -105,7 +105,7 @@ std::vector<SubsetRow> subset_rows(std::span<const Argument> arguments) {
     std::vector<HomogeneousPair<Rational>> pairs;
     for (const Argument& argument : arguments) pairs.push_back({argument.u, argument.mass});
     std::vector<SubsetRow> rows{{{}, 0, 0, 1}};
-    for (const auto& [pair, times] : constructions::grouped<Rational>(pairs)) {
+    for (const auto& [pair, times] : constructions::grouped<HomogeneousPair<Rational>>(pairs)) {
         const Argument argument(pair.u, pair.mass);
         std::vector<SubsetRow> longer;
         for (const SubsetRow& row : rows) {

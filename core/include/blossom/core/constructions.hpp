@@ -92,12 +92,21 @@ Quotients<R> by_symmetric_functions(Rows<R> coefficients, std::span<const Homoge
     return {symmetric_function_sums<R>(rows, arguments), std::move(denominator)};
 }
 
-/// Equal arguments as one with its multiplicity.
+inline void accumulate_product(Integer& sum, const Integer& a, const Integer& b) { sum.add_product(a, b); }
 template <class R>
-std::vector<std::pair<HomogeneousPair<R>, std::size_t>> grouped(
-    std::span<const HomogeneousPair<R>> arguments) {
-    std::vector<std::pair<HomogeneousPair<R>, std::size_t>> groups;
-    for (const auto& argument : arguments) {
+void accumulate_product(R& sum, const R& a, const R& b) {
+    sum += a * b;
+}
+
+/// Arguments, each once, with their multiplicities.
+template <class Argument>
+using Groups = std::vector<std::pair<Argument, std::size_t>>;
+
+/// Equal arguments as one with its multiplicity.
+template <class Argument>
+Groups<Argument> grouped(std::span<const Argument> arguments) {
+    Groups<Argument> groups;
+    for (const Argument& argument : arguments) {
         const auto same = std::ranges::find(groups, argument, [](const auto& group) { return group.first; });
         if (same == groups.end()) {
             groups.emplace_back(argument, 1);
@@ -108,24 +117,35 @@ std::vector<std::pair<HomogeneousPair<R>, std::size_t>> grouped(
     return groups;
 }
 
-/// The sum over all sub-multisets S of `groups` of (-1)^(n-|S|) * prod C(m_i, j_i) * term(sum of S, |S|), by
-/// halves: the partial sums stay of one size, and those of a symbolic ring cancel early. A term without
-/// entries is zero.
-template <class R, class Term>
-std::vector<R> alternating_sum(std::span<const std::pair<HomogeneousPair<R>, std::size_t>> groups,
-                               const HomogeneousPair<R>& partial, std::size_t size, const Term& term) {
+/// sum += argument, entry by entry.
+template <class R>
+void add_argument(HomogeneousPair<R>& sum, const HomogeneousPair<R>& argument) {
+    sum.u += argument.u;
+    sum.mass += argument.mass;
+}
+template <class R>
+void add_argument(std::vector<R>& sum, const std::vector<R>& argument) {
+    for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += argument[k];
+}
+
+/// The sum over all sub-multisets S of `groups` of (-1)^(n-|S|) * prod C(m_i, j_i) * term(partial + sum of S,
+/// size + |S|), by halves: the partial sums stay of one size, and those of a symbolic ring cancel early. A
+/// term without entries is zero.
+template <class R, class Argument, class Term>
+std::vector<R> alternating_sum(std::span<const std::pair<Argument, std::size_t>> groups,
+                               const Argument& partial, std::size_t size, const Term& term) {
     if (groups.empty()) return term(partial, size);
     const auto& [argument, multiplicity] = groups.front();
     std::vector<R> total;
-    HomogeneousPair<R> sum = partial;
+    Argument sum = partial;
     Integer binomial = 1;
     for (std::size_t j = 0; j <= multiplicity; ++j) {
-        std::vector<R> values = alternating_sum(groups.subspan(1), sum, size + j, term);
+        const std::vector<R> values = alternating_sum<R, Argument>(groups.subspan(1), sum, size + j, term);
         const R weight((multiplicity - j) % 2 == 0 ? binomial : -binomial);
         if (total.size() < values.size()) total.resize(values.size(), R(0));
-        for (std::size_t i = 0; i < values.size(); ++i) total[i] += weight * values[i];
-        sum.u += argument.u;
-        sum.mass += argument.mass;
+        for (std::size_t i = 0; i < values.size(); ++i) accumulate_product(total[i], weight, values[i]);
+        if (j == multiplicity) break;
+        add_argument(sum, argument);
         binomial = divide_exactly(binomial * Integer(multiplicity - j), Integer(j + 1));
     }
     return total;
@@ -143,7 +163,8 @@ template <class R, class Form>
 Quotients<R> by_polarization(Form&& form, std::span<const HomogeneousPair<R>> arguments) {
     const auto groups = grouped(arguments);
     const auto term = [&](const HomogeneousPair<R>& sum, std::size_t) { return form(sum); };
-    return {alternating_sum<R>(groups, HomogeneousPair<R>{R(0), R(0)}, 0, term), factorial(arguments.size())};
+    return {alternating_sum<R, HomogeneousPair<R>>(groups, {R(0), R(0)}, 0, term),
+            factorial(arguments.size())};
 }
 
 /// The weights of de Casteljau's algorithm: on the level of (u, v) neighbours are combined with

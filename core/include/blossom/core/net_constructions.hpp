@@ -25,12 +25,6 @@ using TupleLists = std::vector<std::vector<Tuple<R>>>;
 
 namespace constructions {
 
-inline void accumulate_product(Integer& sum, const Integer& a, const Integer& b) { sum.add_product(a, b); }
-template <class R>
-void accumulate_product(R& sum, const R& a, const R& b) {
-    sum += a * b;
-}
-
 /// One step of de Casteljau's algorithm in one factor: the net of the blossom with one argument given, entry
 /// i of degree n - 1 being sum_k weights[k] * entry (i + e_k) of degree n.
 ///
@@ -134,24 +128,6 @@ R contracted(std::vector<R> net, std::span<const std::vector<R>> weights) {
     return std::move(net.front());
 }
 
-/// Distinct tuples with their multiplicities.
-template <class R>
-using TupleGroups = std::vector<std::pair<Tuple<R>, std::size_t>>;
-
-template <class R>
-TupleGroups<R> grouped(std::span<const Tuple<R>> arguments) {
-    TupleGroups<R> groups;
-    for (const Tuple<R>& argument : arguments) {
-        const auto same = std::ranges::find(groups, argument, [](const auto& group) { return group.first; });
-        if (same == groups.end()) {
-            groups.emplace_back(argument, 1);
-        } else {
-            ++same->second;
-        }
-    }
-    return groups;
-}
-
 /// The sum over all sub-multisets S_f of the arguments of every factor f of prod_f (-1)^(n_f - |S_f|) times
 /// form(sums, sizes), with one tuple a factor: the sum of S_f, zero for the empty set, and its size. Where
 /// `form` is a homogeneous polynomial this is n_1! ... n_r! times its blossom, of which it is only evaluated:
@@ -160,34 +136,21 @@ TupleGroups<R> grouped(std::span<const Tuple<R>> arguments) {
 /// `form` gives one entry a coordinate, or none for zero. Cost: prod (m_i + 1) calls, m_i the multiplicities.
 /// Source: Fernandez-Jambrina, theorem 1 and equation (21). Statements: fj-eq21, fj-tensor-inverse.
 template <class R, class Form>
-std::vector<R> polarized(const NetShape& shape, const std::vector<TupleGroups<R>>& factors,
+std::vector<R> polarized(const NetShape& shape, const std::vector<Groups<Tuple<R>>>& factors,
                          const Form& form) {
-    std::vector<Tuple<R>> sums;
-    sums.reserve(shape.factors());
-    for (std::size_t f = 0; f < shape.factors(); ++f) sums.emplace_back(shape[f].dimension + 1, R(0));
+    std::vector<Tuple<R>> sums(shape.factors());
     std::vector<std::size_t> sizes(shape.factors());
-    const auto descend = [&](const auto& self, std::size_t factor, std::size_t group) -> std::vector<R> {
+    const auto descend = [&](const auto& self, std::size_t factor) -> std::vector<R> {
         if (factor == factors.size()) return form(std::as_const(sums), std::as_const(sizes));
-        if (group == factors[factor].size()) return self(self, factor + 1, 0);
-        const auto& [argument, multiplicity] = factors[factor][group];
-        const Tuple<R> before = sums[factor];
-        std::vector<R> total;
-        Integer binomial = 1;
-        for (std::size_t j = 0; j <= multiplicity; ++j) {
-            const std::vector<R> values = self(self, factor, group + 1);
-            const R weight((multiplicity - j) % 2 == 0 ? binomial : -binomial);
-            if (total.size() < values.size()) total.resize(values.size(), R(0));
-            for (std::size_t i = 0; i < values.size(); ++i) accumulate_product(total[i], weight, values[i]);
-            if (j == multiplicity) break;
-            for (std::size_t k = 0; k < argument.size(); ++k) sums[factor][k] += argument[k];
-            ++sizes[factor];
-            binomial = divide_exactly(binomial * Integer(multiplicity - j), Integer(j + 1));
-        }
-        sums[factor] = before;
-        sizes[factor] -= multiplicity;
-        return total;
+        const Tuple<R> zero(shape[factor].dimension + 1, R(0));
+        const auto term = [&](const Tuple<R>& sum, std::size_t size) {
+            sums[factor] = sum;
+            sizes[factor] = size;
+            return self(self, factor + 1);
+        };
+        return alternating_sum<R, Tuple<R>>(factors[factor], zero, 0, term);
     };
-    return descend(descend, 0, 0);
+    return descend(descend, 0);
 }
 
 /// The levels of de Casteljau's pyramid in one factor with the same argument on each: level r is the net of
