@@ -22,20 +22,6 @@ Json places(const std::vector<Place>& list) {
     return json;
 }
 
-const char* role_text(Role role) {
-    switch (role) {
-        case Role::control:
-            return "control";
-        case Role::construction:
-            return "construction";
-        case Role::result:
-            return "result";
-        case Role::second:
-            return "second";
-    }
-    return "";
-}
-
 Json points(const std::vector<Coordinates>& list) {
     Json json = Json::array();
     for (const Coordinates& point : list) {
@@ -141,13 +127,13 @@ private:
                   {"lines", Json::array()},     {"points", Json::array()}};
         for (const PictureCurve& curve : picture.curves) {
             json["curves"].push_back(
-                {{"role", role_text(curve.role)}, {"cubic", curve.cubic}, {"places", places(curve.places)}});
+                {{"role", role_name(curve.role)}, {"cubic", curve.cubic}, {"places", places(curve.places)}});
         }
         for (const PictureLine& line : picture.lines) {
-            json["lines"].push_back({{"role", role_text(line.role)}, {"places", places(line.places)}});
+            json["lines"].push_back({{"role", role_name(line.role)}, {"places", places(line.places)}});
         }
         for (const PicturePoint& point : picture.points) {
-            json["points"].push_back({{"role", role_text(point.role)},
+            json["points"].push_back({{"role", role_name(point.role)},
                                       {"place", coordinates(point.place)},
                                       {"label", formula(point.label)}});
         }

@@ -12,20 +12,6 @@ namespace {
 
 constexpr Length tick = 40;
 
-const char* role_name(Role role) {
-    switch (role) {
-        case Role::control:
-            return "control";
-        case Role::construction:
-            return "construction";
-        case Role::result:
-            return "result";
-        case Role::second:
-            return "second";
-    }
-    return "";
-}
-
 std::string coordinates(const Spot& spot) { return pixels(spot.x) + " " + pixels(spot.y); }
 
 std::string path_data(const Drawing::Path& path) {
@@ -68,12 +54,12 @@ void append_points(pugi::xml_node svg, const Drawing& drawing, const Notation& n
         circle.append_attribute("cx") = pixels(dot.spot.x).c_str();
         circle.append_attribute("cy") = pixels(dot.spot.y).c_str();
         circle.append_attribute("r") = dot.role >= Role::result ? "4.5" : "3.5";
-        circle.append_attribute("class") = (std::string("dot ") + role_name(dot.role)).c_str();
+        circle.append_attribute("class") = ("dot " + role_name(dot.role)).c_str();
     }
     for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
         const Box& box = drawing.labels[i].box;
         append_label(svg, {(box.left + box.right) / 2, (box.top + box.bottom) / 2}, "middle",
-                     (std::string("label ") + role_name(drawing.dots[i].role)).c_str(),
+                     ("label " + role_name(drawing.dots[i].role)).c_str(),
                      to_text(label_formula(drawing.labels[i]), notation));
     }
 }

@@ -9,20 +9,6 @@ namespace blossom::worked {
 
 namespace {
 
-const char* role_style(Role role) {
-    switch (role) {
-        case Role::control:
-            return "control";
-        case Role::construction:
-            return "construction";
-        case Role::result:
-            return "result";
-        case Role::second:
-            return "second";
-    }
-    return "";
-}
-
 /// A place in units of a pixel, y upwards.
 std::string coordinate(const Spot& spot) { return "(" + pixels(spot.x) + "," + pixels(-spot.y) + ")"; }
 
@@ -32,7 +18,7 @@ std::string line(const Segment& segment, const std::string& style) {
 
 std::string path(const Drawing::Path& path) {
     std::string text = std::string("\\draw[blossom ") + (path.is_curve ? "curve" : "line") + " " +
-                       role_style(path.role) + "] " + coordinate(path.spots.front());
+                       role_name(path.role) + "] " + coordinate(path.spots.front());
     for (std::size_t i = 1; i < path.spots.size(); ++i) {
         if (!path.cubic) {
             text += " -- " + coordinate(path.spots[i]);
@@ -103,7 +89,7 @@ std::string tikz_picture(const Picture& picture, const Notation& notation) {
         if (label.leader) text += line(*label.leader, "blossom leader");
     }
     for (const Drawing::Dot& dot : drawing.dots) {
-        text += std::string("\\path[blossom dot ") + role_style(dot.role) + "] " + coordinate(dot.spot) +
+        text += "\\path[blossom dot " + role_name(dot.role) + "] " + coordinate(dot.spot) +
                 " circle[radius=" + (dot.role >= Role::result ? "2.2pt" : "1.7pt") + "];\n";
     }
     for (const Drawing::Label& label : drawing.labels) {

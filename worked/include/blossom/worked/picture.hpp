@@ -24,6 +24,9 @@ enum class Role {
     second,        ///< a second result beside the first
 };
 
+/// "control", "construction", ...: its name in JSON and in style sheets.
+std::string role_name(Role role);
+
 /// A point with the formula that names it.
 struct PicturePoint {
     Place place;
