@@ -40,4 +40,32 @@ Number casteljau(Numbers<Number> points, const Numbers<Number>& arguments) {
     return points[0];
 }
 
+template <class Number>
+Number value(const Numbers<Number>& coefficients, const Number& t) {
+    Number sum = 0;
+    for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * t + coefficients[k];
+    return sum;
+}
+
+/// (1/n!) sum over subsets of (-1)^(n-N) N^n P(mean), one subset after the other.
+template <class Number>
+Number polarization(const Numbers<Number>& coefficients, const Numbers<Number>& arguments) {
+    const std::size_t n = arguments.size();
+    Number sum = 0;
+    for (std::size_t subset = 1; subset < std::size_t{1} << n; ++subset) {
+        Number total = 0;
+        unsigned count = 0;
+        for (std::size_t i = 0; i < n; ++i) {
+            if ((subset >> i & 1) == 0) continue;
+            total += arguments[i];
+            ++count;
+        }
+        Number term = value(coefficients, Number(total / count));
+        for (std::size_t i = 0; i < n; ++i) term *= count;
+        (n - count) % 2 == 0 ? sum += term : sum -= term;
+    }
+    for (std::size_t k = 2; k <= n; ++k) sum /= k;
+    return sum;
+}
+
 }  // namespace textbook

@@ -92,6 +92,34 @@ Side textbook_side(const char* name, const Case& given) {
             [=] { return value->str(); }};
 }
 
+/// The constructions by name, each beside its own textbook loop.
+void compare_constructions(const Case& given, const PolynomialCurve& curve,
+                           std::span<const Argument> arguments, const measure::Effort& effort) {
+    Rational value;
+    const auto text = [&] { return to_string(value); };
+    const BezierCurve polygon = control_points(curve, Interval());
+    std::vector<Rational> points;
+    for (const auto& point : polygon.control_points().to_points()) points.push_back(point[0]);
+    const auto boost_points = boost_numbers<mpq_rational>(points);
+    const auto boost_arguments = boost_numbers<mpq_rational>(given.arguments);
+    mpq_rational boost_value;
+    print_rows(
+        "casteljau", given,
+        {{"engine", [&] { value = blossom_value(polygon, arguments, Construction::casteljau)[0]; }, text},
+         {"mpq_rational", [&] { boost_value = textbook::casteljau(boost_points, boost_arguments); },
+          [&] { return boost_value.str(); }}},
+        effort);
+    // 2^n values of the polynomial
+    if (given.degree > 10) return;
+    const auto boost_coefficients = boost_numbers<mpq_rational>(given.coefficients);
+    print_rows(
+        "polarization", given,
+        {{"engine", [&] { value = blossom_value(curve, arguments, Construction::polarization)[0]; }, text},
+         {"mpq_rational", [&] { boost_value = textbook::polarization(boost_coefficients, boost_arguments); },
+          [&] { return boost_value.str(); }}},
+        effort);
+}
+
 void compare_values(std::size_t degree, std::size_t bits, const measure::Effort& effort) {
     const Case given = make_case(degree, bits);
     const PolynomialCurve curve = curve_of(given);
@@ -139,19 +167,7 @@ void compare_values(std::size_t degree, std::size_t bits, const measure::Effort&
                      flint_text}},
                    effort);
     }
-    if (!textbook_is_bearable(given)) return;
-    const BezierCurve polygon = control_points(curve, Interval());
-    std::vector<Rational> points;
-    for (const auto& point : polygon.control_points().to_points()) points.push_back(point[0]);
-    const auto boost_points = boost_numbers<mpq_rational>(points);
-    const auto boost_arguments = boost_numbers<mpq_rational>(given.arguments);
-    mpq_rational boost_value;
-    print_rows(
-        "casteljau", given,
-        {{"engine", [&] { value = blossom_value(polygon, arguments, Construction::casteljau)[0]; }, text},
-         {"mpq_rational", [&] { boost_value = textbook::casteljau(boost_points, boost_arguments); },
-          [&] { return boost_value.str(); }}},
-        effort);
+    if (textbook_is_bearable(given)) compare_constructions(given, curve, arguments, effort);
 }
 
 void print_case(const Case& given) {
