@@ -26,7 +26,22 @@ namespace {
 struct Text {
     std::string name;
     std::string content;
+    std::size_t prelude;  ///< the bytes in front of what the user wrote: the maps of --degree
     proofs::Document document;
+
+    std::size_t line(std::size_t offset) const {
+        return proofs::place_of(written(), offset - std::min(offset, prelude)).line;
+    }
+    std::string diagnostic(const Error& error) const {
+        const std::size_t offset = error.offset().value_or(0);
+        if (offset < prelude)
+            return proofs::diagnostic("--degree", std::string_view(content).substr(0, prelude), error);
+        return proofs::diagnostic(name, written(),
+                                  Error(error.code(), error.message(), error.field(), offset - prelude));
+    }
+
+private:
+    std::string_view written() const { return std::string_view(content).substr(prelude); }
 };
 
 /// A block on its way: decided by some thread, reported in order.
@@ -74,8 +89,8 @@ std::vector<std::string> files_of(const std::string& path) {
     return files;
 }
 
-/// A claim of the command line as a text: the maps of --degree, then the claim.
-std::string statement_text(const std::string& claim, const std::vector<std::string>& degrees) {
+/// The maps of --degree as lines of the language.
+std::string map_lines(const std::vector<std::string>& degrees) {
     std::string text;
     for (const std::string& degree : degrees) {
         const std::size_t equals = degree.find('=');
@@ -87,34 +102,39 @@ std::string statement_text(const std::string& claim, const std::vector<std::stri
         text += fmt::format("map {} {} {}\n", degree.substr(0, equals), several ? "degrees" : "degree",
                             degree.substr(equals + 1));
     }
+    return text;
+}
+
+/// What -e is given as a text: the word "claim" may be left out.
+std::string statement_text(const std::string& claim) {
     for (const std::string_view word : {"theorem ", "for ", "map ", "claim ", "refute "}) {
-        if (claim.starts_with(word)) return text + claim + "\n";
+        if (claim.starts_with(word)) return claim + "\n";
     }
-    return text + "claim " + claim + "\n";
+    return "claim " + claim + "\n";
 }
 
 std::vector<Text> read_texts(const ProveCommand& command, const Streams& streams) {
     std::vector<Text> texts;
-    const auto add = [&](std::string name, std::string content) {
+    const auto add = [&](std::string name, std::string content, std::size_t prelude) {
         proofs::Document document = proofs::parse(content, command.limits);
-        texts.push_back({std::move(name), std::move(content), std::move(document)});
+        texts.push_back({std::move(name), std::move(content), prelude, std::move(document)});
     };
     for (const std::string& path : command.paths) {
         for (const std::string& file : files_of(path)) {
             add(file == "-" ? "standard input" : file,
-                read_all(file == "-" ? streams.input : file_source(file), command.limits.line_bytes));
+                read_all(file == "-" ? streams.input : file_source(file), command.limits.line_bytes), 0);
         }
     }
+    const std::string maps = map_lines(command.degrees);
     for (const std::string& claim : command.statements)
-        add("statement", statement_text(claim, command.degrees));
+        add("statement", maps + statement_text(claim), maps.size());
     if (texts.empty()) throw UsageError("prove needs a file, a folder or a statement with -e");
     return texts;
 }
 
 std::string title_of(const Task& task, const proofs::Decision& decision) {
-    const std::size_t line = proofs::place_of(task.text->content, decision.offset).line;
     const std::string& id = task.block->id;
-    return id.empty() ? fmt::format("{}:{}", task.text->name, line) : id;
+    return id.empty() ? fmt::format("{}:{}", task.text->name, task.text->line(decision.offset)) : id;
 }
 
 /// One line for the verdict, what it rests on, and the counterexample or the error below.
@@ -133,7 +153,7 @@ std::string report_text(const Task& task, const proofs::Decision& decision, cons
     if (!decision.conditions.empty())
         text += fmt::format("    if {}\n", fmt::join(decision.conditions, ", "));
     if (decision.counterexample) text += readable(*decision.counterexample);
-    if (decision.error) text += proofs::diagnostic(task.text->name, task.text->content, *decision.error);
+    if (decision.error) text += task.text->diagnostic(*decision.error);
     return text;
 }
 
@@ -161,9 +181,8 @@ void decide(Task& task, const ProveCommand& command) {
         if (!command.certificate.empty())
             task.certificates.push_back(certificate_entry(proved, task.block->id, text));
         if (command.coq.empty()) return;
-        const std::size_t line = proofs::place_of(task.text->content, proved.relation.offset).line;
-        const std::string name =
-            fmt::format("{}_line_{}_{}", lemma_name(task, proved), line, task.lemmas.size());
+        const std::string name = fmt::format("{}_line_{}_{}", lemma_name(task, proved),
+                                             task.text->line(proved.relation.offset), task.lemmas.size());
         if (auto lemma = proofs::coq_lemma(proved, name)) {
             task.lemmas.push_back(std::move(*lemma));
         } else {
@@ -230,8 +249,7 @@ std::string summary_text(const std::vector<std::pair<std::string, Count>>& rows)
 
 Outcome format_all(const std::vector<Text>& texts, const Streams& streams) {
     for (const Text& text : texts) {
-        for (const Error& error : text.document.errors)
-            streams.errors(proofs::diagnostic(text.name, text.content, error));
+        for (const Error& error : text.document.errors) streams.errors(text.diagnostic(error));
         if (!text.document.errors.empty()) return Outcome::wrong_usage;
         streams.output(proofs::formatted(text.document));
     }
@@ -242,7 +260,7 @@ Outcome format_all(const std::vector<Text>& texts, const Streams& streams) {
 Json line_of(const Task& task, const proofs::Decision& decision) {
     Json line = Json::Object{{"id", task.block->id},
                              {"file", task.text->name},
-                             {"line", proofs::place_of(task.text->content, decision.offset).line},
+                             {"line", task.text->line(decision.offset)},
                              {"kind", decision.expects_proof ? "claim" : "refute"}};
     const Json result = to_json(decision);
     for (const auto& [name, value] : *result.object()) line[name] = value;
@@ -296,8 +314,7 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
     for (const Text& text : texts) {
         rows.emplace_back(text.name, Count{});
         rows.back().second.unread = text.document.errors.size();
-        for (const Error& error : text.document.errors)
-            streams.errors(proofs::diagnostic(text.name, text.content, error));
+        for (const Error& error : text.document.errors) streams.errors(text.diagnostic(error));
         for (const proofs::Block& block : text.document.blocks)
             tasks.push_back({.number = tasks.size(), .text = &text, .block = &block});
     }
