@@ -7,85 +7,16 @@
 
 #include "fields.hpp"
 #include "proof_certificate.hpp"
+#include "proof_terms.hpp"
 
-/// The checker of certificates. Slow and plain on purpose: polynomials are maps from exponents to numbers,
-/// the blossom is the sum over all ways to choose a monomial from the arguments.
+/// The checker of certificates. Slow and plain on purpose: the blossom is the sum over all ways to choose a
+/// monomial from the arguments.
 
 namespace blossom::cli {
 
+namespace proof_terms {
+
 namespace {
-
-using Monomial = std::map<std::size_t, std::size_t>;  ///< exponents by symbol, none of them 0
-using Terms = std::map<Monomial, Rational>;           ///< none of them 0
-
-void add(Terms& to, const Terms& from, const Rational& factor = 1) {
-    for (const auto& [monomial, coefficient] : from) {
-        Rational& sum = to[monomial];
-        sum += factor * coefficient;
-        if (sum.is_zero()) to.erase(monomial);
-    }
-}
-
-Terms times(const Terms& a, const Terms& b) {
-    Terms product;
-    for (const auto& [monomial, coefficient] : a) {
-        for (const auto& [other, factor] : b) {
-            Monomial both = monomial;
-            for (const auto& [symbol, exponent] : other) both[symbol] += exponent;
-            Rational& sum = product[both];
-            sum += coefficient * factor;
-            if (sum.is_zero()) product.erase(both);
-        }
-    }
-    return product;
-}
-
-Terms number(const Rational& value) { return value.is_zero() ? Terms{} : Terms{{Monomial{}, value}}; }
-
-Terms power(const Terms& base, std::size_t exponent) {
-    Terms result = number(1);
-    for (std::size_t i = 0; i < exponent; ++i) result = times(result, base);
-    return result;
-}
-
-/// Terms over a product of other terms.
-struct Quotient {
-    Terms numerator;
-    std::map<Terms, std::size_t> divisors;
-};
-
-Quotient product_of(const Quotient& a, const Quotient& b) {
-    Quotient result{times(a.numerator, b.numerator), a.divisors};
-    for (const auto& [divisor, exponent] : b.divisors) result.divisors[divisor] += exponent;
-    return result;
-}
-
-Terms multiplied_out(const std::map<Terms, std::size_t>& divisors) {
-    Terms product = number(1);
-    for (const auto& [divisor, exponent] : divisors) product = times(product, power(divisor, exponent));
-    return product;
-}
-
-Quotient sum_of(const Quotient& a, const Quotient& b) {
-    Quotient result;
-    result.divisors = a.divisors;
-    for (const auto& [divisor, exponent] : b.divisors) {
-        std::size_t& greatest = result.divisors[divisor];
-        greatest = std::max(greatest, exponent);
-    }
-    for (const Quotient* summand : {&a, &b}) {
-        std::map<Terms, std::size_t> missing = result.divisors;
-        for (const auto& [divisor, exponent] : summand->divisors) missing[divisor] -= exponent;
-        add(result.numerator, times(summand->numerator, multiplied_out(missing)));
-    }
-    return result;
-}
-
-bool equal(const Quotient& a, const Quotient& b) {
-    Quotient negative = b;
-    negative.numerator = times(number(-1), b.numerator);
-    return sum_of(a, negative).numerator.empty();
-}
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(ErrorCode::syntax, message); }
 
@@ -153,11 +84,9 @@ public:
             form.divisors[read_terms(parts[0], symbols_)] += read_count(parts[1], Limits{});
         }
         if (form.divisors.contains(Terms{})) return "a factor of the denominator is zero";
-        if (!equal(left, form)) return "the left side has another normal form";
+        if (!sum_of(left, negated(form)).numerator.empty()) return "the left side has another normal form";
         solve();
-        Quotient negative = right;
-        negative.numerator = times(number(-1), right.numerator);
-        if (!reduced(sum_of(left, negative).numerator).empty()) return "the two sides differ";
+        if (!reduced(sum_of(left, negated(right)).numerator).empty()) return "the two sides differ";
         return "";
     }
 
@@ -211,7 +140,7 @@ private:
                 result = product_of(result, next);
             } else if (kind == "quotient") {
                 if (next.numerator.empty()) refuse("a division by zero");
-                result = product_of(result, {multiplied_out(next.divisors), {{next.numerator, 1}}});
+                result = quotient_of(result, next);
             } else {
                 refuse(fmt::format("a node of the unknown kind {}", quoted(kind)));
             }
@@ -324,10 +253,9 @@ private:
         for (const Json& hypothesis : read_array(member("hypotheses"))) {
             const Json::Array& parts = read_array(hypothesis);
             if (parts.size() != 3) refuse("a hypothesis has two sides and its symbols");
-            Quotient negative = operand(parts[1]);
-            negative.numerator = times(number(-1), negative.numerator);
+            const Quotient difference = sum_of(operand(parts[0]), negated(operand(parts[1])));
             std::map<Monomial, Terms> coefficients;
-            for (const auto& [monomial, coefficient] : sum_of(operand(parts[0]), negative).numerator) {
+            for (const auto& [monomial, coefficient] : difference.numerator) {
                 Monomial key;
                 Monomial rest = monomial;
                 for (const Json& symbol : read_array(parts[2])) {
@@ -395,6 +323,8 @@ private:
 
 }  // namespace
 
+}  // namespace proof_terms
+
 CertificateCheck check_certificate(const Json& certificate) {
     const Json* entries = certificate.find("proofs");
     const Json* seal = certificate.find("seal");
@@ -407,7 +337,7 @@ CertificateCheck check_certificate(const Json& certificate) {
         const Json& entry = (*entries->array())[i];
         std::string problem;
         try {
-            problem = Entry(entry).problem();
+            problem = proof_terms::Entry(entry).problem();
         } catch (const Error& error) {
             problem = error.message();
         } catch (const std::out_of_range&) {
