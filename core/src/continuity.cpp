@@ -65,15 +65,32 @@ Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limi
     return contact(sablonniere(curve, before, limits), sablonniere(curve, behind, limits), s, limits);
 }
 
+std::string osculating_name(std::size_t order) {
+    switch (order) {
+        case 0:
+            return "the point";
+        case 1:
+            return "the tangent";
+        case 2:
+            return "the osculating parabola";
+        default:
+            return "the osculating curve of degree " + std::to_string(order);
+    }
+}
+
+std::string contact_text(std::ptrdiff_t order, const Rational& s) {
+    if (order < 0) return "The curves do not meet at " + to_string(s);
+    const auto shared = static_cast<std::size_t>(order);
+    return "The curves meet with order " + std::to_string(order) + " at " + to_string(s) + ", sharing " +
+           osculating_name(shared) + " but not " + osculating_name(shared + 1);
+}
+
 std::string to_string(const Contact& contact, const Rational& s) {
     if (contact.is_infinite()) return "The curves are the same polynomial at " + to_string(s);
     const BlossomDifference& difference = *contact.first_difference;
-    const std::string values =
-        ": the blossom values at (" +
-        listed(difference.arguments, [](const Argument& x) { return to_string(x.u); }) + ") are " +
-        bracketed(difference.left) + " and " + bracketed(difference.right);
-    if (*contact.order < 0) return "The curves do not meet at " + to_string(s) + values;
-    return "The curves meet with order " + std::to_string(*contact.order) + " at " + to_string(s) + values;
+    return contact_text(*contact.order, s) + ": the blossom values at (" +
+           listed(difference.arguments, [](const Argument& x) { return to_string(x.u); }) + ") are " +
+           bracketed(difference.left) + " and " + bracketed(difference.right);
 }
 
 }  // namespace blossom

@@ -91,6 +91,17 @@ TEST_CASE("derose-thm2: blossoms with n - k arguments s agree for all others exa
     }
 }
 
+TEST_CASE("the order of contact has its name in geometry", "[continuity]") {
+    CHECK(contact_text(-1, 3) == "The curves do not meet at 3");
+    CHECK(contact_text(0, 3) == "The curves meet with order 0 at 3, sharing the point but not the tangent");
+    CHECK(contact_text(1, 3) ==
+          "The curves meet with order 1 at 3, sharing the tangent but not the osculating parabola");
+    CHECK(contact_text(2, Rational(1, 2)) ==
+          "The curves meet with order 2 at 1/2, sharing the osculating parabola but not the osculating curve "
+          "of "
+          "degree 3");
+}
+
 TEST_CASE("curves that are one polynomial, do not meet, or differ in degree or dimension", "[continuity]") {
     const PolynomialCurve line(std::vector<Coordinates>{{0, 1}, {1, 2}});
     const PolynomialCurve raised(std::vector<Coordinates>{{0, 1}, {1, 2}, {0, 0}, {0, 0}});

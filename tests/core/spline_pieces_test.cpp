@@ -191,8 +191,7 @@ TEST_CASE("curves that are not adjacent, not of one dimension or not smooth enou
     CHECK(rough->code() == ErrorCode::not_continuous);
     CHECK(rough->message() ==
           "multiplicity 1 of the knot 1 in degree 2 needs order 1 of maps 0 and 1. The curves meet with "
-          "order 0 at 1: the "
-          "blossom values at (1, 2) are 7 and 6");
+          "order 0 at 1, sharing the point but not the tangent: the blossom values at (1, 2) are 7 and 6");
     CHECK(rough->field() == "/maps/1");
     CHECK_FALSE(failure([&] { join(std::vector{left, right}, KnotVector(2, {0, 0, 0, 1, 1, 2, 2, 2}, 5)); }));
     CHECK(failure_code([&] { join(std::vector{left, right}, KnotVector(2, {0, 0, 0, 1, 1, 3, 3, 3}, 5)); }) ==

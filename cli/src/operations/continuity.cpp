@@ -50,11 +50,9 @@ Json answer_of(const ProjectedContact& contact, const PointForm& form, const Rat
     const Json right = cli::to_json(contact.first_difference->second, of_points);
     const auto differing = static_cast<std::size_t>(*contact.order + 1);
     result["first_difference"] = Json::Object{{"derivative", differing}, {"left", left}, {"right", right}};
-    const std::string met = *contact.order < 0
-                                ? "The curves do not meet"
-                                : "The curves meet with order " + std::to_string(*contact.order);
-    result["reason"] = fmt::format("{} at {}: the derivatives of order {} are {} and {}", met, to_string(s),
-                                   differing, point_text(left), point_text(right));
+    result["reason"] =
+        fmt::format("{}: the derivatives of order {} are {} and {}", contact_text(*contact.order, s),
+                    differing, point_text(left), point_text(right));
     return result;
 }
 

@@ -52,8 +52,15 @@ std::pair<std::size_t, std::size_t> sides(const KnotVector& knots, const Rationa
 /// `limit_exceeded`. Source: DeRose, section 4.6. Statements: derose-46-c2cond, derose-46-general-cd1.
 Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limits = {});
 
-/// A contact and its reason as a sentence, for instance "The curves meet with order 1 at 3: the blossom
-/// values at (3, 4, 4) are (1, 2) and (1, 3)".
+/// What contact of order k is in geometry: "the point", "the tangent", "the osculating parabola", "the
+/// osculating curve of degree k". Its blossom is f(x_1, ..., x_k, s^(n-k)), which both curves share.
+std::string osculating_name(std::size_t order);
+
+/// "The curves meet with order 1 at 3, sharing the tangent but not the osculating parabola".
+std::string contact_text(std::ptrdiff_t order, const Rational& s);
+
+/// A contact and its reason as a sentence: `contact_text` and then, for instance, ": the blossom values at
+/// (3, 4, 4) are (1, 2) and (1, 3)".
 std::string to_string(const Contact& contact, const Rational& s);
 
 }  // namespace blossom
