@@ -49,30 +49,53 @@ def argument():
 def curve(degree):
     dimension = draw.choice([0, 0, 1, 2, 3])
     points = [numbers(dimension) if dimension else number() for _ in range(degree + 1)]
-    kind = draw.randrange(5)
+    kind = draw.randrange(7)
     if kind < 3:
         return {"kind": "polynomial", "coefficients": points, "degree": degree}
     if kind == 3:
         return {"kind": "bezier", "control_points": points, "interval": interval()}
-    return {"kind": "taylor", "center": number(), "coefficients": points}
+    if kind == 4:
+        return {"kind": "taylor", "center": number(), "coefficients": points}
+    if kind == 5:
+        return {"kind": "progressive", "knots": increasing(2 * degree), "control_points": points}
+    return {"kind": "bspline", "degree": degree, "knots": increasing(2 * degree + 3),
+            "control_points": [*points, points[0]]}
+
+
+def increasing(count):
+    steps = [fractions.Fraction(draw.randrange(1, 9), draw.randrange(1, 9)) for _ in range(count)]
+    return [str(sum(steps[:i + 1])) for i in range(count)]
+
+
+def domain_knots(spline):
+    return spline["knots"][spline["degree"]:-spline["degree"] or None]
 
 
 def request():
     op = draw.choice(["blossom", "blossom", "control-points", "derivative", "agree"])
     degree = min(draw.choice([0, 1, 2, 3, 4, 5, 8, GREATEST_DEGREE]), 8 if op != "blossom" else GREATEST_DEGREE)
     made = {"op": op, "map": curve(degree)}
+    spline = made["map"]["kind"] == "bspline"
+    if spline and op == "agree":
+        made["op"] = op = "blossom"
+    if spline and op == "blossom":
+        made["segment"] = degree + draw.randrange(2)
     if op == "blossom" or (op == "agree" and draw.random() < 0.5):
         made["arguments"] = [argument() for _ in range(degree)]
     elif op == "agree":
         made["map"] = {"kind": "polynomial", "coefficients": numbers(5)}
     elif op == "control-points":
-        made["interval"] = interval()
+        if not spline:
+            made["interval"] = interval()
+        elif draw.random() < 0.5:
+            made["interval"] = sorted(draw.sample(domain_knots(made["map"]), 2), key=fractions.Fraction)
         if draw.random() < 0.3:
             made["degree"] = degree + draw.randrange(3)
     else:
         made["order"] = draw.randrange(degree + 2)
         if draw.random() < 0.7:
-            made["at"] = numbers(draw.randrange(1, 4))
+            count = draw.randrange(1, 4)
+            made["at"] = draw.sample(domain_knots(made["map"]), min(count, 3)) if spline else numbers(count)
     return made
 
 

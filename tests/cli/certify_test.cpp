@@ -82,12 +82,48 @@ TEST_CASE("certify: several requests are numbered, what has no certificate is re
     const std::string rational = R"({"kind": "polynomial", "text": "1", "denominator": "1 + t"})";
     CHECK(served_at("/error/at", line + about(rational, R"("op": "derivative")") + "]}") ==
           "\"/requests/1/map\"");
-    CHECK(certified(about(rational, R"("op": "blossom", "arguments": ["1"])")) == "wrong_kind");
+    CHECK(certified(about(rational, R"("op": "derivative", "at": ["0"])")) == "wrong_kind");
+    CHECK(certified(about(R"({"kind": "samples", "degree": 0, "values": [["0", "1"]]})",
+                          R"("op": "control-points")")) == "wrong_kind");
     CHECK(
         certified(
             about(R"({"kind": "polynomial", "coefficients": [["1", "1"], ["0", "1"]], "homogeneous": true})",
                   R"("op": "blossom", "arguments": ["1"])"))
             .find("= (1, 2) *)") != std::string::npos);
+}
+
+TEST_CASE("certify: of a rational map the homogeneous point is certified") {
+    const std::string rational = R"({"kind": "polynomial", "text": "1", "denominator": "1 + t"})";
+    const std::string document = certified(about(rational, R"("op": "blossom", "arguments": ["1"])"));
+    CHECK(document.find("value = p[1] = (1, 2) *)") != std::string::npos);
+}
+
+TEST_CASE("certify: progressive values and the control points of splines are certified with the answer") {
+    const std::string progressive = certified(
+        about(R"({"kind": "progressive", "knots": ["0", "1", "2", "3"], "control_points": ["0", "2", "6"]})",
+              R"("op": "blossom", "arguments": ["1/2", "1/2"])"));
+    CHECK(progressive.find("given control point 2 = p[2, 3] = 6\n") != std::string::npos);
+    CHECK(progressive.find("value = p[1/2 (2 times)] = 1/4 *)") != std::string::npos);
+
+    const std::string spline =
+        R"({"kind": "bspline", "degree": 2, "knots": ["0", "0", "1", "2", "3", "3"], "control_points": )"
+        R"(["0", "1", "4", "5", "9"]})";
+    const std::string value =
+        certified(about(spline, R"("op": "blossom", "segment": 2, "arguments": ["1", "3/2"])"));
+    CHECK(value.find("given control point 0 = p[0, 1] = 1\n") != std::string::npos);
+    CHECK(value.find("given control point 2 = p[2, 3] = 5\n") != std::string::npos);
+    CHECK(value.find("value = p[1, 3/2] = 13/4 *)") != std::string::npos);
+    CHECK(certified(about(spline, R"("op": "blossom", "arguments": ["1", "3/2"])")) == "outside_domain");
+
+    // One polynomial a parameter, and one a span of the derived spline.
+    const std::string values = certified(about(spline, R"("op": "derivative", "at": ["1/2", "3/2"])"));
+    CHECK(values.find("derivative 1 at 1/2 = 2 p[1/2, delta] = ") != std::string::npos);
+    CHECK(values.find("derivative 1 at 3/2 = 2 p[3/2, delta] = 2 *)") != std::string::npos);
+    const std::string derived = certified(about(spline, R"("op": "derivative")"));
+    CHECK(derived.find("control point 1 = 2 p[3, delta] = 8 *)") != std::string::npos);
+    const std::string part =
+        certified(about(spline, R"("op": "control-points", "interval": ["1", "2"], "degree": 3)"));
+    CHECK(part.find("control point 3 = p[2 (3 times)] = 9/2 *)") != std::string::npos);
 }
 
 TEST_CASE("certify: the size is refused before it is written") {

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
-#include <blossom/core/conversion.hpp>
+#include <blossom/core/blossom.hpp>
+#include <blossom/core/de_boor.hpp>
 #include <blossom/core/polynomial_text.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
@@ -10,61 +11,15 @@
 #include "json_text.hpp"
 #include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
+#include "operations/certified_curve.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/segment.hpp"
 #include "operations/table.hpp"
 
 namespace blossom::cli {
 
 namespace {
-
-/// What the numbers of a map say about the blossom p of degree n of the map of which it is the derivative of
-/// that order. Bezier curves: P_k = n!/(n-r)! p(a^(m-k), b^k, delta^r). Taylor forms, polynomials about 0:
-/// c_k = n!/(n-r)! C(m, k) p(a^(m-k), delta^(r+k)). Source: Goldman, theorems 4 and 9, equation 4.4.
-struct StatedValues {
-    std::size_t degree;
-    std::size_t order;
-
-    std::vector<CertifiedValue> operator()(const BezierCurve& curve) const {
-        const Interval& interval = curve.interval();
-        return values(curve.control_points(), Parameter(interval.a()), Parameter(interval.b()),
-                      "control point", [](std::size_t) { return Integer(1); });
-    }
-    std::vector<CertifiedValue> operator()(const TaylorCurve& curve) const {
-        const std::size_t m = curve.coefficients.size() - 1;
-        return values(curve.coefficients, Parameter(curve.center), delta, "coefficient",
-                      [m](std::size_t k) { return binomial(m, k); });
-    }
-    std::vector<CertifiedValue> operator()(const PolynomialCurve& curve) const {
-        return (*this)(TaylorCurve{Rational(0), curve.coefficients()});
-    }
-
-private:
-    template <class Multiple>
-    std::vector<CertifiedValue> values(const PointArray& points, const Argument& first, const Argument& last,
-                                       std::string_view name, const Multiple& multiple) const {
-        std::vector<CertifiedValue> list;
-        for (const Coordinates& point : points.to_points()) {
-            const std::size_t k = list.size();
-            std::vector<Argument> arguments = with_copies({}, points.size() - 1 - k, first);
-            arguments = with_copies(std::move(arguments), k, last);
-            // Derivatives of an order above the degree are zero: 0 times any value.
-            arguments.resize(std::min(arguments.size(), degree - std::min(order, degree)), delta);
-            list.push_back({fmt::format("{} {}", name, k),
-                            with_copies(std::move(arguments), std::min(order, degree), delta),
-                            falling_factorial(degree, order) * multiple(k), point});
-        }
-        return list;
-    }
-};
-
-struct PowerForm {
-    const Limits& limits;
-
-    PolynomialCurve operator()(const PolynomialCurve& curve) const { return curve; }
-    PolynomialCurve operator()(const BezierCurve& curve) const { return monomial_form(curve, limits); }
-    PolynomialCurve operator()(const TaylorCurve& curve) const { return monomial_form(curve, limits); }
-};
 
 PolynomialCurve with_degree(const PolynomialCurve& curve, std::size_t degree) {
     std::vector<Coordinates> coefficients = curve.coefficients().to_points();
@@ -77,13 +32,25 @@ struct Question {
     const Json& request;
     const Json& result;
     const Map& map;
+    std::optional<std::size_t> span;  ///< of a B-spline, where the request names one
     Certificate& certificate;
     const Limits& limits;
 
-    const PolynomialCurve& curve() const { return certificate.maps.front().curve; }
+    const PolynomialCurve& curve() const { return certificate.maps.back().curve; }
     std::size_t degree() const { return curve().degree(); }
-    Coordinates point(const Json& value) const {
-        return read_point(value, map.form, curve().dimension(), limits);
+    const BSplineCurve* spline() const { return std::get_if<BSplineCurve>(&map.value); }
+    /// What follows is about the polynomial of the span of a B-spline that holds `t`.
+    void turn_to(const Rational& t) const {
+        certificate.maps.push_back(certified_map(map, spline()->knots().span_at(t), limits));
+    }
+    /// A value at `arguments`; of a rational map its homogeneous point, with the weight there.
+    Coordinates point(const Json& value, std::span<const Argument> arguments) const {
+        if (!map.form.separate_weights()) return read_point(value, map.form, curve().dimension(), limits);
+        Coordinates point = read_point(value, {.scalar = map.form.scalar}, curve().dimension() - 1, limits);
+        point.emplace_back(1);
+        const Rational weight = Blossom(curve(), limits)(arguments).back();
+        for (Rational& coordinate : point) coordinate *= weight;
+        return point;
     }
     std::vector<Argument> arguments() const {
         return read_arguments(*request.find("arguments"), map.form, limits);
@@ -95,7 +62,10 @@ struct Question {
 };
 
 void certify_blossom(const Question& question) {
-    question.claim({"value", question.arguments(), 1, question.point(*question.result.find("value"))});
+    if (question.spline())
+        question.certificate.maps.push_back(certified_map(question.map, question.span, question.limits));
+    const std::vector<Argument> arguments = question.arguments();
+    question.claim({"value", arguments, 1, question.point(*question.result.find("value"), arguments)});
 }
 
 /// The coefficients of the elementary symmetric functions: C(n, k) p(0^(n-k), delta^k) / C(n, k).
@@ -124,34 +94,67 @@ void certify_agree(const Question& question) {
         certify_expansion(question);
         return;
     }
+    const std::vector<Argument> arguments = question.arguments();
     for (const auto& [construction, value] : *question.result.find("values")->object())
-        question.claim({construction, question.arguments(), 1, question.point(value)});
+        question.claim({construction, arguments, 1, question.point(value, arguments)});
 }
+
+/// The points of a curve of any degree that is the map, or its derivative of an order.
+struct CertifyPoints {
+    const Question& question;
+    std::size_t order;
+
+    void operator()(const OnePolynomial auto& curve) const {
+        question.claim_all(StatedValues{question.degree(), order}(curve));
+    }
+    void operator()(const BSplineCurve& curve) const {
+        for (const std::size_t span : curve.knots().spans()) {
+            question.turn_to(curve.knots()[span]);
+            raise_to(curve.degree() + order);
+            (*this)(segment(curve, span));
+        }
+    }
+    /// Later claims are about the same polynomial with a higher formal degree.
+    void raise_to(std::size_t degree) const {
+        if (degree > question.degree())
+            question.certificate.maps.push_back({with_degree(question.curve(), degree), {}});
+    }
+};
 
 void certify_control_points(const Question& question) {
     const Map points = result_map(*question.result.find("map"), question.limits);
-    const auto& curve = std::get<BezierCurve>(points.value);
-    if (curve.degree() != question.degree())
-        question.certificate.maps.push_back({with_degree(question.curve(), curve.degree()), {}});
-    question.claim_all(StatedValues{curve.degree(), 0}(curve));
+    const CertifyPoints certify{question, 0};
+    if (const auto* curve = std::get_if<BezierCurve>(&points.value)) {
+        if (question.spline()) question.turn_to(std::min(curve->interval().a(), curve->interval().b()));
+        certify.raise_to(curve->degree());
+    }
+    serve<void>(points, certify);
 }
 
 void certify_derivative(const Question& question) {
-    const std::size_t n = question.degree();
+    if (question.map.form.separate_weights()) {
+        throw Error(
+            ErrorCode::wrong_kind,
+            "a derivative of a rational map comes from the quotient rule and is no blossom value; with "
+            "\"homogeneous\": true it has a certificate",
+            "/map");
+    }
     const Json* written = question.request.find("order");
     const std::size_t order = written ? read_count(*written, question.limits) : 1;
     if (const Json* map = question.result.find("map")) {
-        question.claim_all(
-            serve<std::vector<CertifiedValue>>(result_map(*map, question.limits), StatedValues{n, order}));
+        serve<void>(result_map(*map, question.limits), CertifyPoints{question, order});
         return;
     }
     const std::vector<Rational> parameters = read_numbers(*question.request.find("at"), question.limits);
     const Json::Array& values = *question.result.find("values")->array();
-    const std::size_t vectors = std::min(order, n);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        question.claim({fmt::format("derivative {} at {}", order, to_string(parameters[i])),
-                        with_copies(with_copies({}, n - vectors, Parameter(parameters[i])), vectors, delta),
-                        falling_factorial(n, order), question.point(values[i])});
+        if (question.spline()) question.turn_to(parameters[i]);
+        const std::size_t n = question.degree();
+        const std::size_t vectors = std::min(order, n);
+        const std::vector<Argument> arguments =
+            with_copies(with_copies({}, n - vectors, Parameter(parameters[i])), vectors, delta);
+        question.claim({fmt::format("derivative {} at {}", order, to_string(parameters[i])), arguments,
+                        falling_factorial(n, order), question.point(values[i], arguments)});
     }
 }
 
@@ -179,20 +182,12 @@ Certificate certificate_of(const Json& request, const Limits& limits) {
     // What is certified is what is printed, so the answer is read back from its text.
     const Json result = parse_json(to_text(result_of(request, limits)), limits);
     const Map map = read_map_field(fields, limits);
-    if (map.form.separate_weights()) {
-        throw Error(ErrorCode::wrong_kind,
-                    "the values of a rational map are quotients; with \"homogeneous\": true they carry their "
-                    "weight and have certificates",
-                    "/map");
-    }
-    CertifiedMap given{serve<PolynomialCurve>(map, PowerForm{limits}), {}};
-    if (!std::holds_alternative<PolynomialCurve>(map.value)) {
-        // They say that the polynomial is the curve that was given: its points determine it.
-        given.values = serve<std::vector<CertifiedValue>>(map, StatedValues{given.curve.degree(), 0});
-        for (CertifiedValue& value : given.values) value.name.insert(0, "given ");
-    }
-    Certificate certificate{std::string(entry.operation), {std::move(given)}};
-    entry.certify({request, result, map, certificate, limits});
+    Certificate certificate{std::string(entry.operation), {}};
+    const auto span = read_span(fields, map, limits);
+    // The polynomials of a spline are taken where they are asked about.
+    if (!std::holds_alternative<BSplineCurve>(map.value))
+        certificate.maps.push_back(certified_map(map, span, limits));
+    entry.certify({request, result, map, span, certificate, limits});
     std::erase_if(certificate.maps, [](const CertifiedMap& claims) { return claims.values.empty(); });
     return certificate;
 }
