@@ -44,6 +44,13 @@ function(blossom_configure_target target)
   )
 endfunction()
 
+# In a build of fuzzers: lets libFuzzer see which way the target's code takes.
+function(blossom_show_to_fuzzers target)
+  if(BLOSSOM_BUILD_FUZZERS)
+    target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
 # blossom_add_layer(core DEPENDS rational SOURCES src/polynomial.cpp ...)
 #
 # Makes the library blossom_core, known as blossom::core here and to consumers, from the folder's sources and its
@@ -54,6 +61,7 @@ function(blossom_add_layer layer)
   add_library(${target} ${arg_SOURCES})
   add_library(blossom::${layer} ALIAS ${target})
   blossom_configure_target(${target})
+  blossom_show_to_fuzzers(${target})
   target_include_directories(
     ${target}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
@@ -68,7 +76,7 @@ function(blossom_add_layer layer)
     PROPERTIES EXPORT_NAME ${layer}
                POSITION_INDEPENDENT_CODE ON
                DEFINE_SYMBOL "" # sources are compiled alike for shared and for static libraries
-               UNITY_BUILD "${CMAKE_UNITY_BUILD}" # for scripts/lint; what is not a layer is never joined
+               UNITY_BUILD "${CMAKE_UNITY_BUILD}" # what is not a layer is never joined
                SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                VERSION ${PROJECT_VERSION}
                WINDOWS_EXPORT_ALL_SYMBOLS ON

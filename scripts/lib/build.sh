@@ -52,7 +52,7 @@ build_release() {
   lock_build
   if ! is_configured "$2" || ! is_up_to_date "$1"; then
     require_packages "$groups"
-    echo "blossom: building; the first time takes a minute or two" >&2
+    echo "blossom: building; the first time takes a few minutes" >&2
     if ! configure_and_build "$1" "$2" >"$log" 2>&1 </dev/null; then
       tail -n 40 "$log" >&2
       echo "blossom: the build failed; all of it is in $log" >&2
