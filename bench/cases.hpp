@@ -48,3 +48,14 @@ inline blossom::PolynomialCurve curve_of(const Case& given) {
     for (const auto& coefficient : given.coefficients) points.push_back({coefficient});
     return blossom::PolynomialCurve(points);
 }
+
+inline std::vector<blossom::Argument> arguments_of(const Case& given) {
+    std::vector<blossom::Argument> arguments;
+    for (const blossom::Rational& value : given.arguments) arguments.emplace_back(blossom::Parameter(value));
+    return arguments;
+}
+
+/// Textbook loops take seconds beyond.
+inline bool textbook_is_bearable(const Case& given) {
+    return given.degree <= 20 || (given.degree <= 100 && given.bits <= 64);
+}

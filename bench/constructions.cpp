@@ -1,0 +1,57 @@
+// The constructions by name, each beside its own textbook loop.
+
+#include <blossom/core/blossom.hpp>
+
+#include "boost_numbers.hpp"
+#include "cases.hpp"
+#include "families.hpp"
+
+namespace {
+
+using namespace blossom;
+
+/// What `construction` gives for `map`, beside a loop on Boost's numbers.
+template <class Loop>
+void compare_construction(const Report& report, const Case& given, const PolynomialMap& map,
+                          Construction construction, const Loop& loop) {
+    const std::vector<Argument> arguments = arguments_of(given);
+    Rational value;
+    mpq_rational boost_value;
+    report.compare("constructions", std::string(construction_name(construction)).c_str(), given.degree,
+                   given.bits,
+                   {{"engine", [&] { value = blossom_value(map, arguments, construction)[0]; },
+                     [&] { return to_string(value); }},
+                    {"mpq_rational", [&] { boost_value = loop(); }, [&] { return boost_value.str(); }}});
+}
+
+void compare_casteljau(const Report& report, const Case& given) {
+    const BezierCurve polygon = control_points(curve_of(given), Interval());
+    std::vector<Rational> points;
+    for (const auto& point : polygon.control_points().to_points()) points.push_back(point[0]);
+    const auto boost_points = boost_numbers<mpq_rational>(points);
+    const auto boost_arguments = boost_numbers<mpq_rational>(given.arguments);
+    compare_construction(report, given, polygon, Construction::casteljau,
+                         [&] { return textbook::casteljau(boost_points, boost_arguments); });
+}
+
+void compare_polarization(const Report& report, const Case& given) {
+    const auto boost_coefficients = boost_numbers<mpq_rational>(given.coefficients);
+    const auto boost_arguments = boost_numbers<mpq_rational>(given.arguments);
+    compare_construction(report, given, curve_of(given), Construction::polarization,
+                         [&] { return textbook::polarization(boost_coefficients, boost_arguments); });
+}
+
+}  // namespace
+
+void measure_constructions(const Report& report) {
+    for (const std::size_t bits : {4U, 7U, 64U, 256U}) {
+        for (const std::size_t degree : {3U, 10U, 20U, 40U, 100U}) {
+            const Case given = make_case(degree, bits);
+            if (!textbook_is_bearable(given)) continue;
+            if (report.wants("casteljau", degree, bits)) compare_casteljau(report, given);
+            // 2^n values of the polynomial
+            if (degree <= 10 && report.wants("polarization", degree, bits))
+                compare_polarization(report, given);
+        }
+    }
+}

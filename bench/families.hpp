@@ -1,0 +1,7 @@
+#pragma once
+
+#include "report.hpp"
+
+/// One file each.
+void measure_values(const Report& report);
+void measure_constructions(const Report& report);
