@@ -10,44 +10,54 @@ namespace blossom::residues {
 
 inline constexpr std::size_t lanes = 8;
 
-/// The most products that one sum takes: of 2^52 each, they stay below 2^64.
+/// The most terms that one sum takes.
 inline constexpr std::size_t most_terms = 4096;
-/// The lower 50 bits: a prime is below 2^50.
-inline constexpr std::uint64_t low_50 = (std::uint64_t{1} << 50) - 1;
+/// The most terms of an operand of `multiply`.
+inline constexpr std::size_t most_product_terms = 64;
 
-/// A residue a lane.
+/// A residue a lane. Residues are below 2 p throughout: which of both values stands for one is left open.
 struct alignas(64) Octet {
     std::uint64_t lane[lanes];
 };
 
-/// Primes 2^50 - delta with what Montgomery's reduction modulo 2^52 needs. All residues here stand for
-/// themselves times 2^52.
+/// Primes 2^b - delta with what Montgomery's reduction needs, where b = prime_bits of the level, and 2^r the
+/// radix, r = radix_bits.
 struct Moduli {
     Octet prime;
-    Octet delta;             ///< below 2^24
-    Octet negative_inverse;  ///< -1/p modulo 2^52
-    Octet square;            ///< 2^104 modulo p
+    Octet delta;    ///< below 2^22
+    Octet inverse;  ///< 1/p modulo the radix
+    Octet radix;    ///< modulo p
+    Octet square;   ///< radix^2 modulo p
 };
 
-/// What a level of instruction sets offers; all give the same results.
+/// What a level of instruction sets offers.
 struct Operations {
-    /// sum_k a[k] b[k] / 2^52 for k < count <= most_terms.
+    std::size_t prime_bits;
+    std::size_t radix_bits;
+
+    /// sum_k a[k] b[k] / radix for k < count <= most_terms.
     Octet (*dot)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count);
-    /// sum_k digits[k] powers[k] / 2^52 for digits below 2^52, the same in all lanes.
-    Octet (*digit_dot)(const Moduli& moduli, const std::uint64_t* digits, const Octet* powers,
-                       std::size_t count);
-    /// Words times 2^52, where `powers` are 1 and 2^50 times 2^104.
-    void (*residues_of_words)(const Moduli& moduli, const std::int64_t* words, std::size_t count,
-                              const Octet* powers, Octet* residues);
-    /// The coefficients of the product of the factors factors[2 i] + factors[2 i + 1] X, i < count, with one
-    /// division by 2^52 for each factor but the first.
-    void (*multiply_linear)(const Moduli& moduli, const Octet* factors, std::size_t count, Octet* product);
-    /// The coefficients of the product of a[0..m] and b[0..n], lowest first, m >= n; divided by 2^52.
+    /// For each i < count the number with the digits digits[begins[i]..begins[i + 1]), b bits each and at
+    /// most most_terms, times power[0] / radix, where the powers are those of 2^b, times that of power[0].
+    void (*residues_of_digits)(const Moduli& moduli, const std::uint64_t* digits, const std::size_t* begins,
+                               std::size_t count, const Octet* powers, Octet* residues);
+    /// The coefficients of the product of a[0..m) and b[0..n), lowest first, divided by the radix;
+    /// 1 <= n <= m <= most_product_terms.
     void (*multiply)(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
                      Octet* product);
+    /// a[k] factor / radix.
+    void (*scale)(const Moduli& moduli, const Octet* a, const Octet& factor, std::size_t count,
+                  Octet* product);
+    /// a[k] + b[k] and a[k] - b[k].
+    void (*add)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count, Octet* sum);
+    void (*subtract)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
+                     Octet* difference);
 };
 
 extern const Operations portable_operations;
+#if defined(BLOSSOM_AVX2)
+extern const Operations avx2_operations;
+#endif
 #if defined(BLOSSOM_AVX512_IFMA)
 extern const Operations ifma_operations;
 #endif

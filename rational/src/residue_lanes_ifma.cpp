@@ -9,49 +9,73 @@ namespace blossom::residues {
 
 namespace {
 
+/// Primes below 2^50, radix 2^52.
 struct Ifma {
+    static constexpr std::size_t prime_bits = 50;
+    static constexpr std::size_t radix_bits = 52;
+    static constexpr std::size_t parts = 1;
+    static constexpr std::size_t most_summed = most_terms;
+    static constexpr std::size_t coefficients_at_once = 4;
+
     using Vector = __m512i;
     /// The lower and the upper 52 bits of the products, summed apart: sums of 4096 terms fit in 64 bits.
-    struct Accumulator {
+    struct Sum {
         __m512i low = _mm512_setzero_si512();
         __m512i high = _mm512_setzero_si512();
     };
+    using Total = Sum;
+    struct Constants {
+        Constants(const Moduli& moduli, std::size_t part)
+            : prime(load(moduli.prime, part)),
+              twice(_mm512_slli_epi64(prime, 1)),
+              delta(load(moduli.delta, part)),
+              inverse(load(moduli.inverse, part)) {}
+        __m512i prime, twice, delta, inverse;
+    };
 
-    static __m512i load(const Octet& from) { return _mm512_load_si512(&from); }
+    static __m512i load(const Octet& from, std::size_t /*part*/) { return _mm512_load_si512(&from); }
+    static void store(Octet& to, std::size_t /*part*/, __m512i value) { _mm512_store_si512(&to, value); }
     static __m512i broadcast(std::uint64_t value) { return _mm512_set1_epi64(static_cast<long long>(value)); }
-    static void add_product(Accumulator& sum, __m512i a, __m512i b) {
+
+    static void add_product(Sum& sum, __m512i a, __m512i b) {
         sum.low = _mm512_madd52lo_epu64(sum.low, a, b);
         sum.high = _mm512_madd52hi_epu64(sum.high, a, b);
     }
-    static void add(Accumulator& sum, const Accumulator& other) {
-        sum.low = _mm512_add_epi64(sum.low, other.low);
-        sum.high = _mm512_add_epi64(sum.high, other.high);
+    static void collect(Total& total, const Sum& sum) {
+        total.low = _mm512_add_epi64(total.low, sum.low);
+        total.high = _mm512_add_epi64(total.high, sum.high);
     }
-    static Octet negated(const Moduli& moduli, const Octet& residues) {
-        const __m512i value = load(residues);
-        Octet result{};
-        _mm512_store_si512(
-            &result, _mm512_maskz_sub_epi64(_mm512_test_epi64_mask(value, value), load(moduli.prime), value));
-        return result;
+    static __m512i reduced(const Constants& constants, const Sum& sum) {
+        const __m512i quotient = divided(constants, sum);
+        return _mm512_madd52lo_epu64(_mm512_and_si512(quotient, broadcast((std::uint64_t{1} << 50) - 1)),
+                                     _mm512_srli_epi64(quotient, 50), constants.delta);
     }
-    /// `madd52` reads 52 bits of its factors: the multiple is taken of the lowest 52 alone, and what the
-    /// lower sum has beyond them goes to the upper one first.
-    static Octet reduced(const Moduli& moduli, const Accumulator& sum) {
+    /// One product of residues below 2 p is below 2 p without more.
+    static __m512i product(const Constants& constants, __m512i a, __m512i b) {
+        Sum sum;
+        add_product(sum, a, b);
+        return divided(constants, sum);
+    }
+    static __m512i sum(const Constants& constants, __m512i a, __m512i b) {
+        return below_twice(constants, _mm512_add_epi64(a, b));
+    }
+    static __m512i difference(const Constants& constants, __m512i a, __m512i b) {
+        return below_twice(constants, _mm512_add_epi64(_mm512_sub_epi64(a, b), constants.twice));
+    }
+
+private:
+    static __m512i below_twice(const Constants& constants, __m512i value) {
+        return _mm512_min_epu64(value, _mm512_sub_epi64(value, constants.twice));
+    }
+    /// (sum - m p) / 2^52 + p with the multiple m that makes the lowest 52 bits zero: they cancel, and only
+    /// upper halves remain. `madd52` reads 52 bits of its factors, so that what the lower sum has beyond them
+    /// is added to the upper one.
+    static __m512i divided(const Constants& constants, const Sum& sum) {
         const __m512i zero = _mm512_setzero_si512();
-        const __m512i prime = load(moduli.prime);
-        const __m512i low_52 = broadcast((std::uint64_t{1} << 52) - 1);
-        const __m512i lower = broadcast(low_50);
-        const __m512i low = _mm512_and_si512(sum.low, low_52);
-        const __m512i high = _mm512_add_epi64(sum.high, _mm512_srli_epi64(sum.low, 52));
-        const __m512i multiple = _mm512_madd52lo_epu64(zero, low, load(moduli.negative_inverse));
-        const __m512i lowest = _mm512_madd52lo_epu64(low, multiple, prime);
-        const __m512i quotient =
-            _mm512_add_epi64(_mm512_madd52hi_epu64(high, multiple, prime), _mm512_srli_epi64(lowest, 52));
-        const __m512i folded = _mm512_madd52lo_epu64(_mm512_and_si512(quotient, lower),
-                                                     _mm512_srli_epi64(quotient, 50), load(moduli.delta));
-        Octet result{};
-        _mm512_store_si512(&result, _mm512_min_epu64(folded, _mm512_sub_epi64(folded, prime)));
-        return result;
+        const __m512i multiple = _mm512_madd52lo_epu64(zero, sum.low, constants.inverse);
+        const __m512i subtracted = _mm512_madd52hi_epu64(zero, multiple, constants.prime);
+        const __m512i upper = _mm512_add_epi64(sum.high, _mm512_srli_epi64(sum.low, 52));
+        return _mm512_add_epi64(upper, _mm512_sub_epi64(constants.prime, subtracted));
     }
 };
 

@@ -1,110 +1,160 @@
 #pragma once
 
-// The operations written once over what a level calls a vector and an accumulator of products.
+// The operations written once over what a level calls a vector, so many to an octet, and sums of products.
 
 #include "residue_lanes.hpp"
 
 namespace blossom::residues {
 
-/// Level: Vector; Accumulator, zero by default; load, broadcast, store; add_product(accumulator, a, b);
-/// negated(moduli, residues); reduced(moduli, accumulator), the sum of up to 4096 products divided by 2^52,
-/// below p.
+/// Level: prime_bits, radix_bits; Vector, of which `parts` make an octet, with load, store, broadcast;
+/// Sum of up to `most_summed` products of residues below 2 p, zero by default, with add_product; Total of up
+/// to most_terms products, with collect(total, sum); Constants of one part of the moduli; reduced(constants,
+/// sum) and reduced(constants, total), divided by the radix, and product(constants, a, b), all below 2 p;
+/// sum and difference of residues.
 template <class Level>
 struct OperationsOf {
-    using Accumulator = typename Level::Accumulator;
+    using Vector = typename Level::Vector;
+    using Sum = typename Level::Sum;
+    using Total = typename Level::Total;
+    using Constants = typename Level::Constants;
 
     static Octet dot(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count) {
-        Accumulator sums[2] = {};
-        for (std::size_t k = 0; k + 1 < count; k += 2) {
-            Level::add_product(sums[0], Level::load(a[k]), Level::load(b[k]));
-            Level::add_product(sums[1], Level::load(a[k + 1]), Level::load(b[k + 1]));
-        }
-        if (count % 2 == 1) Level::add_product(sums[0], Level::load(a[count - 1]), Level::load(b[count - 1]));
-        Level::add(sums[0], sums[1]);
-        return Level::reduced(moduli, sums[0]);
-    }
-
-    static Octet digit_dot(const Moduli& moduli, const std::uint64_t* digits, const Octet* powers,
-                           std::size_t count) {
-        Accumulator sum = {};
-        for (std::size_t k = 0; k < count; ++k)
-            Level::add_product(sum, Level::broadcast(digits[k]), Level::load(powers[k]));
-        return Level::reduced(moduli, sum);
-    }
-
-    static void residues_of_words(const Moduli& moduli, const std::int64_t* words, std::size_t count,
-                                  const Octet* powers, Octet* residues) {
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto bits = static_cast<std::uint64_t>(words[i]);
-            const std::uint64_t size = words[i] < 0 ? 0 - bits : bits;
-            Accumulator sum = {};
-            Level::add_product(sum, Level::broadcast(size & ((std::uint64_t{1} << 50) - 1)),
-                               Level::load(powers[0]));
-            Level::add_product(sum, Level::broadcast(size >> 50), Level::load(powers[1]));
-            residues[i] = Level::reduced(moduli, sum);
-            if (words[i] < 0) residues[i] = Level::negated(moduli, residues[i]);
-        }
-    }
-
-    static void multiply_linear(const Moduli& moduli, const Octet* factors, std::size_t count,
-                                Octet* product) {
-        product[0] = factors[0];
-        product[1] = factors[1];
-        for (std::size_t i = 1; i < count; ++i) {
-            const auto constant = Level::load(factors[2 * i]);
-            const auto slope = Level::load(factors[2 * i + 1]);
-            Accumulator top = {};
-            Level::add_product(top, Level::load(product[i]), slope);
-            product[i + 1] = Level::reduced(moduli, top);
-            for (std::size_t k = i; k > 0; --k) {
-                Accumulator sum = {};
-                Level::add_product(sum, Level::load(product[k]), constant);
-                Level::add_product(sum, Level::load(product[k - 1]), slope);
-                product[k] = Level::reduced(moduli, sum);
+        constexpr std::size_t chains = 4;
+        Octet result;
+        for (std::size_t part = 0; part < Level::parts; ++part) {
+            const Constants constants(moduli, part);
+            Total total = {};
+            for (std::size_t begin = 0; begin < count; begin += chains * Level::most_summed) {
+                const std::size_t rest = count - begin;
+                const std::size_t end = begin + (rest < chains * Level::most_summed ? rest : chains * Level::most_summed);
+                Sum sums[chains] = {};
+                std::size_t k = begin;
+                for (; k + chains <= end; k += chains) {
+#pragma GCC unroll 4
+                    for (std::size_t i = 0; i < chains; ++i)
+                        Level::add_product(sums[i], Level::load(a[k + i], part), Level::load(b[k + i], part));
+                }
+                for (std::size_t i = 0; k < end; ++k, ++i)
+                    Level::add_product(sums[i], Level::load(a[k], part), Level::load(b[k], part));
+                for (const Sum& sum : sums) Level::collect(total, sum);
             }
-            Accumulator bottom = {};
-            Level::add_product(bottom, Level::load(product[0]), constant);
-            product[0] = Level::reduced(moduli, bottom);
+            Level::store(result, part, Level::reduced(constants, total));
+        }
+        return result;
+    }
+
+    /// Four numbers at a time share what is loaded of the powers, as far as all four have digits.
+    static void residues_of_digits(const Moduli& moduli, const std::uint64_t* digits,
+                                   const std::size_t* begins, std::size_t count, const Octet* powers,
+                                   Octet* residues) {
+        for (std::size_t part = 0; part < Level::parts; ++part) {
+            const Constants constants(moduli, part);
+            std::size_t i = 0;
+            for (; i + 4 <= count; i += 4) several<4>(constants, part, digits, begins + i, powers, residues + i);
+            for (; i < count; ++i) several<1>(constants, part, digits, begins + i, powers, residues + i);
         }
     }
 
-    /// Four coefficients at a time share what is loaded of `b`, where all four have the term; the few terms
-    /// that not all of them have are added apart.
+    /// Four coefficients at a time share what is loaded of `b`; zeros around `a` make them alike.
     static void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
                          Octet* product) {
-        const auto add_terms = [&](Accumulator& sum, std::size_t k, std::size_t begin, std::size_t end) {
-            for (std::size_t j = begin; j < end; ++j)
-                Level::add_product(sum, Level::load(a[k - j]), Level::load(b[j]));
-        };
-        const auto begin_of = [&](std::size_t k) { return k > m ? k - m : 0; };
-        const auto end_of = [&](std::size_t k) { return (k < n ? k : n) + 1; };
-        std::size_t k = 0;
-        for (; k + 3 <= m + n; k += 4) {
-            Accumulator sums[4] = {};
-            const std::size_t begin = begin_of(k + 3);
-            const std::size_t end = end_of(k);
-            for (std::size_t j = begin; j < end; ++j) {
-                const auto factor = Level::load(b[j]);
-                const Octet* terms = a + (k - j);
-#pragma GCC unroll 4
-                for (int i = 0; i < 4; ++i) Level::add_product(sums[i], Level::load(terms[i]), factor);
+        constexpr std::size_t step = Level::coefficients_at_once;
+        constexpr std::size_t longest = most_product_terms;
+        const std::size_t size = m + n - 1;
+        Vector padded[longest + 2 * step - 2];
+        for (std::size_t part = 0; part < Level::parts; ++part) {
+            const Constants constants(moduli, part);
+            const Vector zero = Level::broadcast(0);
+            for (std::size_t k = 0; k < step - 1; ++k) padded[k] = padded[m + step - 1 + k] = zero;
+            for (std::size_t k = 0; k < m; ++k) padded[k + step - 1] = Level::load(a[k], part);
+            for (std::size_t k = 0; k < size; k += step) {
+                const std::size_t last = k + step - 1;
+                const std::size_t begin = k >= m ? k - m + 1 : 0;
+                const std::size_t end = last < n ? last + 1 : n;
+                Sum sums[step] = {};
+                const Vector* terms = padded + (last - begin);
+                for (std::size_t j = begin; j < end; ++j, --terms) {
+                    const Vector factor = Level::load(b[j], part);
+#pragma GCC unroll 8
+                    for (std::size_t i = 0; i < step; ++i) Level::add_product(sums[i], terms[i], factor);
+                }
+                if (last < size) {
+#pragma GCC unroll 8
+                    for (std::size_t i = 0; i < step; ++i)
+                        Level::store(product[k + i], part, Level::reduced(constants, sums[i]));
+                } else {
+                    for (std::size_t i = 0; k + i < size; ++i)
+                        Level::store(product[k + i], part, Level::reduced(constants, sums[i]));
+                }
             }
-#pragma GCC unroll 4
-            for (std::size_t i = 0; i < 4; ++i) {
-                const std::size_t middle = begin < end ? begin : end_of(k + i);
-                add_terms(sums[i], k + i, begin_of(k + i), middle);
-                if (begin < end) add_terms(sums[i], k + i, end, end_of(k + i));
-                product[k + i] = Level::reduced(moduli, sums[i]);
-            }
-        }
-        for (; k <= m + n; ++k) {
-            Accumulator sum = {};
-            add_terms(sum, k, begin_of(k), end_of(k));
-            product[k] = Level::reduced(moduli, sum);
         }
     }
 
-    static constexpr Operations table{dot, digit_dot, residues_of_words, multiply_linear, multiply};
+    static void scale(const Moduli& moduli, const Octet* a, const Octet& factor, std::size_t count,
+                      Octet* product) {
+        each(moduli, count, product, [&](const Constants& constants, std::size_t k, std::size_t part) {
+            return Level::product(constants, Level::load(a[k], part), Level::load(factor, part));
+        });
+    }
+    static void add(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count, Octet* sum) {
+        each(moduli, count, sum, [&](const Constants& constants, std::size_t k, std::size_t part) {
+            return Level::sum(constants, Level::load(a[k], part), Level::load(b[k], part));
+        });
+    }
+    static void subtract(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
+                         Octet* difference) {
+        each(moduli, count, difference, [&](const Constants& constants, std::size_t k, std::size_t part) {
+            return Level::difference(constants, Level::load(a[k], part), Level::load(b[k], part));
+        });
+    }
+
+    static constexpr Operations table{Level::prime_bits,  Level::radix_bits, dot, residues_of_digits,
+                                      multiply,           scale,     add, subtract};
+
+private:
+    template <class Entry>
+    static void each(const Moduli& moduli, std::size_t count, Octet* results, const Entry& entry) {
+        for (std::size_t part = 0; part < Level::parts; ++part) {
+            const Constants constants(moduli, part);
+            for (std::size_t k = 0; k < count; ++k) Level::store(results[k], part, entry(constants, k, part));
+        }
+    }
+
+    template <std::size_t Numbers>
+    static void several(const Constants& constants, std::size_t part, const std::uint64_t* digits,
+                        const std::size_t* begins, const Octet* powers, Octet* residues) {
+        Total totals[Numbers] = {};
+        std::size_t common = begins[1] - begins[0];
+        for (std::size_t i = 1; i < Numbers; ++i) {
+            const std::size_t size = begins[i + 1] - begins[i];
+            common = size < common ? size : common;
+        }
+        for (std::size_t begin = 0; begin < common; begin += Level::most_summed) {
+            const std::size_t end = common - begin < Level::most_summed ? common : begin + Level::most_summed;
+            Sum sums[Numbers] = {};
+            for (std::size_t k = begin; k < end; ++k) {
+                const Vector power = Level::load(powers[k], part);
+#pragma GCC unroll 4
+                for (std::size_t i = 0; i < Numbers; ++i)
+                    Level::add_product(sums[i], Level::broadcast(digits[begins[i] + k]), power);
+            }
+#pragma GCC unroll 4
+            for (std::size_t i = 0; i < Numbers; ++i) Level::collect(totals[i], sums[i]);
+        }
+        for (std::size_t i = 0; i < Numbers; ++i) {
+            const std::size_t size = begins[i + 1] - begins[i];
+            for (std::size_t begin = common; begin < size; begin += Level::most_summed) {
+                const std::size_t end = size - begin < Level::most_summed ? size : begin + Level::most_summed;
+                Sum sum = {};
+                for (std::size_t k = begin; k < end; ++k) {
+                    Level::add_product(sum, Level::broadcast(digits[begins[i] + k]),
+                                       Level::load(powers[k], part));
+                }
+                Level::collect(totals[i], sum);
+            }
+            Level::store(residues[i], part, Level::reduced(constants, totals[i]));
+        }
+    }
 };
 
 }  // namespace blossom::residues

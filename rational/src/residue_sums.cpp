@@ -1,5 +1,10 @@
 #include "residue_sums.hpp"
 
+#include <blossom/rational/row_recurrences.hpp>
+
+#include "factor_blocks.hpp"
+#include "residue_products.hpp"
+
 namespace blossom {
 
 namespace {
@@ -7,71 +12,69 @@ namespace {
 using residues::Digits;
 using residues::groups_for;
 using residues::integer_with;
-using residues::moduli;
 using residues::Moduli;
+using residues::moduli;
 using residues::montgomery_powers;
 using residues::Octet;
 using residues::operations;
 using residues::plain_powers;
 
-/// The coefficients of the product of the factors modulo the primes of one group, by a tree of products.
-class ProductTree {
-public:
-    explicit ProductTree(const Digits& factors)
-        : degree_(factors.size() / 2), factors_(factors), level_(2 * degree_ + 1), next_(2 * degree_ + 1) {}
+/// As many factors are multiplied out in integers before residues are taken.
+constexpr std::size_t integer_block = 4;
 
-    /// degree + 1 coefficients times 2^52.
-    const Octet* coefficients(const Moduli& moduli) {
-        read_factors(moduli);
-        // Polynomials of degree `step`, but for the last one, lie one after the other.
-        for (std::size_t done = 0; done < degree_; done += leaf) {
-            operations().multiply_linear(moduli, level_.data() + 2 * done, std::min(leaf, degree_ - done),
-                                         next_.data() + done / leaf * (leaf + 1));
-        }
-        std::swap(level_, next_);
-        for (std::size_t step = leaf; step < degree_; step *= 2) {
-            const Octet* from = level_.data();
-            Octet* to = next_.data();
-            for (std::size_t done = 0; done < degree_;) {
-                const std::size_t first = std::min(step, degree_ - done);
-                const std::size_t second = std::min(step, degree_ - done - first);
-                if (second == 0) {
-                    std::copy(from, from + first + 1, to);
-                } else {
-                    operations().multiply(moduli, from, first, from + first + 1, second, to);
-                }
-                from += first + 1 + (second == 0 ? 0 : second + 1);
-                to += first + second + 1;
-                done += first + second;
-            }
-            std::swap(level_, next_);
-        }
-        return level_.data();
+/// The product of the coefficients of two blocks of less than 2^63 each.
+void append_product(FactorBlocks& blocks, std::span<const std::int64_t> a, std::span<const std::int64_t> b) {
+    for (std::size_t k = 0; k < a.size() + b.size() - 1; ++k) {
+        SignedWide sum = 0;
+        for (std::size_t j = k < a.size() ? 0 : k - a.size() + 1; j < b.size() && j <= k; ++j)
+            sum += SignedWide{a[k - j]} * b[j];
+        blocks.coefficients.push_back(sum);
     }
-
-private:
-    /// The degree from which on halves are multiplied.
-    static constexpr std::size_t leaf = 8;
-
-    void read_factors(const Moduli& moduli) {
-        const std::vector<Octet> powers =
-            montgomery_powers(moduli, std::max(std::size_t{2}, factors_.most_digits()));
-        if (const auto* words = factors_.words()) {
-            operations().residues_of_words(moduli, words->data(), words->size(), powers.data(),
-                                           level_.data());
-            return;
-        }
-        for (std::size_t i = 0; i < factors_.size(); ++i)
-            level_[i] = factors_.residues(i, moduli, powers.data());
-    }
-
-    std::size_t degree_;
-    const Digits& factors_;
-    std::vector<Octet> level_;
-    std::vector<Octet> next_;
-};
+    blocks.sizes.push_back(a.size() + b.size() - 1);
+}
 
 }  // namespace
+
+FactorBlocks blocks_of(std::span<const WordFactor> factors) {
+    constexpr std::int64_t one[] = {1};
+    FactorBlocks blocks;
+    blocks.coefficients.reserve(factors.size() + factors.size() / 2, 3);
+    FactorBlock first;
+    FactorBlock second;
+    while (!factors.empty()) {
+        first.fill(factors);
+        factors = factors.subspan(first.degree());
+        std::span<const std::int64_t> further = one;
+        if (first.fits() && !factors.empty()) {
+            second.fill(factors);
+            if (second.fits()) {
+                further = second.coefficients();
+                factors = factors.subspan(second.degree());
+            }
+        }
+        append_product(blocks, first.coefficients(), further);
+    }
+    return blocks;
+}
+
+FactorBlocks blocks_of(std::span<const IntegerFactor> factors) {
+    FactorBlocks blocks;
+    while (!factors.empty()) {
+        const auto block = factors.first(std::min(factors.size(), integer_block));
+        factors = factors.subspan(block.size());
+        std::vector<Integer> constants;
+        std::vector<Integer> slopes;
+        for (const IntegerFactor& factor : block) {
+            constants.push_back(factor.constant);
+            slopes.push_back(factor.slope);
+        }
+        for (const Integer& coefficient : product_of_linear_factors(std::span<const Integer>(constants),
+                                                                    std::span<const Integer>(slopes)))
+            blocks.coefficients.push_back(coefficient);
+        blocks.sizes.push_back(block.size() + 1);
+    }
+    return blocks;
+}
 
 ResidueCache::Residues ResidueCache::of(std::span<const Integer> numbers, std::size_t groups) const {
     const std::size_t size = groups * numbers.size();
@@ -81,12 +84,10 @@ ResidueCache::Residues ResidueCache::of(std::span<const Integer> numbers, std::s
     }
     Digits digits;
     for (const Integer& number : numbers) digits.push_back(number);
-    auto made = std::make_shared<std::vector<Octet>>();
-    made->reserve(size);
+    auto made = std::make_shared<std::vector<Octet>>(size);
     for (std::size_t g = 0; g < groups; ++g) {
-        const std::vector<Octet> powers = plain_powers(moduli(g), digits.most_digits());
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            made->push_back(digits.residues(k, moduli(g), powers.data()));
+        digits.residues(moduli(g), plain_powers(moduli(g), digits.most_digits()).data(),
+                        made->data() + g * numbers.size());
     }
     if (size * sizeof(Octet) <= most_kept) {
         const std::lock_guard lock(mutex_);
@@ -96,16 +97,19 @@ ResidueCache::Residues ResidueCache::of(std::span<const Integer> numbers, std::s
 }
 
 std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache& cache,
-                                  const Digits& factors, std::size_t bits, std::size_t first_row,
+                                  const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count) {
     const std::size_t groups = groups_for(bits);
-    const std::size_t size = factors.size() / 2 + 1;
     const ResidueCache::Residues prepared = cache.of(numbers, groups);
-    ProductTree tree(factors);
+    residues::ProductTree tree(factors.sizes);
+    const std::size_t size = tree.product_size();
+    std::vector<Octet> coefficients(factors.coefficients.size());
     std::vector<std::vector<Octet>> sums(count);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
-        const Octet* product = tree.coefficients(group);
+        factors.coefficients.residues(
+            group, montgomery_powers(group, factors.coefficients.most_digits()).data(), coefficients.data());
+        const Octet* product = tree.product(group, coefficients.data());
         const Octet* rows = prepared->data() + g * numbers.size() + first_row * size;
         for (std::size_t j = 0; j < count; ++j)
             sums[j].push_back(operations().dot(group, product, rows + j * size, size));

@@ -27,11 +27,18 @@ private:
     mutable Residues kept_;
 };
 
-/// The numerators of the sums for `count` rows from `first_row` on, which have at most `bits` bits. `factors`
-/// are constants and slopes in turn, fewer than 2 most_terms; `numbers` are those of all rows, and `cache`
-/// belongs to them.
+/// Polynomials whose product is that of linear factors.
+struct FactorBlocks {
+    residues::Digits coefficients;  ///< one polynomial after the other, lowest coefficients first
+    std::vector<std::size_t> sizes;
+};
+FactorBlocks blocks_of(std::span<const WordFactor> factors);
+FactorBlocks blocks_of(std::span<const IntegerFactor> factors);
+
+/// The numerators of the sums for `count` rows from `first_row` on, which have at most `bits` bits.
+/// `numbers` are those of all rows, and `cache` belongs to them.
 std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache& cache,
-                                  const residues::Digits& factors, std::size_t bits, std::size_t first_row,
+                                  const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count);
 
 }  // namespace blossom

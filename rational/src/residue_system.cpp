@@ -1,5 +1,8 @@
 #include "residue_system.hpp"
 
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
 #include <cstdlib>
 #include <deque>
 #include <mutex>
@@ -11,8 +14,6 @@
 namespace blossom::residues {
 
 namespace {
-
-constexpr std::size_t digit_bits = 50;
 
 std::uint64_t product(std::uint64_t a, std::uint64_t b, std::uint64_t prime) {
     return static_cast<std::uint64_t>(Wide{a} * b % prime);
@@ -42,34 +43,77 @@ bool is_prime(std::uint64_t odd) {
     return true;
 }
 
-/// -1/p modulo 2^52, by Newton's iteration.
-std::uint64_t negative_inverse(std::uint64_t prime) {
+/// 1/p modulo 2^64, by Newton's iteration.
+std::uint64_t inverse_of(std::uint64_t prime) {
     std::uint64_t inverse = prime;
     for (int i = 0; i < 5; ++i) inverse *= 2 - prime * inverse;
-    return (0 - inverse) & ((std::uint64_t{1} << 52) - 1);
+    return inverse;
 }
 
-Moduli next_group(std::uint64_t& candidate) {
-    Moduli group{};
-    for (std::size_t i = 0; i < lanes; ++i) {
-        do candidate -= 2;
-        while (!is_prime(candidate));
-        const std::uint64_t radix = (std::uint64_t{1} << 52) % candidate;
-        group.prime.lane[i] = candidate;
-        group.delta.lane[i] = (std::uint64_t{1} << 50) - candidate;
-        group.negative_inverse.lane[i] = negative_inverse(candidate);
-        group.square.lane[i] = product(radix, radix, candidate);
+/// Below 2^22, so that the reductions of all levels have room.
+constexpr std::uint64_t greatest_delta = (std::uint64_t{1} << 22) - 1;
+
+/// The groups of primes in use, in place once they are there; not to be used by two threads at a time.
+class Groups {
+public:
+    const Moduli& group(std::size_t i) {
+        while (groups_.size() <= i) append();
+        return groups_[i];
     }
-    return group;
+    /// As few groups as have a product of at least 2^bits.
+    std::size_t count_for(std::size_t bits) {
+        while (bits_.empty() || bits_.back() < bits) append();
+        return static_cast<std::size_t>(std::ranges::lower_bound(bits_, bits) - bits_.begin()) + 1;
+    }
+
+private:
+    void append() {
+        const Operations& level = operations();
+        const std::uint64_t power = std::uint64_t{1} << level.prime_bits;
+        const std::uint64_t mask = (std::uint64_t{1} << level.radix_bits) - 1;
+        Moduli group{};
+        Integer product_of_all = 1;
+        for (std::size_t i = 0; i < lanes; ++i) {
+            do delta_ += 2;
+            while (!is_prime(power - delta_));
+            if (delta_ > greatest_delta)
+                throw Error(ErrorCode::limit_exceeded, "there are not enough primes for integers of this size");
+            const std::uint64_t prime = power - delta_;
+            const std::uint64_t radix = (mask + 1) % prime;
+            group.prime.lane[i] = prime;
+            group.delta.lane[i] = delta_;
+            group.inverse.lane[i] = inverse_of(prime) & mask;
+            group.radix.lane[i] = radix;
+            group.square.lane[i] = product(radix, radix, prime);
+            product_of_all *= prime;
+        }
+        groups_.push_back(group);
+        bits_.push_back((bits_.empty() ? 0 : bits_.back()) + product_of_all.bit_length() - 1);
+    }
+
+    std::deque<Moduli> groups_;
+    std::vector<std::size_t> bits_;  ///< the product of as many groups is at least 2 to this power
+    std::uint64_t delta_ = static_cast<std::uint64_t>(-1);
+};
+
+template <class Use>
+decltype(auto) with_groups(const Use& use) {
+    static std::mutex mutex;
+    static Groups groups;
+    const std::lock_guard lock(mutex);
+    return use(groups);
 }
 
-std::vector<Octet> powers(const Moduli& moduli, std::size_t count, Octet first) {
-    std::vector<Octet> result;
-    result.reserve(count);
-    for (std::size_t k = 0; k < count; ++k) {
-        result.push_back(first);
-        for (std::size_t i = 0; i < lanes; ++i)
-            first.lane[i] = product(first.lane[i], moduli.delta.lane[i], moduli.prime.lane[i]);
+/// power, power * 2^b, power * 2^2b, ...
+std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& first) {
+    std::vector<Octet> result(std::max(count, std::size_t{1}));
+    result[0] = first;
+    // 2^(b done) times the radix
+    Octet step;
+    operations().scale(moduli, &moduli.square, moduli.delta, 1, &step);
+    for (std::size_t done = 1; done < result.size(); done *= 2) {
+        operations().scale(moduli, result.data(), step, std::min(done, result.size() - done), result.data() + done);
+        operations().scale(moduli, &step, step, 1, &step);
     }
     return result;
 }
@@ -83,39 +127,43 @@ struct Tables {
     /// sum over the primes p of one group of residue_p * (product of the group / p).
     Integer group_sum(const Octet& residues, std::size_t group) const;
 
-    static constexpr std::size_t cofactor_words = 6;  ///< of a product of seven primes
-
-    std::vector<Octet> inverses;  ///< of (product of all) / p, times 2^52
+    std::size_t cofactor_words;   ///< of a product of seven primes
+    std::vector<Octet> inverses;  ///< of (product of all) / p, times the radix
     std::vector<std::uint64_t> cofactors;
     std::vector<std::vector<Integer>> levels;  ///< products of 1, 2, 4, ... groups
     Integer half;
 };
 
-Tables::Tables(std::size_t groups) {
-    std::vector<std::uint64_t> primes;
-    for (std::size_t g = 0; g < groups; ++g)
-        primes.insert(primes.end(), std::begin(moduli(g).prime.lane), std::end(moduli(g).prime.lane));
+Tables::Tables(std::size_t groups) : cofactor_words((7 * operations().prime_bits + 63) / 64) {
     levels.emplace_back();
+    Digits products;
     for (std::size_t g = 0; g < groups; ++g) {
-        Octet inverse{};
         Integer group_product = 1;
-        for (std::size_t i = 0; i < lanes; ++i) {
-            const std::uint64_t prime = primes[g * lanes + i];
-            std::uint64_t others = 1;
-            Integer cofactor = 1;
-            for (std::size_t j = 0; j < primes.size(); ++j) {
-                if (j == g * lanes + i) continue;
-                others = product(others, primes[j], prime);
-                if (j / lanes == g) cofactor *= primes[j];
-            }
-            inverse.lane[i] =
-                product(power(others, prime - 2, prime), (std::uint64_t{1} << 52) % prime, prime);
+        for (const std::uint64_t prime : moduli(g).prime.lane) group_product *= prime;
+        for (const std::uint64_t prime : moduli(g).prime.lane) {
             cofactors.resize(cofactors.size() + cofactor_words);
-            IntegerAccess::to_twos_complement(cofactor, std::span(cofactors).last(cofactor_words));
-            group_product *= prime;
+            IntegerAccess::to_twos_complement(divide_exactly(group_product, prime),
+                                              std::span(cofactors).last(cofactor_words));
+        }
+        products.push_back(group_product);
+        levels[0].push_back(std::move(group_product));
+    }
+    std::vector<Octet> others(groups);
+    for (std::size_t g = 0; g < groups; ++g) {
+        const Moduli& group = moduli(g);
+        products.residues(group, montgomery_powers(group, products.most_digits()).data(), others.data());
+        Octet inverse = group.radix;
+        for (std::size_t h = 0; h < groups; ++h)
+            if (h != g) operations().scale(group, &inverse, others[h], 1, &inverse);
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const std::uint64_t prime = group.prime.lane[i];
+            std::uint64_t other = inverse.lane[i] % prime;
+            for (std::size_t j = 0; j < lanes; ++j)
+                if (j != i) other = product(other, group.prime.lane[j] % prime, prime);
+            // 1 / (other * radix), times the square of the radix
+            inverse.lane[i] = product(power(other, prime - 2, prime), group.square.lane[i], prime);
         }
         inverses.push_back(inverse);
-        levels[0].push_back(group_product);
     }
     while (levels.back().size() > 1) {
         const std::vector<Integer>& below = levels.back();
@@ -128,9 +176,9 @@ Tables::Tables(std::size_t groups) {
 }
 
 Integer Tables::group_sum(const Octet& residues, std::size_t group) const {
-    std::uint64_t sum[cofactor_words + 1] = {};
-    for (std::size_t i = 0; i < lanes; ++i) {
-        const std::uint64_t* cofactor = cofactors.data() + (group * lanes + i) * cofactor_words;
+    std::uint64_t sum[8] = {};
+    const std::uint64_t* cofactor = cofactors.data() + group * lanes * cofactor_words;
+    for (std::size_t i = 0; i < lanes; ++i, cofactor += cofactor_words) {
         Wide carry = 0;
         for (std::size_t w = 0; w < cofactor_words; ++w) {
             carry += Wide{cofactor[w]} * residues.lane[i] + sum[w];
@@ -139,7 +187,7 @@ Integer Tables::group_sum(const Octet& residues, std::size_t group) const {
         }
         sum[cofactor_words] += static_cast<std::uint64_t>(carry);
     }
-    return IntegerAccess::from_magnitude(sum, false);
+    return IntegerAccess::from_magnitude(std::span(sum).first(cofactor_words + 1), false);
 }
 
 Integer Tables::combined(std::span<const Octet> residues) const {
@@ -184,12 +232,15 @@ std::shared_ptr<const Tables> tables(std::size_t groups) {
 }
 
 const Operations& chosen_operations() {
-#if defined(BLOSSOM_AVX512_IFMA)
     // NOLINTNEXTLINE(concurrency-mt-unsafe): read once, and nothing here writes the environment
-    const char* level = std::getenv("BLOSSOM_VECTOR_LEVEL");
-    const bool excluded = level && std::string_view(level) != "ifma";
-    if (!excluded && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
+    const char* variable = std::getenv("BLOSSOM_VECTOR_LEVEL");
+    const std::string_view level = variable ? variable : "ifma";
+#if defined(BLOSSOM_AVX512_IFMA)
+    if (level == "ifma" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
         return ifma_operations;
+#endif
+#if defined(BLOSSOM_AVX2)
+    if (level != "portable" && __builtin_cpu_supports("avx2")) return avx2_operations;
 #endif
     return portable_operations;
 }
@@ -202,17 +253,15 @@ const Operations& operations() {
 }
 
 const Moduli& moduli(std::size_t group) {
-    static std::mutex mutex;
-    static std::deque<Moduli> groups;  // Keeps its elements in place.
-    static std::uint64_t candidate = (std::uint64_t{1} << 50) + 1;
-    const std::lock_guard lock(mutex);
-    while (groups.size() <= group) groups.push_back(next_group(candidate));
-    return groups[group];
+    return with_groups([&](Groups& groups) -> const Moduli& { return groups.group(group); });
 }
 
-void Digits::reserve(std::size_t values) {
-    digits_.reserve(2 * values);
-    words_.reserve(values);
+std::size_t groups_for(std::size_t bits) {
+    return with_groups([&](Groups& groups) { return groups.count_for(bits + 1); });
+}
+
+void Digits::reserve(std::size_t values, std::size_t digits_of_one) {
+    digits_.reserve(digits_of_one * values);
     begins_.reserve(values + 1);
     negative_.reserve(values);
 }
@@ -223,47 +272,51 @@ void Digits::finish(bool negative) {
     negative_.push_back(negative);
 }
 
-void Digits::push_back(std::int64_t value) {
-    words_.push_back(value);
-    for (std::uint64_t rest = magnitude(value); rest != 0; rest >>= digit_bits)
-        digits_.push_back(rest & low_50);
+void Digits::push_back(SignedWide value) {
+    const std::size_t bits = operations().prime_bits;
+    const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
+    for (Wide rest = magnitude(value); rest != 0; rest >>= bits)
+        digits_.push_back(static_cast<std::uint64_t>(rest) & mask);
     finish(value < 0);
 }
 
 void Digits::push_back(const Integer& value) {
-    if (const auto word = value.to_int64()) return push_back(*word);
+    if (const auto word = value.to_int64()) return push_back(SignedWide{*word});
+    const std::size_t digit_bits = operations().prime_bits;
+    const std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
     const std::size_t bits = value.bit_length();
-    std::vector<std::uint64_t> words(bits / 64 + 2);
-    IntegerAccess::to_twos_complement(abs(value), words);
+    words_.resize(bits / 64 + 2);
+    IntegerAccess::to_twos_complement(abs(value), words_);
     for (std::size_t bit = 0; bit < bits; bit += digit_bits) {
         const std::size_t word = bit / 64;
-        const Wide pair = Wide{words[word + 1]} << 64 | words[word];
-        digits_.push_back(static_cast<std::uint64_t>(pair >> (bit % 64)) & low_50);
+        const Wide pair = Wide{words_[word + 1]} << 64 | words_[word];
+        digits_.push_back(static_cast<std::uint64_t>(pair >> (bit % 64)) & mask);
     }
     finish(value.sign() < 0);
 }
 
-Octet Digits::residues(std::size_t i, const Moduli& moduli, const Octet* powers) const {
-    Octet result{};
-    for (std::size_t begin = begins_[i]; begin < begins_[i + 1]; begin += most_terms) {
-        const Octet part =
-            operations().digit_dot(moduli, digits_.data() + begin, powers + (begin - begins_[i]),
-                                   std::min(most_terms, begins_[i + 1] - begin));
-        for (std::size_t l = 0; l < lanes; ++l) {
-            const std::uint64_t sum = result.lane[l] + part.lane[l];
-            result.lane[l] = sum >= moduli.prime.lane[l] ? sum - moduli.prime.lane[l] : sum;
+void Digits::residues(const Moduli& moduli, const Octet* powers, Octet* residues) const {
+    const Operations& run = operations();
+    if (most_digits_ <= most_terms) {
+        run.residues_of_digits(moduli, digits_.data(), begins_.data(), size(), powers, residues);
+    } else {
+        for (std::size_t i = 0; i < size(); ++i) {
+            residues[i] = Octet{};
+            for (std::size_t begin = begins_[i]; begin < begins_[i + 1]; begin += most_terms) {
+                const std::size_t piece[] = {begin, std::min(begin + most_terms, begins_[i + 1])};
+                Octet part;
+                run.residues_of_digits(moduli, digits_.data(), piece, 1, powers + (begin - begins_[i]), &part);
+                run.add(moduli, &residues[i], &part, 1, &residues[i]);
+            }
         }
     }
-    if (!negative_[i]) return result;
-    for (std::size_t l = 0; l < lanes; ++l)
-        result.lane[l] = result.lane[l] == 0 ? 0 : moduli.prime.lane[l] - result.lane[l];
-    return result;
+    const Octet zero{};
+    for (std::size_t i = 0; i < size(); ++i)
+        if (negative_[i]) run.subtract(moduli, &zero, &residues[i], 1, &residues[i]);
 }
 
 std::vector<Octet> plain_powers(const Moduli& moduli, std::size_t count) {
-    Octet first{};
-    for (std::size_t i = 0; i < lanes; ++i) first.lane[i] = (std::uint64_t{1} << 52) % moduli.prime.lane[i];
-    return powers(moduli, count, first);
+    return powers(moduli, count, moduli.radix);
 }
 
 std::vector<Octet> montgomery_powers(const Moduli& moduli, std::size_t count) {

@@ -1,0 +1,24 @@
+// Compiled for AVX2; run only where the processor has it.
+
+#include <immintrin.h>
+
+#include "residue_lanes_narrow.hpp"
+
+namespace blossom::residues {
+
+namespace {
+
+struct FourLanes {
+    typedef std::uint64_t Vector __attribute__((vector_size(32)));  // NOLINT(modernize-use-using)
+
+    static Vector product(Vector a, Vector b) {
+        // NOLINTNEXTLINE(portability-simd-intrinsics): compilers do not see that halves suffice
+        return reinterpret_cast<Vector>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
+    }
+};
+
+}  // namespace
+
+const Operations avx2_operations = OperationsOf<Narrow<FourLanes>>::table;
+
+}  // namespace blossom::residues

@@ -1,0 +1,44 @@
+#pragma once
+
+// Products of polynomials modulo the primes of one group.
+
+#include <cstddef>
+#include <vector>
+
+#include "residue_lanes.hpp"
+
+namespace blossom::residues {
+
+/// The product of polynomials that lie one after the other, by a balanced tree.
+class ProductTree {
+public:
+    /// `sizes` are the numbers of coefficients, none of them 0.
+    explicit ProductTree(std::vector<std::size_t> sizes);
+
+    /// The number of coefficients of the product.
+    std::size_t product_size() const { return product_size(0, begins_.size() - 1); }
+
+    /// The coefficients of the product, where those of the factors and of the product stand for themselves
+    /// times the radix. Valid until the next call.
+    const Octet* product(const Moduli& moduli, const Octet* polynomials);
+
+private:
+    /// Of polynomials [begin, end) to `to`.
+    void multiply(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
+                  Octet* to, Octet* scratch) const;
+    std::size_t product_size(std::size_t begin, std::size_t end) const {
+        return begins_[end] - begins_[begin] - (end - begin - 1);
+    }
+
+    std::vector<std::size_t> begins_;
+    std::vector<Octet> result_;
+    std::vector<Octet> scratch_;
+};
+
+/// The coefficients of the product of a[0..m) and b[0..n), divided by the radix; m >= n >= 1. Cost: n^1.58 by
+/// Karatsuba's method for m = n beyond a basecase. `scratch` has `scratch_size(m)` places.
+void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
+              Octet* product, Octet* scratch);
+constexpr std::size_t scratch_size(std::size_t m) { return 6 * m + 256; }
+
+}  // namespace blossom::residues
