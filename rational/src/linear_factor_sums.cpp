@@ -31,25 +31,10 @@ Bounds bounds(const Prepared& rows, std::span<const WordFactor> factors) {
     return {product.bits(), sum.bits()};
 }
 
-/// The numbers of factors for which residues are used: by measurement, and by what a product of two halves
-/// may sum up without a reduction.
+/// The numbers of factors for which residues are used: by measurement, and by what one sum
+/// may take.
 constexpr std::size_t least_residue_factors = 16;
 constexpr std::size_t most_residue_factors = residues::most_terms - 1;
-
-SumKernel kernel_for(std::size_t factors) {
-    const bool residues = least_residue_factors <= factors && factors <= most_residue_factors;
-    return residues ? SumKernel::residues : SumKernel::integers;
-}
-
-SumKernel kernel_for(const Prepared& rows, std::span<const WordFactor> factors) {
-    if (factors.size() > machine_sums::most_factors) return kernel_for(factors.size());
-    const bool words = !rows.words.empty();
-    if (words && machine_sums::word_denominator(rows.words_of(0), factors)) return SumKernel::word;
-    const std::size_t bits = bounds(rows, factors).sum;
-    if (words && bits < 128) return SumKernel::wide;
-    if (bits / 64 < most_sum_limbs) return SumKernel::limbs;
-    return kernel_for(factors.size());
-}
 
 /// The greatest magnitude that a factor can take in its coefficients together.
 Integer size_of(const IntegerFactor& factor) { return abs(factor.constant) + abs(factor.slope); }
@@ -68,6 +53,23 @@ std::size_t sum_bits(const Prepared& rows, std::span<const LinearFactor<R>> fact
         }
     }
     return words.bits() + further;
+}
+
+template <class R>
+SumKernel kernel_without_limbs(const Prepared& rows, std::span<const LinearFactor<R>> factors) {
+    const bool residues = least_residue_factors <= factors.size() && factors.size() <= most_residue_factors &&
+                          sum_bits(rows, factors) <= residues::most_bits;
+    return residues ? SumKernel::residues : SumKernel::integers;
+}
+
+SumKernel kernel_for(const Prepared& rows, std::span<const WordFactor> factors) {
+    if (factors.size() > machine_sums::most_factors) return kernel_without_limbs(rows, factors);
+    const bool words = !rows.words.empty();
+    if (words && machine_sums::word_denominator(rows.words_of(0), factors)) return SumKernel::word;
+    const std::size_t bits = bounds(rows, factors).sum;
+    if (words && bits < 128) return SumKernel::wide;
+    if (bits / 64 < most_sum_limbs) return SumKernel::limbs;
+    return kernel_without_limbs(rows, factors);
 }
 
 /// A numerator in two's complement, or its negative, over the denominator in lowest terms.
@@ -170,7 +172,8 @@ constexpr SumKernelRule rules[] = {
     {SumKernel::wide, "wide",
      "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
     {SumKernel::limbs, "limbs", "at most 64 factors of words; numerators of the sums below 2^511"},
-    {SumKernel::residues, "residues", "16 to 4095 factors of any size"},
+    {SumKernel::residues, "residues",
+     "16 to 4095 factors of any size; numerators of the sums below 2^2000000"},
     {SumKernel::integers, "integers", "any"},
 };
 
@@ -230,7 +233,7 @@ void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::siz
 }
 
 SumKernel LinearFactorSums::kernel(std::span<const IntegerFactor> factors) const {
-    return kernel_for(factors.size());
+    return kernel_without_limbs(*prepared_, factors);
 }
 
 }  // namespace blossom

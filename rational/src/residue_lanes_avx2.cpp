@@ -13,7 +13,8 @@ struct FourLanes {
 
     static Vector product(Vector a, Vector b) {
         // NOLINTNEXTLINE(portability-simd-intrinsics): compilers do not see that halves suffice
-        return reinterpret_cast<Vector>(_mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
+        return reinterpret_cast<Vector>(
+            _mm256_mul_epu32(reinterpret_cast<__m256i>(a), reinterpret_cast<__m256i>(b)));
     }
 };
 

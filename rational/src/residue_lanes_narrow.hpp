@@ -84,8 +84,8 @@ private:
     static Vector folded(const Constants& constants, Vector value) {
         return (value & low_28) + Instructions::product(value >> 28, constants.delta);
     }
-    /// (low + 2^32 high - m p) / 2^32 + p with the multiple m that makes the lowest 32 bits zero: they cancel,
-    /// and only upper halves remain.
+    /// (low + 2^32 high - m p) / 2^32 + p with the multiple m that makes the lowest 32 bits zero: they
+    /// cancel, and only upper halves remain.
     static Vector divided(const Constants& constants, Vector low, Vector high) {
         const Vector multiple = Instructions::product(low, constants.inverse);
         return high + constants.prime - (Instructions::product(multiple, constants.prime) >> 32);

@@ -14,7 +14,8 @@ struct TwoLanes {
     static Vector product(Vector a, Vector b) {
 #if defined(__SSE2__)
         // NOLINTNEXTLINE(portability-simd-intrinsics): compilers do not see that halves suffice
-        return reinterpret_cast<Vector>(_mm_mul_epu32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+        return reinterpret_cast<Vector>(
+            _mm_mul_epu32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
 #else
         constexpr std::uint64_t low_half = 0xffff'ffff;
         return (a & low_half) * (b & low_half);

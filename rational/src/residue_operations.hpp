@@ -26,7 +26,8 @@ struct OperationsOf {
             Total total = {};
             for (std::size_t begin = 0; begin < count; begin += chains * Level::most_summed) {
                 const std::size_t rest = count - begin;
-                const std::size_t end = begin + (rest < chains * Level::most_summed ? rest : chains * Level::most_summed);
+                const std::size_t end =
+                    begin + (rest < chains * Level::most_summed ? rest : chains * Level::most_summed);
                 Sum sums[chains] = {};
                 std::size_t k = begin;
                 for (; k + chains <= end; k += chains) {
@@ -50,7 +51,8 @@ struct OperationsOf {
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             std::size_t i = 0;
-            for (; i + 4 <= count; i += 4) several<4>(constants, part, digits, begins + i, powers, residues + i);
+            for (; i + 4 <= count; i += 4)
+                several<4>(constants, part, digits, begins + i, powers, residues + i);
             for (; i < count; ++i) several<1>(constants, part, digits, begins + i, powers, residues + i);
         }
     }
@@ -108,8 +110,8 @@ struct OperationsOf {
         });
     }
 
-    static constexpr Operations table{Level::prime_bits,  Level::radix_bits, dot, residues_of_digits,
-                                      multiply,           scale,     add, subtract};
+    static constexpr Operations table{
+        Level::prime_bits, Level::radix_bits, dot, residues_of_digits, multiply, scale, add, subtract};
 
 private:
     template <class Entry>

@@ -10,7 +10,7 @@ namespace blossom::residues {
 namespace {
 
 /// The number of terms up to which products are taken term by term: by measurement.
-constexpr std::size_t basecase = 48;
+constexpr std::size_t basecase = 64;
 static_assert(basecase <= most_product_terms);
 
 /// a[0..m) in pieces of n terms, for m > n.

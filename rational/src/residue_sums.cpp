@@ -68,8 +68,8 @@ FactorBlocks blocks_of(std::span<const IntegerFactor> factors) {
             constants.push_back(factor.constant);
             slopes.push_back(factor.slope);
         }
-        for (const Integer& coefficient : product_of_linear_factors(std::span<const Integer>(constants),
-                                                                    std::span<const Integer>(slopes)))
+        for (const Integer& coefficient :
+             product_of_linear_factors(std::span<const Integer>(constants), std::span<const Integer>(slopes)))
             blocks.coefficients.push_back(coefficient);
         blocks.sizes.push_back(block.size() + 1);
     }

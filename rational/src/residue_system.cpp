@@ -77,7 +77,8 @@ private:
             do delta_ += 2;
             while (!is_prime(power - delta_));
             if (delta_ > greatest_delta)
-                throw Error(ErrorCode::limit_exceeded, "there are not enough primes for integers of this size");
+                throw Error(ErrorCode::limit_exceeded,
+                            "there are not enough primes for integers of this size");
             const std::uint64_t prime = power - delta_;
             const std::uint64_t radix = (mask + 1) % prime;
             group.prime.lane[i] = prime;
@@ -112,7 +113,8 @@ std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& 
     Octet step;
     operations().scale(moduli, &moduli.square, moduli.delta, 1, &step);
     for (std::size_t done = 1; done < result.size(); done *= 2) {
-        operations().scale(moduli, result.data(), step, std::min(done, result.size() - done), result.data() + done);
+        operations().scale(moduli, result.data(), step, std::min(done, result.size() - done),
+                           result.data() + done);
         operations().scale(moduli, &step, step, 1, &step);
     }
     return result;
@@ -305,7 +307,8 @@ void Digits::residues(const Moduli& moduli, const Octet* powers, Octet* residues
             for (std::size_t begin = begins_[i]; begin < begins_[i + 1]; begin += most_terms) {
                 const std::size_t piece[] = {begin, std::min(begin + most_terms, begins_[i + 1])};
                 Octet part;
-                run.residues_of_digits(moduli, digits_.data(), piece, 1, powers + (begin - begins_[i]), &part);
+                run.residues_of_digits(moduli, digits_.data(), piece, 1, powers + (begin - begins_[i]),
+                                       &part);
                 run.add(moduli, &residues[i], &part, 1, &residues[i]);
             }
         }

@@ -238,6 +238,50 @@ TEST_CASE("sums by residues", "[linear_factor_sums]") {
     CHECK(met[SumKernel::residues] > 80);
 }
 
+// With numbers w t^k the sum is w times the product of the factors at t.
+TEST_CASE("sums by residues of high degree", "[linear_factor_sums]") {
+    Random random(11);
+    for (std::size_t i = 0; i < 120; ++i) {
+        const std::size_t n = i < 100 ? 16 + random.below(i % 4 == 0 ? 300 : 120) : 600 + random.below(800);
+        const std::size_t bits = i < 100 ? 1 + random.below(62) : 1 + random.below(8);
+        const bool wide = i < 100 && random.one_in(4);
+        std::vector<Rational> numbers(n + 1);
+        std::vector<WordFactor> factors;
+        std::vector<IntegerFactor> wide_factors;
+        for (std::size_t k = 0; k < n; ++k) {
+            factors.push_back(
+                {word_of_bits(random, bits), word_of_bits(random, bits), denominator_of_bits(random, bits)});
+            const auto& [constant, slope, denominator] = factors.back();
+            wide_factors.push_back({constant, slope, denominator});
+            if (wide) wide_factors.back().slope = integer_of_bits(random, random.below(300));
+        }
+        Rational expected;
+        for (int term = 0; term < 2; ++term) {
+            const Rational weight(random.between(-9, 9), random.between(1, 9));
+            const Rational t(random.between(-3, 3), random.between(1, 2));
+            Rational power = 1;
+            for (Rational& number : numbers) {
+                number += weight * power;
+                power *= t;
+            }
+            Integer numerator = 1;
+            Integer denominator = 1;
+            for (const IntegerFactor& factor : wide_factors) {
+                numerator *= factor.constant * t.denominator() + factor.slope * t.numerator();
+                denominator *= factor.denominator * t.denominator();
+            }
+            expected += weight * Rational(numerator, denominator);
+        }
+        const LinearFactorSums sums(RationalVector(numbers), 1);
+        Rational value;
+        sums.evaluate(wide_factors, 0, {&value, 1});
+        CHECK(value == expected);
+        if (wide) continue;
+        sums.evaluate(factors, 0, {&value, 1});
+        CHECK(value == expected);
+    }
+}
+
 TEST_CASE("sums by residues of factors beyond words and of negative denominators", "[linear_factor_sums]") {
     Random random(8);
     for (int i = 0; i < 60; ++i) {
