@@ -138,14 +138,23 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     const CLI::Option* numbers =
         add_value(*command, "--numbers", "double|hexfloat", "give every number correctly rounded too");
     const CLI::Option* picture =
-        operation.plot ? add_value(*command, "--svg", "FILE", "write a picture of the curves too") : nullptr;
+        operation.plot ? add_value(*command, "--svg", "FILE", "write a picture of the curves or patches too")
+                       : nullptr;
+    const CLI::Option* mesh =
+        operation.mesh
+            ? add_value(*command, "--obj", "FILE", "write a mesh of the patches too, a Wavefront OBJ file")
+            : nullptr;
     const LimitOptions limits(*command);
     if (!operation.example.empty()) command->footer([&operation] { return example_text(operation); });
 
     const auto action = [=, &operation](const Streams& streams) {
-        Command given{
-            operation,    {}, result_of(*numbers), as_json->count() > 0, picture ? result_of(*picture) : "",
-            limits.read()};
+        Command given{operation,
+                      {},
+                      result_of(*numbers),
+                      as_json->count() > 0,
+                      picture ? result_of(*picture) : "",
+                      mesh ? result_of(*mesh) : "",
+                      limits.read()};
         for (const auto& [option, parsed] : options) {
             if (parsed->count() == 0) continue;
             given.options.push_back(

@@ -91,6 +91,7 @@ Outcome answer_and_print(const Command& command, const Json& request, const Stre
         const Style style(streams.coloured_output);
         const Answered answered{request, *response.find("result"), command.limits, style};
         if (!command.picture.empty()) write_file(command.picture, command.operation.plot(answered));
+        if (!command.mesh.empty()) write_file(command.mesh, command.operation.mesh(answered));
         streams.output(command.as_json ? to_text(response) + "\n" : command.operation.render(answered));
         return outcome_of(response);
     } catch (const Error& error) {

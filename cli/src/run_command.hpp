@@ -24,6 +24,7 @@ struct Command {
     std::string numbers;               ///< what --numbers asks for, or ""
     bool as_json;
     std::string picture;  ///< the file that --svg names, or ""
+    std::string mesh;     ///< the file that --obj names, or ""
     Limits limits;
 };
 

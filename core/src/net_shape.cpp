@@ -150,6 +150,22 @@ std::vector<Integer> multinomials(const NetShape& shape) {
 }
 
 // Adding e_i adds 1 to the sums behind every k < i, and so C(m + s - k - 1, s - k - 1) to the place.
+std::vector<std::vector<MultiIndex>> net_indices(const NetShape& shape) {
+    std::vector<std::vector<MultiIndex>> all{{}};
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        const std::vector<MultiIndex> own = multi_indices(shape[f].dimension, shape[f].degree);
+        std::vector<std::vector<MultiIndex>> longer;
+        for (const auto& indices : all) {
+            for (const MultiIndex& index : own) {
+                longer.push_back(indices);
+                longer.back().push_back(index);
+            }
+        }
+        all = std::move(longer);
+    }
+    return all;
+}
+
 std::vector<std::size_t> raised_positions(std::size_t dimension, std::size_t lower_degree) {
     std::vector<std::size_t> positions;
     MultiIndex index(dimension + 1);

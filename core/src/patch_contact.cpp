@@ -30,23 +30,6 @@ std::vector<std::size_t> common_degrees(const NetShape& left, const NetShape& ri
     return degrees;
 }
 
-/// One multi-index a factor for every point of the net, in order.
-std::vector<std::vector<MultiIndex>> net_indices(const NetShape& shape) {
-    std::vector<std::vector<MultiIndex>> all{{}};
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
-        const std::vector<MultiIndex> own = multi_indices(shape[f].dimension, shape[f].degree);
-        std::vector<std::vector<MultiIndex>> longer;
-        for (const auto& indices : all) {
-            for (const MultiIndex& index : own) {
-                longer.push_back(indices);
-                longer.back().push_back(index);
-            }
-        }
-        all = std::move(longer);
-    }
-    return all;
-}
-
 /// How many of the arguments are off the face.
 std::size_t distance(const std::vector<MultiIndex>& indices, const Face& face) {
     std::size_t off = 0;

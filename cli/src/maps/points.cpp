@@ -66,6 +66,14 @@ Json to_json(const Coordinates& point, const PointForm& form) {
     return coordinates;
 }
 
+Coordinates answered_point(const Json& value) {
+    const Json::Array* written = value.array();
+    if (!written) return {*value.exact()};
+    Coordinates point;
+    for (const Json& coordinate : *written) point.push_back(*coordinate.exact());
+    return point;
+}
+
 Coordinates read_point(const Json& value, const PointForm& form, std::size_t dimension,
                        const Limits& limits) {
     Coordinates point = read_coordinates(value, form.scalar, limits);

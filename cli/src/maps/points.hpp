@@ -28,6 +28,9 @@ struct PointForm {
 /// One point of a map. Errors: `zero_weight` for a point without place, unless the form is homogeneous.
 Json to_json(const Coordinates& point, const PointForm& form);
 
+/// The numbers of a point as `to_json` has written it.
+Coordinates answered_point(const Json& value);
+
 /// One point of a map of this form, with its weight last where the form is homogeneous.
 /// Errors: `mismatched_dimensions` unless it has `dimension` numbers.
 Coordinates read_point(const Json& value, const PointForm& form, std::size_t dimension, const Limits& limits);

@@ -9,6 +9,7 @@
 #include "operations/map_options.hpp"
 #include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
+#include "surface/obj.hpp"
 #include "svg/plot.hpp"
 
 namespace blossom::cli {
@@ -92,6 +93,7 @@ Operation control_points_operation() {
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
+        .mesh = obj_of,
     };
 }
 

@@ -11,6 +11,7 @@
 #include "operations/map_options.hpp"
 #include "operations/segment.hpp"
 #include "operations/table.hpp"
+#include "surface/obj.hpp"
 #include "svg/plot.hpp"
 
 namespace blossom::cli {
@@ -98,6 +99,7 @@ Operation convert_operation() {
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
+        .mesh = obj_of,
     };
 }
 

@@ -4,12 +4,14 @@
 #include <blossom/core/rational_curve.hpp>
 #include <blossom/core/rational_spline.hpp>
 
+#include "answer.hpp"
 #include "maps/serve.hpp"
 #include "operations/evaluator.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
+#include "surface/obj.hpp"
 #include "svg/plot.hpp"
 
 namespace blossom::cli {
@@ -77,6 +79,19 @@ std::string render(const Answered& answered) {
     return text;
 }
 
+/// `show` of the derived map, whether or not the request asks for values only.
+template <std::string (*show)(const Answered&)>
+std::string of_derived_map(const Answered& answered) {
+    if (answered.result.find("map")) return show(answered);
+    Json::Object members;
+    for (const auto& [name, member] : *answered.request.object()) {
+        if (name != "at") members.emplace_back(name, member);
+    }
+    const Json request = std::move(members);
+    const Json result = result_of(request, answered.limits);
+    return show({request, result, answered.limits, answered.style});
+}
+
 }  // namespace
 
 Operation derivative_operation() {
@@ -95,7 +110,8 @@ Operation derivative_operation() {
         }),
         .answer = answer,
         .render = render,
-        .plot = plot_of_result,
+        .plot = of_derived_map<plot_of_result>,
+        .mesh = of_derived_map<obj_of>,
     };
 }
 

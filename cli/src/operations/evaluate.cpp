@@ -5,6 +5,7 @@
 #include "operations/patch_answers.hpp"
 #include "operations/pyramid.hpp"
 #include "operations/table.hpp"
+#include "surface/obj.hpp"
 #include "svg/plot.hpp"
 
 namespace blossom::cli {
@@ -52,6 +53,7 @@ Operation evaluate_operation() {
         .answer = answer,
         .render = render,
         .plot = plot_of_values,
+        .mesh = obj_of,
     };
 }
 

@@ -4,6 +4,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "surface/obj.hpp"
 #include "svg/plot.hpp"
 
 namespace blossom::cli {
@@ -49,6 +50,7 @@ Operation insert_knots_operation() {
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
+        .mesh = obj_of,
     };
 }
 

@@ -116,6 +116,15 @@ Map result_map(const Json& map, const Limits& limits) {
     return read_map(parse_json(to_text(Json(std::move(members))), limits), limits);
 }
 
+std::vector<Map> maps_of_result(const Answered& answered) {
+    std::vector<Map> maps;
+    if (const Json* map = answered.result.find("map")) maps.push_back(result_map(*map, answered.limits));
+    if (const Json* list = answered.result.find("maps")) {
+        for (const Json& map : *list->array()) maps.push_back(result_map(map, answered.limits));
+    }
+    return maps;
+}
+
 std::string line_of(const Json& map, std::string_view name, const Answered& answered) {
     return "  " + answered.style.bold(formula(result_map(map, answered.limits), name)) + "\n";
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "operations/operation.hpp"
 
@@ -11,6 +12,9 @@ namespace blossom::cli {
 
 /// A map of a result as a value again. Its rounded twins are left out.
 Map result_map(const Json& map, const Limits& limits);
+
+/// The members "map" or "maps" of the result; none if it has neither.
+std::vector<Map> maps_of_result(const Answered& answered);
 
 /// The map in one line, "P'(t) = 2 + 8t - 3t^2", or "P': control points over [0, 1]: 2, 6".
 std::string line_of(const Json& map, std::string_view name, const Answered& answered);

@@ -41,6 +41,7 @@ struct Operation {
     std::string (*render)(const Answered& answered);
     bool has_own_command = false;  ///< the command of this name does more and is made elsewhere
     std::string (*plot)(const Answered& answered) = nullptr;  ///< an SVG picture, where there is one
+    std::string (*mesh)(const Answered& answered) = nullptr;  ///< of a patch: a mesh as an OBJ file
     bool explains = false;  ///< a command behind `explain`: its options write the request that is explained
 };
 

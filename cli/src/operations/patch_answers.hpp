@@ -12,6 +12,9 @@ namespace blossom::cli {
 /// The patch of a map, or nullptr for a curve.
 inline const Patch* patch_of(const Map& map) { return std::get_if<Patch>(&map.value); }
 
+/// The patch as a control net with its domain, a polynomial over the unit box or simplex.
+Patch as_net(const Patch& patch, const Limits& limits);
+
 Json evaluate_patch(Fields& request, const Map& map, const Limits& limits);
 Json blossom_of_patch(Fields& request, const Map& map, const Limits& limits);
 Json agree_on_patch(Fields& request, const Map& map, const Limits& limits);

@@ -123,13 +123,6 @@ Patch over_domain(const Patch& patch, const WantedDomain& wanted, const std::vec
     }
 }
 
-/// The patch as a control net with its domain.
-Patch as_net(const Patch& patch, const Limits& limits) {
-    if (!patch.is_polynomial()) return patch;
-    const std::vector<std::size_t> degrees = default_degrees(patch.shape(), patch.tensor);
-    return over_domain(patch, {patch.tensor, {}}, degrees, limits);
-}
-
 /// A piece of one factor whose vertices are the combinations of the old ones.
 Patch piece_of(const Patch& patch, BezierPatch net, std::size_t factor,
                std::span<const Coordinates> elements) {
@@ -206,6 +199,12 @@ std::vector<Patch> split_simplex(const Patch& patch, const Json& at, const Limit
 }
 
 }  // namespace
+
+Patch as_net(const Patch& patch, const Limits& limits) {
+    if (!patch.is_polynomial()) return patch;
+    const std::vector<std::size_t> degrees = default_degrees(patch.shape(), patch.tensor);
+    return over_domain(patch, {patch.tensor, {}}, degrees, limits);
+}
 
 Json control_net_of_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch& patch = *patch_of(map);

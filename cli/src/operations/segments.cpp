@@ -4,6 +4,7 @@
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "surface/obj.hpp"
 #include "svg/plot.hpp"
 
 namespace blossom::cli {
@@ -37,6 +38,7 @@ Operation segments_operation() {
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
+        .mesh = obj_of,
     };
 }
 

@@ -99,13 +99,7 @@ DrawnCurve drawn(const Map& map, const std::optional<Interval>& interval, const 
 }
 
 std::optional<Place> place_of(const Json& value, const Rational& t, const PointForm& form) {
-    const Json::Array* written = value.array();
-    Coordinates point;
-    if (!written) {
-        point.push_back(*value.exact());
-    } else {
-        for (const Json& coordinate : *written) point.push_back(*coordinate.exact());
-    }
+    Coordinates point = answered_point(value);
     if (form.homogeneous) {
         const Rational weight = point.back();
         if (weight.is_zero()) return std::nullopt;

@@ -39,30 +39,32 @@ struct Bounds {
     }
 };
 
-/// Calls `visit` with every place of the picture.
-template <class Visit>
-void for_each_place(const Picture& picture, const Visit& visit) {
+std::vector<Place> places_of(const Picture& picture) {
+    std::vector<Place> places;
     for (const PictureLayer& layer : picture.layers) {
         for (const auto* lines : {&layer.curve.lines, &layer.curve.polygon}) {
-            for (const auto& line : *lines) std::ranges::for_each(line, visit);
+            for (const auto& line : *lines) places.insert(places.end(), line.begin(), line.end());
         }
     }
-    for (const Mark& mark : picture.points) visit(mark.place);
+    for (const Mark& mark : picture.points) places.push_back(mark.place);
+    return places;
 }
 
 }  // namespace
 
-Frame::Frame(const Picture& picture) {
+Frame::Frame(const Picture& picture) : Frame(places_of(picture), picture.equal_scales) {}
+
+Frame::Frame(const std::vector<Place>& places, bool equal_scales) {
     Bounds horizontal;
     Bounds vertical;
-    for_each_place(picture, [&](const Place& place) {
+    for (const Place& place : places) {
         horizontal.include(place.x);
         vertical.include(place.y);
-    });
+    }
     std::tie(left_, right_) = horizontal.range();
     std::tie(bottom_, top_) = vertical.range();
     std::size_t inner_height = height_of_graphs;
-    if (picture.equal_scales) {
+    if (equal_scales) {
         const Rational ratio = (top_ - bottom_) / (right_ - left_) * Rational(inner_width);
         inner_height = ratio <= Rational(least_height) ? least_height
                        : ratio >= Rational(greatest_height)

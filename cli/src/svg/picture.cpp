@@ -1,11 +1,10 @@
 #include "svg/picture.hpp"
 
 #include <fmt/format.h>
-#include <blossom/rational/double_conversion.hpp>
-#include <blossom/rational/number_text.hpp>
 
 #include <array>
 
+#include "svg/axes.hpp"
 #include "svg/frame.hpp"
 #include "svg/svg_document.hpp"
 
@@ -26,7 +25,7 @@ public:
 
     std::string text() {
         svg_.add("rect", {{"width", "100%"}, {"height", "100%"}, {"fill", "white"}});
-        axes();
+        paint_axes(svg_, frame_);
         std::size_t next_colour = 0;
         std::vector<std::string> used;
         for (const PictureLayer& layer : picture_.layers) {
@@ -60,43 +59,6 @@ private:
                   {"stroke-width", "3"},
                   {"paint-order", "stroke"}},
                  text);
-    }
-
-    void axes() {
-        const std::string bottom = std::to_string(frame_.height() - Frame::margin / 2);
-        const std::string left = std::to_string(Frame::margin - 10);
-        for (const Rational& tick : frame_.ticks_of_x()) {
-            grid_line(frame_.x(tick), "24", frame_.x(tick), bottom, tick.is_zero());
-            svg_.add("text",
-                     {{"x", frame_.x(tick)},
-                      {"y", bottom},
-                      {"dy", "14"},
-                      {"text-anchor", "middle"},
-                      {"fill", "#5f6368"}},
-                     tick_text(tick));
-        }
-        for (const Rational& tick : frame_.ticks_of_y()) {
-            grid_line(left, frame_.y(tick), std::to_string(frame_.width() - 24), frame_.y(tick),
-                      tick.is_zero());
-            svg_.add("text",
-                     {{"x", left},
-                      {"y", frame_.y(tick)},
-                      {"dx", "-4"},
-                      {"dy", "4"},
-                      {"text-anchor", "end"},
-                      {"fill", "#5f6368"}},
-                     tick_text(tick));
-        }
-    }
-
-    void grid_line(const std::string& x1, const std::string& y1, const std::string& x2, const std::string& y2,
-                   bool axis) {
-        svg_.add("line", {{"x1", x1},
-                          {"y1", y1},
-                          {"x2", x2},
-                          {"y2", y2},
-                          {"stroke", axis ? "#bdc1c6" : "#eceff1"},
-                          {"stroke-width", "1"}});
     }
 
     void polygon(const PictureLayer& layer, const std::string& colour) {
@@ -167,13 +129,6 @@ private:
             constexpr std::size_t character = 7;
             x += 40 + character * name.size();
         }
-    }
-
-    /// A short decimal, or the fraction where it has none.
-    static std::string tick_text(const Rational& tick) {
-        constexpr std::size_t longest = 8;
-        const std::string fraction = to_string(tick);
-        return fraction.size() <= longest ? fraction : fmt::format("{:.4g}", nearest_double(tick));
     }
 
     const Picture& picture_;

@@ -7,20 +7,13 @@
 
 #include "operations/listing.hpp"
 #include "svg/picture.hpp"
+#include "svg/surface_plot.hpp"
 
 namespace blossom::cli {
 
 namespace {
 
 bool is_graph(const Map& map) { return dimension_of(map) - (map.form.rational ? 1 : 0) == 1; }
-
-std::vector<Map> maps_of_result(const Answered& answered) {
-    if (const Json* map = answered.result.find("map")) return {result_map(*map, answered.limits)};
-    std::vector<Map> maps;
-    for (const Json& map : *answered.result.find("maps")->array())
-        maps.push_back(result_map(map, answered.limits));
-    return maps;
-}
 
 /// From the least to the greatest parameter of all curves that have an interval.
 std::optional<Interval> hull(const std::vector<Map>& maps) {
@@ -51,6 +44,7 @@ void add_results(Picture& picture, const std::vector<Map>& maps, const Limits& l
 
 std::string plot_of_values(const Answered& answered) {
     const Map map = map_of(answered);
+    if (is_surface(map)) return surface_of_values(answered);
     Picture picture{"P", {}, {}, !is_graph(map)};
     const std::vector<Rational> parameters = read_numbers(*answered.request.find("at"), answered.limits);
     const Json::Array& values = *answered.result.find("values")->array();
@@ -69,6 +63,7 @@ std::string plot_of_values(const Answered& answered) {
 
 std::string plot_of_maps(const Answered& answered) {
     const std::vector<Map> results = maps_of_result(answered);
+    if (is_surface(results.front())) return surfaces_of_maps(answered, results);
     Picture picture{operation_name(answered), {}, {}, true};
     if (answered.request.find("map")) {
         const Map before = map_of(answered);
@@ -80,8 +75,10 @@ std::string plot_of_maps(const Answered& answered) {
 }
 
 std::string plot_of_result(const Answered& answered) {
+    const std::vector<Map> results = maps_of_result(answered);
+    if (is_surface(results.front())) return surfaces_of_result(answered, results);
     Picture picture{operation_name(answered), {}, {}, true};
-    add_results(picture, maps_of_result(answered), answered.limits);
+    add_results(picture, results, answered.limits);
     return svg_of(picture);
 }
 

@@ -74,6 +74,9 @@ private:
     std::size_t size_ = 1;
 };
 
+/// One multi-index a factor for every point of a net, in order.
+std::vector<std::vector<MultiIndex>> net_indices(const NetShape& shape);
+
 /// For every point of a net the product of the multinomial coefficients of its indices.
 std::vector<Integer> multinomials(const NetShape& shape);
 
