@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -27,6 +28,14 @@ namespace backend {
 #if defined(BLOSSOM_NUMBERS_GMP)
 
 using Number = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+inline void multiply(Number& product, const Number& a, const Number& b) {
+    mpz_mul(product.backend().data(), a.backend().data(), b.backend().data());
+}
+
+inline void multiply(Number& product, const Number& a, std::int64_t b) {
+    mpz_mul_si(product.backend().data(), a.backend().data(), b);
+}
 
 inline void add_product(Number& sum, const Number& a, const Number& b) {
     mpz_addmul(sum.backend().data(), a.backend().data(), b.backend().data());
@@ -48,14 +57,22 @@ inline Number divide_exactly(const Number& a, const Number& b) {
 
 inline void negate(Number& value) { mpz_neg(value.backend().data(), value.backend().data()); }
 
-/// The number whose binary digits are `words`, least significant first.
-inline Number from_words(std::span<const std::uint64_t> words) {
-    static_assert(GMP_NUMB_BITS == 64);
-    Number value;
+/// The value, if it is below 2^63 in magnitude or -2^63.
+inline std::optional<std::int64_t> to_word(const Number& value) {
+    const mpz_srcptr data = value.backend().data();
+    if (mpz_fits_slong_p(data) == 0) return std::nullopt;
+    return mpz_get_si(data);
+}
+
+/// Whether the memory of a number that is not needed any more is so little that it may wait for the next.
+inline bool is_worth_keeping(const Number& value) { return value.backend().data()->_mp_alloc <= 64; }
+
+/// Sets `value` to the number whose binary digits are `words`, least significant first.
+inline void set_words(Number& value, std::span<const std::uint64_t> words) {
+    static_assert(GMP_NUMB_BITS == 64 && sizeof(long) == sizeof(std::int64_t));
     const auto size = static_cast<mp_size_t>(words.size());
     std::ranges::copy(words, mpz_limbs_write(value.backend().data(), size));
     mpz_limbs_finish(value.backend().data(), size);
-    return value;
 }
 
 /// The binary digits of a value >= 0 at the front of `words`; the words beyond keep what they hold.
@@ -68,6 +85,9 @@ inline void to_words(const Number& value, std::span<std::uint64_t> words) {
 using Number =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
+inline void multiply(Number& product, const Number& a, const Number& b) { product = a * b; }
+inline void multiply(Number& product, const Number& a, std::int64_t b) { product = a * b; }
+
 inline void add_product(Number& sum, const Number& a, const Number& b) { sum += a * b; }
 inline void add_product(Number& sum, const Number& a, std::int64_t b) { sum += a * b; }
 
@@ -75,10 +95,17 @@ inline Number divide_exactly(const Number& a, const Number& b) { return a / b; }
 
 inline void negate(Number& value) { value = -value; }
 
-inline Number from_words(std::span<const std::uint64_t> words) {
-    Number value;
+inline std::optional<std::int64_t> to_word(const Number& value) {
+    if (value < std::numeric_limits<std::int64_t>::min() || value > std::numeric_limits<std::int64_t>::max())
+        return std::nullopt;
+    return static_cast<std::int64_t>(value);
+}
+
+inline bool is_worth_keeping(const Number& value) { return value.backend().size() <= 64; }
+
+inline void set_words(Number& value, std::span<const std::uint64_t> words) {
+    value = 0;
     boost::multiprecision::import_bits(value, words.begin(), words.end(), 64, false);
-    return value;
 }
 
 inline void to_words(const Number& value, std::span<std::uint64_t> words) {

@@ -4,15 +4,41 @@
 
 #include <blossom/rational/linear_factor_sums.hpp>
 
+#include <algorithm>
 #include <span>
+#include <type_traits>
 
 #include "wide.hpp"
 
 namespace blossom {
 
+/// Calls run(count) with the count as a constant where it is small, so that loops over it are unrolled.
+template <class Run>
+decltype(auto) with_small_constant(std::size_t count, const Run& run) {
+    using std::integral_constant;
+    switch (count) {
+        case 1:
+            return run(integral_constant<std::size_t, 1>{});
+        case 2:
+            return run(integral_constant<std::size_t, 2>{});
+        case 3:
+            return run(integral_constant<std::size_t, 3>{});
+        case 4:
+            return run(integral_constant<std::size_t, 4>{});
+        case 5:
+            return run(integral_constant<std::size_t, 5>{});
+        case 6:
+            return run(integral_constant<std::size_t, 6>{});
+        case 7:
+            return run(integral_constant<std::size_t, 7>{});
+        default:
+            return run(integral_constant<std::size_t, std::dynamic_extent>{});
+    }
+}
+
 /// Multiplies the polynomial in coefficients[0..i] by one factor after the other, i = 0, 1, ...
-template <class Word>
-void multiply_one_by_one(std::span<const WordFactor> factors, Word* coefficients) {
+template <class Word, std::size_t Count>
+void multiply_one_by_one(std::span<const WordFactor, Count> factors, Word* coefficients) {
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const auto constant = static_cast<Word>(factors[i].constant);
         const auto slope = static_cast<Word>(factors[i].slope);
@@ -28,16 +54,19 @@ inline std::uint64_t size_of(const WordFactor& factor) {
     return magnitude(factor.constant) + magnitude(factor.slope);
 }
 
-/// The product of the first factors of a sequence: of the first one, and of those that follow while the
-/// magnitudes of the coefficients sum to less than 2^63.
+/// The product of the first factors of a sequence: of the first one, if any, and of those that follow, `most`
+/// at the most, while the magnitudes of the coefficients sum to less than 2^63.
 // What is not used yet of the array stays as it is: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class FactorBlock {
+    /// The magnitudes of a factor sum to 2 at least, unless it has one term only.
+    static constexpr std::size_t most_factors = 64;
+
 public:
-    void fill(std::span<const WordFactor> factors) {
-        std::uint64_t bound = size_of(factors[0]);
-        degree_ = 1;
-        while (degree_ < factors.size() && degree_ < most_factors) {
+    void fill(std::span<const WordFactor> factors, std::size_t most = most_factors) {
+        std::uint64_t bound = factors.empty() ? 1 : size_of(factors[0]);
+        degree_ = std::min<std::size_t>(factors.size(), 1);
+        while (degree_ < std::min(factors.size(), most)) {
             std::uint64_t product = 0;
             if (__builtin_mul_overflow(bound, size_of(factors[degree_]), &product) || product >> 63 != 0)
                 break;
@@ -46,7 +75,9 @@ public:
         }
         fits_ = bound >> 63 == 0;
         coefficients_[0] = 1;
-        multiply_one_by_one(factors.first(degree_), coefficients_);
+        with_small_constant(degree_, [&](auto count) {
+            multiply_one_by_one(std::span<const WordFactor, count>(factors.data(), degree_), coefficients_);
+        });
     }
 
     std::size_t degree() const { return degree_; }
@@ -55,9 +86,6 @@ public:
     std::span<const std::int64_t> coefficients() const { return {coefficients_, degree_ + 1}; }
 
 private:
-    /// The magnitudes of a factor sum to 2 at least, unless it has one term only.
-    static constexpr std::size_t most_factors = 64;
-
     std::size_t degree_ = 0;
     bool fits_ = false;
     std::int64_t coefficients_[most_factors + 1];

@@ -14,6 +14,43 @@ using backend::Number;
 
 namespace {
 
+/// The numbers that this thread gave back last, with the memory that they hold: what is computed next needs
+/// about as much. Nothing here has a destructor, so that integers of any lifetime may give back.
+struct Spares {
+    Integer::Large* numbers[64];
+    std::size_t count;
+    bool closed;
+};
+thread_local Spares spares{};
+
+/// Frees them when the thread ends.
+struct SparesOfThread {
+    SparesOfThread() = default;
+    SparesOfThread(const SparesOfThread&) = delete;
+    SparesOfThread& operator=(const SparesOfThread&) = delete;
+    ~SparesOfThread() {
+        spares.closed = true;
+        while (spares.count > 0) delete spares.numbers[--spares.count];
+    }
+    void start() const {}
+};
+thread_local const SparesOfThread spares_of_thread;
+
+/// A number of any value.
+Integer::Large* take_large() {
+    return spares.count > 0 ? spares.numbers[--spares.count] : new Integer::Large;
+}
+
+void give_back(Integer::Large* number) noexcept {
+    if (spares.closed || spares.count == std::size(spares.numbers) ||
+        !backend::is_worth_keeping(number->value)) {
+        delete number;
+        return;
+    }
+    if (spares.count == 0) spares_of_thread.start();
+    spares.numbers[spares.count++] = number;
+}
+
 void require_divisor(const Integer& divisor) {
     if (divisor.is_zero()) throw Error(ErrorCode::division_by_zero, "an integer cannot be divided by 0");
 }
@@ -23,23 +60,31 @@ void require_divisor(const Integer& divisor) {
 // ---- the two representations
 
 Integer::Large& Integer::promote() {
-    if (!large_) large_ = new Large{Number(std::exchange(small_, 0))};
+    if (!large_) {
+        large_ = take_large();
+        large_->value = std::exchange(small_, 0);
+    }
     return *large_;
 }
 
 Integer& Integer::settle() {
-    const Number& value = large_->value;
-    if (value >= std::numeric_limits<std::int64_t>::min() &&
-        value <= std::numeric_limits<std::int64_t>::max()) {
-        small_ = static_cast<std::int64_t>(value);
+    if (const auto word = backend::to_word(large_->value)) {
+        small_ = *word;
         release();
     }
     return *this;
 }
 
-Integer Integer::from_unsigned(std::uint64_t value) { return IntegerAccess::from_number(Number(value)); }
+Integer Integer::from_unsigned(std::uint64_t value) {
+    Integer result;
+    result.promote().value = value;
+    return std::move(result.settle());
+}
 
-void Integer::copy_large(const Integer& other) { large_ = new Large(*other.large_); }
+void Integer::copy_large(const Integer& other) {
+    large_ = take_large();
+    large_->value = other.large_->value;
+}
 
 void Integer::assign_large(const Integer& other) {
     if (!other.large_) {
@@ -53,14 +98,11 @@ void Integer::assign_large(const Integer& other) {
     }
 }
 
-void Integer::release() noexcept {
-    delete large_;
-    large_ = nullptr;
-}
+void Integer::release() noexcept { give_back(std::exchange(large_, nullptr)); }
 
 Integer IntegerAccess::from_number(Number&& value) {
     Integer result;
-    result.large_ = new Integer::Large{std::move(value)};
+    result.promote().value.swap(value);
     return std::move(result.settle());
 }
 
@@ -97,8 +139,10 @@ Integer& Integer::multiply_large(const Integer& other) {
 
 Integer Integer::product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
-    return IntegerAccess::visit(
-        b, [&](const auto& factor) { return IntegerAccess::from_number(Number(a.large_->value * factor)); });
+    Integer product;
+    Number& value = product.promote().value;
+    IntegerAccess::visit(b, [&](const auto& factor) { backend::multiply(value, a.large_->value, factor); });
+    return std::move(product.settle());
 }
 
 Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
@@ -221,9 +265,11 @@ Integer IntegerAccess::from_magnitude(std::span<const std::uint64_t> words, bool
         const auto value = static_cast<std::int64_t>(words[0]);
         return negative ? -value : value;
     }
-    Number number = backend::from_words(words.first(used));
+    Integer result;
+    Number& number = result.promote().value;
+    backend::set_words(number, words.first(used));
     if (negative) backend::negate(number);
-    return from_number(std::move(number));
+    return std::move(result.settle());
 }
 
 Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {

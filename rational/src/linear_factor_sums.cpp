@@ -62,13 +62,11 @@ SumKernel kernel_without_limbs(const Prepared& rows, std::span<const LinearFacto
     return residues ? SumKernel::residues : SumKernel::integers;
 }
 
-SumKernel kernel_for(const Prepared& rows, std::span<const WordFactor> factors) {
+/// For sums that are beyond the kernel `word`.
+SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits) {
     if (factors.size() > machine_sums::most_factors) return kernel_without_limbs(rows, factors);
-    const bool words = !rows.words.empty();
-    if (words && machine_sums::word_denominator(rows.words_of(0), factors)) return SumKernel::word;
-    const std::size_t bits = bounds(rows, factors).sum;
-    if (words && bits < 128) return SumKernel::wide;
-    if (bits / 64 < most_sum_limbs) return SumKernel::limbs;
+    if (!rows.words.empty() && bits.sum < 128) return SumKernel::wide;
+    if (bits.sum / 64 < most_sum_limbs) return SumKernel::limbs;
     return kernel_without_limbs(rows, factors);
 }
 
@@ -84,26 +82,51 @@ Rational reduced(std::span<std::uint64_t> numerator, bool negated, const Denomin
     }
     std::size_t used = numerator.size();
     while (used > 1 && numerator[used - 1] == 0) --used;
-    return reduced_quotient(numerator.first(used), negative != negated, denominator.words(), further);
+    return reduced_quotient(numerator.first(used), negative != negated, denominator, further);
+}
+
+/// Whether the kernel `word` sufficed.
+template <std::size_t Count>
+bool evaluate_fixed(const Prepared& rows, std::span<const WordFactor, Count> factors, std::size_t first_row,
+                    std::span<Rational> sums) {
+    const machine_sums::WordDenominator denominator =
+        machine_sums::word_denominator(rows.words_of(0), factors);
+    if (denominator.value == 0) return false;
+    const machine_sums::FactorProduct<Count> product(factors);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        const std::uint64_t sum = product.sum_of_products(rows.words_of(first_row + j).words);
+        set_reduced(sums[j], static_cast<std::int64_t>(sum), denominator.value, denominator.primes);
+    }
+    return true;
+}
+
+/// The same; low degrees have code without loops.
+bool evaluate_words(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
+                    std::span<Rational> sums) {
+    return with_small_constant(factors.size(), [&](auto count) {
+        return evaluate_fixed(rows, std::span<const WordFactor, count>(factors.data(), factors.size()),
+                              first_row, sums);
+    });
 }
 
 void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
                    std::span<Rational> sums) {
-    const machine_sums::FactorProduct<Wide> product(factors);
-    const DenominatorWords denominator = machine_sums::denominator_words(rows.denominators, factors);
+    const machine_sums::FactorBlocks product(factors);
+    const DenominatorWords denominator =
+        machine_sums::denominator_words(rows.denominators, rows.primes, factors);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         sums[j] =
             machine_sums::reduced(product.sum_of_products(rows.words_of(first_row + j).words), denominator);
     }
 }
 
-void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
-                    std::span<Rational> sums) {
-    const Bounds bits = bounds(rows, factors);
+void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
+                    std::size_t first_row, std::span<Rational> sums) {
     fixed_width::LimbRow product(factors.size() + 1, 1, bits.product);
     product.set(0, 1);
     product.multiply_out(factors);
-    const DenominatorWords denominator = machine_sums::denominator_words(rows.denominators, factors);
+    const DenominatorWords denominator =
+        machine_sums::denominator_words(rows.denominators, rows.primes, factors);
     std::uint64_t words[most_sum_limbs];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -191,28 +214,23 @@ std::size_t LinearFactorSums::degree() const { return prepared_->size - 1; }
 const RationalVector& LinearFactorSums::numbers() const { return prepared_->numbers; }
 
 SumKernel LinearFactorSums::kernel(std::span<const WordFactor> factors) const {
-    return kernel_for(*prepared_, factors);
+    const Prepared& rows = *prepared_;
+    if (!rows.words.empty() && machine_sums::word_denominator(rows.words_of(0), factors).value != 0)
+        return SumKernel::word;
+    return kernel_beyond_words(rows, factors, bounds(rows, factors));
 }
 
 void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t first_row,
                                 std::span<Rational> sums) const {
     const Prepared& rows = *prepared_;
-    const std::uint64_t denominator =
-        rows.words.empty() ? 0 : machine_sums::word_denominator(rows.words_of(0), factors);
-    if (denominator != 0) {
-        const machine_sums::FactorProduct<std::uint64_t> product(factors);
-        for (std::size_t j = 0; j < sums.size(); ++j) {
-            const std::uint64_t sum = product.sum_of_products(rows.words_of(first_row + j).words);
-            set_reduced(sums[j], static_cast<std::int64_t>(sum), denominator);
-        }
-        return;
-    }
-    switch (kernel_for(rows, factors)) {
+    if (!rows.words.empty() && evaluate_words(rows, factors, first_row, sums)) return;
+    const Bounds bits = bounds(rows, factors);
+    switch (kernel_beyond_words(rows, factors, bits)) {
         case SumKernel::word:
         case SumKernel::wide:
             return evaluate_wide(rows, factors, first_row, sums);
         case SumKernel::limbs:
-            return evaluate_limbs(rows, factors, first_row, sums);
+            return evaluate_limbs(rows, factors, bits, first_row, sums);
         case SumKernel::residues:
             return evaluate_residues(rows, factors, first_row, sums);
         case SumKernel::integers:

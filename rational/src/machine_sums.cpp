@@ -11,8 +11,8 @@ namespace machine_sums {
 Rational reduced(Wide numerator, const DenominatorWords& denominator) {
     const auto value = static_cast<SignedWide>(numerator);
     const Wide size = magnitude(value);
-    const std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-    return reduced_quotient(std::span(words).first(words[1] == 0 ? 1 : 2), value < 0, denominator.words(), 1);
+    std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
+    return reduced_quotient(std::span(words).first(words[1] == 0 ? 1 : 2), value < 0, denominator, 1);
 }
 
 namespace {
@@ -20,23 +20,26 @@ namespace {
 WordRow row_of(std::span<const std::int64_t> words, std::span<const std::uint64_t> denominators) {
     std::uint64_t greatest = 0;
     for (const std::int64_t word : words) greatest = std::max(greatest, magnitude(word));
-    return {words, greatest, denominators};
+    small_primes::Set primes = 0;
+    for (const std::uint64_t factor : denominators) primes |= small_primes::primes_of(factor);
+    return {words, greatest, denominators, primes};
 }
 
 /// The value in the narrowest word that holds it: `numerator(Word{})` computes it.
 template <class Numerator>
 std::optional<Rational> value_in_words(const WordRow& row, std::span<const WordFactor> factors,
                                        const Numerator& numerator) {
-    if (const std::uint64_t denominator = word_denominator(row, factors)) {
+    if (const WordDenominator denominator = word_denominator(row, factors); denominator.value != 0) {
         Rational value;
-        set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})), denominator);
+        set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})), denominator.value,
+                    denominator.primes);
         return value;
     }
     fixed_width::BitBound bound;
     bound.multiply(row.greatest);
     for (const WordFactor& factor : factors) bound.multiply(size_of(factor));
     if (factors.size() > most_factors || bound.bits() > 127) return std::nullopt;
-    return reduced(numerator(Wide{}), denominator_words(row.denominators, factors));
+    return reduced(numerator(Wide{}), denominator_words(row.denominators, row.primes, factors));
 }
 
 }  // namespace
@@ -48,7 +51,11 @@ std::optional<Rational> LinearFactorSums::sum_in_words(std::span<const std::int6
                                                        std::span<const WordFactor> factors) {
     return machine_sums::value_in_words(
         machine_sums::row_of(row, denominators), factors, [&](auto word) -> decltype(word) {
-            return machine_sums::FactorProduct<decltype(word)>(factors).sum_of_products(row);
+            if constexpr (sizeof(word) == sizeof(std::uint64_t)) {
+                return machine_sums::FactorProduct<>(factors).sum_of_products(row);
+            } else {
+                return machine_sums::FactorBlocks(factors).sum_of_products(row);
+            }
         });
 }
 

@@ -8,8 +8,8 @@
 #include <span>
 
 #include "factor_blocks.hpp"
-#include "quotient_reduction.hpp"
 #include "wide.hpp"
+#include "word_quotients.hpp"
 
 namespace blossom {
 
@@ -18,6 +18,7 @@ struct WordRow {
     std::span<const std::int64_t> words;
     std::uint64_t greatest;  ///< magnitude
     std::span<const std::uint64_t> denominators;
+    small_primes::Set primes;  ///< of the denominators
 };
 
 namespace machine_sums {
@@ -25,68 +26,109 @@ namespace machine_sums {
 /// The most factors of words that are multiplied without taking memory.
 inline constexpr std::size_t most_factors = 64;
 
+/// A denominator of one word and its odd primes; no denominator is 0.
+struct WordDenominator {
+    std::uint64_t value = 0;
+    small_primes::Set primes = 0;
+};
+
 /// The denominator of the sum, if it and the bound on the numerator are below 2^63; otherwise 0.
-inline std::uint64_t word_denominator(const WordRow& row, std::span<const WordFactor> factors) {
+template <std::size_t Count>
+WordDenominator word_denominator(const WordRow& row, std::span<const WordFactor, Count> factors) {
     std::uint64_t bound = row.greatest;
-    std::uint64_t denominator = 1;
-    bool overflow = factors.size() > most_factors;
+    WordDenominator denominator{1, row.primes};
+    if (factors.size() > most_factors) return {};
     for (const std::uint64_t factor : row.denominators)
-        overflow |= __builtin_mul_overflow(denominator, factor, &denominator);
+        if (__builtin_mul_overflow(denominator.value, factor, &denominator.value)) return {};
     for (const WordFactor& factor : factors) {
-        overflow |= __builtin_mul_overflow(bound, size_of(factor), &bound);
-        overflow |=
-            __builtin_mul_overflow(denominator, static_cast<std::uint64_t>(factor.denominator), &denominator);
+        const auto bottom = static_cast<std::uint64_t>(factor.denominator);
+        if (__builtin_mul_overflow(bound, size_of(factor), &bound)) return {};
+        if (__builtin_mul_overflow(denominator.value, bottom, &denominator.value)) return {};
+        denominator.primes |= small_primes::primes_of(bottom);
     }
-    return overflow || ((bound | denominator) >> 63) != 0 ? 0 : denominator;
+    if (((bound | denominator.value) >> 63) != 0) return {};
+    return denominator;
 }
 
 /// The denominators of the row and of the factors.
 inline DenominatorWords denominator_words(std::span<const std::uint64_t> denominators,
-                                          std::span<const WordFactor> factors) {
+                                          small_primes::Set primes, std::span<const WordFactor> factors) {
     DenominatorWords words;
-    for (const std::uint64_t factor : denominators) words.multiply(factor);
-    for (const WordFactor& factor : factors) words.multiply(static_cast<std::uint64_t>(factor.denominator));
+    for (const std::uint64_t factor : denominators) words.multiply(factor, primes);
+    for (const WordFactor& factor : factors) {
+        const auto bottom = static_cast<std::uint64_t>(factor.denominator);
+        words.multiply(bottom, small_primes::primes_of(bottom));
+    }
     return words;
 }
 
-/// Multiplies the polynomial in product[0..degree] by `block`.
-template <class Word>
-void multiply(Word* product, std::size_t degree, std::span<const std::int64_t> block) {
-    for (std::size_t k = degree + block.size(); k-- > 0;) {
-        const std::size_t first = k > degree ? k - degree : 0;
-        const std::size_t last = std::min(k + 1, block.size());
-        Word sum = 0;
-        for (std::size_t j = first; j < last; ++j) sum += product[k - j] * static_cast<Word>(block[j]);
-        product[k] = sum;
-    }
-}
-
-/// The coefficients of the product of all factors.
-template <class Word>
+/// The coefficients of the product of all factors, in words of 64 bits.
+template <std::size_t Count = std::dynamic_extent>
 class FactorProduct {
 public:
-    explicit FactorProduct(std::span<const WordFactor> factors) {
+    explicit FactorProduct(std::span<const WordFactor, Count> factors) {
         coefficients_[0] = 1;
-        if constexpr (sizeof(Word) == sizeof(std::uint64_t)) {
-            multiply_one_by_one(factors, coefficients_);
-        } else {
-            FactorBlock block;
-            for (std::size_t degree = 0; degree < factors.size(); degree += block.degree()) {
-                block.fill(factors.subspan(degree));
-                multiply(coefficients_, degree, block.coefficients());
-            }
-        }
+        multiply_one_by_one(factors, coefficients_);
     }
 
-    Word sum_of_products(std::span<const std::int64_t> numbers) const {
-        Word sum = 0;
-        for (std::size_t k = 0; k < numbers.size(); ++k)
-            sum += static_cast<Word>(numbers[k]) * coefficients_[k];
+    std::uint64_t sum_of_products(std::span<const std::int64_t> numbers) const {
+        std::uint64_t sum = 0;
+        for (std::size_t k = 0; k < (Count == std::dynamic_extent ? numbers.size() : Count + 1); ++k)
+            sum += static_cast<std::uint64_t>(numbers[k]) * coefficients_[k];
         return sum;
     }
 
 private:
-    Word coefficients_[most_factors + 1];
+    std::uint64_t coefficients_[(Count == std::dynamic_extent ? most_factors : Count) + 1];
+};
+
+/// The product of all factors in blocks, for sums of words of 128 bits.
+// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class FactorBlocks {
+public:
+    /// The magnitudes of all coefficients of the product sum to less than 2^127.
+    explicit FactorBlocks(std::span<const WordFactor> factors) {
+        while (!factors.empty()) {
+            // Two halves for what is too much for one block.
+            blocks_[size_].fill(factors, size_ == 0 ? (factors.size() + 1) / 2 : factors.size());
+            factors = factors.subspan(blocks_[size_++].degree());
+        }
+    }
+
+    /// sum_k numbers[k] e_k: each block B turns numbers c into sum_j B_j c_(i+j), fewer by its degree.
+    Wide sum_of_products(std::span<const std::int64_t> numbers) const {
+        if (size_ == 0) return static_cast<Wide>(SignedWide{numbers[0]});
+        Wide sums[most_factors + 1];
+        std::size_t count = numbers.size() - blocks_[0].degree();
+        fold(blocks_[0], numbers.data(), count, sums);
+        for (std::size_t i = 1; i < size_; ++i) {
+            count -= blocks_[i].degree();
+            fold(blocks_[i], sums, count, sums);
+        }
+        return sums[0];
+    }
+
+private:
+    template <class Number>
+    static void fold(const FactorBlock& block, const Number* numbers, std::size_t count, Wide* sums) {
+        with_small_constant(block.degree(), [&](auto degree) {
+            const std::span<const std::int64_t> weights = block.coefficients();
+            const std::size_t terms = degree == std::dynamic_extent ? weights.size() : degree + 1;
+            for (std::size_t i = 0; i < count; ++i) {
+                Wide sum = 0;
+                for (std::size_t j = 0; j < terms; ++j)
+                    sum += static_cast<Wide>(static_cast<SignedWide>(numbers[i + j]) * weights[j]);
+                sums[i] = sum;
+            }
+        });
+    }
+
+    /// Two neighbours together have magnitudes that sum to 2^63 at least.
+    static constexpr std::size_t most_blocks = 5;
+
+    std::size_t size_ = 0;
+    FactorBlock blocks_[most_blocks];
 };
 
 /// The apex of the triangle with the weights (constant, slope) on the level of each factor.

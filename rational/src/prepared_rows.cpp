@@ -1,5 +1,6 @@
 #include "prepared_rows.hpp"
 
+#include <bit>
 #include <limits>
 
 #include "backend.hpp"
@@ -54,6 +55,9 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
     if (denominators.size() > most_denominators) {
         denominators.clear();
         further_denominator = numbers.denominator();
+    }
+    for (const std::uint64_t factor : denominators) {
+        primes |= small_primes::table.factored(factor >> std::countr_zero(factor));
     }
     if (bits < 64 && further_denominator.is_one()) {
         words.reserve(numbers.size());

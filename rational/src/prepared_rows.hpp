@@ -19,7 +19,7 @@ struct LinearFactorSums::Prepared {
     }
     /// Only if there are words.
     WordRow words_of(std::size_t row) const {
-        return {std::span(words).subspan(row * size, size), greatest, denominators};
+        return {std::span(words).subspan(row * size, size), greatest, denominators, primes};
     }
     /// `width` words of two's complement a number.
     const std::uint64_t* limbs_of(std::size_t row) const { return limbs.data() + row * size * width; }
@@ -33,6 +33,7 @@ struct LinearFactorSums::Prepared {
     std::size_t width;                        ///< of one number in `limbs`
     std::vector<std::uint64_t> limbs;         ///< empty when the numbers are too wide
     std::vector<std::uint64_t> denominators;  ///< factors of the common denominator
+    small_primes::Set primes = 0;             ///< of `denominators`
     Integer further_denominator;              ///< the common denominator divided by them
     ResidueCache residues;
 };

@@ -1,0 +1,75 @@
+#pragma once
+
+// Divisibility by the odd primes up to 137, which are all that denominators of a few digits usually have.
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+namespace blossom::small_primes {
+
+/// Bit i stands for prime i. All bits together stand for a number that may have any prime factors.
+using Set = std::uint32_t;
+inline constexpr Set any_primes = ~Set{0};
+
+inline constexpr std::size_t count = 32;
+inline constexpr std::uint64_t greatest_known = 4095;
+
+/// x * inverse modulo 2^64 is x / p if that is at most `most`, and otherwise p does not divide x.
+struct Prime {
+    std::uint64_t prime = 0;
+    std::uint64_t inverse = 0;
+    std::uint64_t most = 0;
+
+    bool divides(std::uint64_t x) const { return x * inverse <= most; }
+};
+
+/// 1/x modulo 2^64 for an odd x: each step of Newton's doubles the correct digits.
+constexpr std::uint64_t inverse_of_odd(std::uint64_t x) {
+    std::uint64_t inverse = 3 * x ^ 2;
+    for (int digits = 5; digits < 64; digits *= 2) inverse *= 2 - x * inverse;
+    return inverse;
+}
+
+struct Table {
+    Prime primes[count];
+    Set of_odd[(greatest_known + 1) / 2];  ///< of 2 i + 1
+
+    constexpr Table() : primes(), of_odd() {
+        std::size_t found = 0;
+        for (std::uint64_t candidate = 3; found < count; candidate += 2) {
+            bool is_prime = true;
+            for (std::size_t i = 0; i < found; ++i) is_prime = is_prime && candidate % primes[i].prime != 0;
+            if (is_prime)
+                primes[found++] = {candidate, inverse_of_odd(candidate), ~std::uint64_t{0} / candidate};
+        }
+        for (std::size_t i = 0; i < sizeof(of_odd) / sizeof(Set); ++i) of_odd[i] = factored(2 * i + 1);
+    }
+
+    /// The primes of an odd number.
+    constexpr Set factored(std::uint64_t odd) const {
+        Set set = 0;
+        for (std::size_t i = 0; i < count; ++i) {
+            while (odd % primes[i].prime == 0) {
+                odd /= primes[i].prime;
+                set |= Set{1} << i;
+            }
+        }
+        return odd == 1 ? set : any_primes;
+    }
+};
+inline constexpr Table table;
+
+/// The odd primes of a factor > 0 of a denominator, from the table.
+inline Set primes_of(std::uint64_t factor) {
+    const std::uint64_t odd = factor >> std::countr_zero(factor);
+    return odd <= greatest_known ? table.of_odd[odd / 2] : any_primes;
+}
+
+/// Calls visit(prime) for the primes in `set`.
+template <class Visit>
+void for_each(Set set, const Visit& visit) {
+    for (; set != 0; set &= set - 1) visit(table.primes[std::countr_zero(set)]);
+}
+
+}  // namespace blossom::small_primes

@@ -1,0 +1,190 @@
+#include "word_quotients.hpp"
+
+#include <algorithm>
+
+namespace blossom {
+
+namespace {
+
+constexpr std::size_t most_words = DenominatorWords::most_words + 1;
+
+/// A number >= 0 in the first `size` of the words that somebody else holds.
+struct Words {
+    std::uint64_t* words;
+    std::size_t size;
+
+    std::span<const std::uint64_t> span() const { return {words, size}; }
+
+    void multiply(std::uint64_t factor) {
+        Wide carry = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            carry += Wide{words[i]} * factor;
+            words[i] = static_cast<std::uint64_t>(carry);
+            carry >>= 64;
+        }
+        if (carry != 0) words[size++] = static_cast<std::uint64_t>(carry);
+    }
+    void divide(std::uint64_t divisor) const {
+        Wide rest = 0;
+        for (std::size_t i = size; i-- > 0;) {
+            rest = rest << 64 | words[i];
+            words[i] = static_cast<std::uint64_t>(rest / divisor);
+            rest %= divisor;
+        }
+    }
+    std::uint64_t remainder(std::uint64_t divisor) const {
+        std::uint64_t rest = 0;
+        for (std::size_t i = size; i-- > 0;) {
+            rest = static_cast<std::uint64_t>((Wide{rest} << 64 | words[i]) % divisor);
+        }
+        return rest;
+    }
+
+    /// Of a number > 0.
+    std::size_t trailing_zeros() const {
+        std::size_t i = 0;
+        while (words[i] == 0) ++i;
+        return 64 * i + static_cast<std::size_t>(std::countr_zero(words[i]));
+    }
+    void shift_right(std::size_t bits) {
+        const std::size_t skipped = bits / 64;
+        const std::size_t rest = bits % 64;
+        size -= skipped;
+        for (std::size_t i = 0; i < size; ++i) {
+            const std::uint64_t next = i + 1 < size ? words[i + skipped + 1] : 0;
+            words[i] = rest == 0 ? words[i + skipped] : words[i + skipped] >> rest | next << (64 - rest);
+        }
+    }
+
+    /// Divides by an odd divisor from the least word upwards, with 1/divisor modulo 2^64, and passes the
+    /// words of the quotient to `keep`. What is left over is congruent to the number times a power of 2^-64
+    /// modulo the divisor, and 0 if it divides the number.
+    template <class Keep>
+    std::uint64_t divide_from_below(std::uint64_t divisor, std::uint64_t inverse, const Keep& keep) const {
+        std::uint64_t carry = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            const bool borrow = words[i] < carry;
+            const std::uint64_t digit = (words[i] - carry) * inverse;
+            keep(i, digit);
+            carry =
+                static_cast<std::uint64_t>(Wide{digit} * divisor >> 64) + static_cast<std::uint64_t>(borrow);
+        }
+        return carry;
+    }
+    bool is_divisible_by(const small_primes::Prime& prime) const {
+        return divide_from_below(prime.prime, prime.inverse, [](auto, auto) {}) == 0;
+    }
+    /// By a prime that divides the number.
+    void divide_exactly_by(const small_primes::Prime& prime) const {
+        divide_from_below(prime.prime, prime.inverse,
+                          [&](std::size_t i, std::uint64_t digit) { words[i] = digit; });
+    }
+};
+
+/// Neighbouring primes whose product is a word.
+struct PrimeGroup {
+    small_primes::Set primes = 0;
+    std::uint64_t product = 1;
+    std::uint64_t inverse = 1;
+};
+
+constexpr auto prime_groups = [] {
+    std::array<PrimeGroup, 3> groups{};
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < small_primes::count; ++i) {
+        const std::uint64_t prime = small_primes::table.primes[i].prime;
+        if (groups[last].product > ~std::uint64_t{0} / prime) ++last;
+        groups[last].product *= prime;
+        groups[last].primes |= small_primes::Set{1} << i;
+    }
+    for (PrimeGroup& group : groups) group.inverse = small_primes::inverse_of_odd(group.product);
+    return groups;
+}();
+
+/// The primes of a set that divide the number.
+small_primes::Set divisors(const Words& number, small_primes::Set set) {
+    small_primes::Set result = 0;
+    for (const PrimeGroup& group : prime_groups) {
+        if ((set & group.primes) == 0) continue;
+        const std::uint64_t rest = number.divide_from_below(group.product, group.inverse, [](auto, auto) {});
+        for (small_primes::Set left = set & group.primes; left != 0; left &= left - 1) {
+            const bool divides = small_primes::table.primes[std::countr_zero(left)].divides(rest);
+            result |= divides ? left & (0 - left) : 0;
+        }
+    }
+    return result;
+}
+
+Rational quotient(const Words& top, bool negative, const Words& bottom) {
+    return RationalAccess::from_lowest_terms(IntegerAccess::from_magnitude(top.span(), negative),
+                                             IntegerAccess::from_magnitude(bottom.span(), false));
+}
+
+/// The product of the factors in `words`, which has room for it.
+Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
+    words[0] = factors[0];
+    Words result{words, 1};
+    for (const std::uint64_t factor : factors.subspan(1)) result.multiply(factor);
+    return result;
+}
+
+/// For a numerator > 0, by dividing what is common out of it and the factors one by one.
+Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& denominator) {
+    std::uint64_t left[most_words];
+    const std::span<std::uint64_t> factors = std::span(left).first(denominator.words().size());
+    const std::size_t twos = top.trailing_zeros();
+    std::size_t shared_twos = 0;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const std::uint64_t factor = denominator.words()[i];
+        const std::size_t shift =
+            std::min(twos - shared_twos, static_cast<std::size_t>(std::countr_zero(factor)));
+        factors[i] = factor >> shift;
+        shared_twos += shift;
+    }
+    if (shared_twos != 0) top.shift_right(shared_twos);
+    small_primes::for_each(divisors(top, denominator.primes()), [&](const small_primes::Prime& prime) {
+        for (std::uint64_t& factor : factors) {
+            while (prime.divides(factor)) {
+                top.divide_exactly_by(prime);
+                factor *= prime.inverse;
+                if (!top.is_divisible_by(prime)) return;
+            }
+        }
+    });
+    std::uint64_t words[most_words];
+    return quotient(top, negative, product(factors, words));
+}
+
+}  // namespace
+
+Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
+                          const DenominatorWords& denominator, const Integer& further) {
+    const std::span<const std::uint64_t> factors = denominator.words();
+    const Words top{numerator.data(), numerator.size()};
+    if (std::ranges::all_of(numerator, [](std::uint64_t word) { return word == 0; })) return 0;
+    if (factors.empty()) return {IntegerAccess::from_magnitude(numerator, negative), further};
+    if (further.is_one() && denominator.primes() != small_primes::any_primes)
+        return reduced_by_primes(top, negative, denominator);
+
+    std::uint64_t words[most_words];
+    Words bottom = product(factors, words);
+    std::uint64_t shared = 1;
+    bool shared_fits = further.is_one();
+    for (const std::uint64_t factor : factors) {
+        if (!shared_fits) break;
+        const std::uint64_t common = gcd_of_words(top.remainder(factor), factor);
+        shared_fits = !__builtin_mul_overflow(shared, common, &shared);
+    }
+    if (!shared_fits) {
+        return {IntegerAccess::from_magnitude(numerator, negative),
+                IntegerAccess::from_magnitude(bottom.span(), false) * further};
+    }
+    if (shared != 1 && factors.size() > 1) shared = gcd_of_words(top.remainder(shared), shared);
+    if (shared != 1) {
+        top.divide(shared);
+        bottom.divide(shared);
+    }
+    return quotient(top, negative, bottom);
+}
+
+}  // namespace blossom

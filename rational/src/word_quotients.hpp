@@ -1,0 +1,83 @@
+#pragma once
+
+// Quotients of a few words in lowest terms. Denominators come as words, whose prime factors are mostly small:
+// each is then tried with one multiplication, and no greatest common divisor is taken.
+
+#include <blossom/rational/rational.hpp>
+
+#include <span>
+
+#include "rational_access.hpp"
+#include "small_primes.hpp"
+
+namespace blossom {
+
+/// Words whose product is a denominator, as few as greedy packing gives.
+// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class DenominatorWords {
+public:
+    /// `primes` are those of the factor.
+    void multiply(std::uint64_t factor, small_primes::Set primes) {
+        primes_ |= primes;
+        std::uint64_t product = 0;
+        if (size_ > 0 && !__builtin_mul_overflow(words_[size_ - 1], factor, &product)) {
+            words_[size_ - 1] = product;
+        } else {
+            words_[size_++] = factor;
+        }
+    }
+    std::span<const std::uint64_t> words() const { return {words_, size_}; }
+    small_primes::Set primes() const { return primes_; }
+
+    static constexpr std::size_t most_words = 96;
+
+private:
+    std::size_t size_ = 0;
+    small_primes::Set primes_ = 0;
+    std::uint64_t words_[most_words];
+};
+
+/// Divides the powers of `prime` that both have in common out of both.
+inline void divide_by_common_powers(const small_primes::Prime& prime, std::uint64_t& numerator,
+                                    std::uint64_t& denominator) {
+    for (;;) {
+        const std::uint64_t top = numerator * prime.inverse;
+        if (top > prime.most) return;
+        const std::uint64_t bottom = denominator * prime.inverse;
+        if (bottom > prime.most) return;
+        numerator = top;
+        denominator = bottom;
+    }
+}
+
+/// numerator / denominator, both below 2^63 in magnitude, the denominator positive with these odd primes.
+inline void set_reduced(Rational& value, std::int64_t numerator, std::uint64_t denominator,
+                        small_primes::Set primes) {
+    std::uint64_t size = magnitude(numerator);
+    if (size == 0) {
+        denominator = 1;
+    } else if (primes == small_primes::any_primes) {
+        const std::uint64_t common = gcd_of_words(size % denominator, denominator);
+        if (common != 1) {
+            size /= common;
+            denominator /= common;
+        }
+    } else {
+        const int twos = std::countr_zero(size | denominator);
+        size >>= twos;
+        denominator >>= twos;
+        small_primes::for_each(primes, [&](const small_primes::Prime& prime) {
+            divide_by_common_powers(prime, size, denominator);
+        });
+    }
+    const auto top = static_cast<std::int64_t>(size);
+    RationalAccess::set_words(value, numerator < 0 ? -top : top, static_cast<std::int64_t>(denominator));
+}
+
+/// sign * numerator / (denominator * further), where `numerator` is in words, least significant first, which
+/// are used up.
+Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
+                          const DenominatorWords& denominator, const Integer& further);
+
+}  // namespace blossom
