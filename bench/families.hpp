@@ -5,3 +5,5 @@
 /// One file each.
 void measure_values(const Report& report);
 void measure_constructions(const Report& report);
+void measure_operations(const Report& report);
+void measure_evaluation(const Report& report);

@@ -5,65 +5,17 @@
 // its inner product with the prepared coefficients, and one reduction. Memory is allocated once, outside of
 // what is timed.
 
-#include <blossom/rational/rational_vector.hpp>
-
-#include <flint/fmpq.h>
-#include <flint/fmpq_vec.h>
 #include <flint/fmpz_poly.h>
-#include <flint/fmpz_vec.h>
 
-#include <span>
-#include <string>
+#include "flint_numbers.hpp"
 
 namespace flint_peer {
-
-inline void set(fmpz_t to, const blossom::Integer& value) { fmpz_set_str(to, to_string(value).c_str(), 10); }
-
-/// A vector of fmpz that is cleared at the end.
-class Integers {
-public:
-    explicit Integers(slong size) : entries_(_fmpz_vec_init(size)), size_(size) {}
-    Integers(const Integers&) = delete;
-    Integers& operator=(const Integers&) = delete;
-    ~Integers() { _fmpz_vec_clear(entries_, size_); }
-    fmpz* data() const { return entries_; }
-    fmpz* at(slong i) const { return entries_ + i; }
-    slong size() const { return size_; }
-
-private:
-    fmpz* entries_;
-    slong size_;
-};
-
-/// Arguments p/q.
-class Arguments {
-public:
-    explicit Arguments(std::span<const blossom::Rational> values)
-        : entries_(_fmpq_vec_init(static_cast<slong>(values.size()))),
-          size_(static_cast<slong>(values.size())) {
-        for (slong i = 0; i < size_; ++i) {
-            set(fmpq_numref(entries_ + i), values[static_cast<std::size_t>(i)].numerator());
-            set(fmpq_denref(entries_ + i), values[static_cast<std::size_t>(i)].denominator());
-        }
-    }
-    Arguments(const Arguments&) = delete;
-    Arguments& operator=(const Arguments&) = delete;
-    ~Arguments() { _fmpq_vec_clear(entries_, size_); }
-    const fmpq* data() const { return entries_; }
-    slong size() const { return size_; }
-
-private:
-    fmpq* entries_;
-    slong size_;
-};
 
 /// A polynomial with coefficients numerators / denominator, asked for blossom values.
 class Polynomial {
 public:
     explicit Polynomial(const blossom::RationalVector& coefficients)
-        : given_(static_cast<slong>(coefficients.size())), prepared_(given_.size()), product_(given_.size()) {
-        for (slong k = 0; k < given_.size(); ++k)
-            set(given_.at(k), coefficients.numerators()[static_cast<std::size_t>(k)]);
+        : given_(coefficients.numerators()), prepared_(given_.size()), product_(given_.size()) {
         fmpz_init(given_denominator_);
         fmpz_init(denominator_);
         fmpz_init(binomial_);
@@ -112,12 +64,7 @@ public:
         return value_;
     }
 
-    std::string text() const {
-        char* digits = fmpq_get_str(nullptr, 10, value_);
-        std::string result = digits;
-        flint_free(digits);
-        return result;
-    }
+    std::string text() const { return text_of(value_); }
 
 private:
     Integers given_;

@@ -71,5 +71,7 @@ int main(int argc, char** argv) {
     std::printf("%s\n", Report::header);
     measure_values(report);
     measure_constructions(report);
+    measure_operations(report);
+    measure_evaluation(report);
     return 0;
 }
