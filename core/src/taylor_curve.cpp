@@ -1,7 +1,7 @@
-#include <blossom/core/change_of_basis.hpp>
 #include <blossom/core/taylor_curve.hpp>
 
 #include "integer_frame.hpp"
+#include "line_substitution.hpp"
 
 namespace blossom {
 
@@ -16,7 +16,7 @@ PointArray shifted(const PointArray& coefficients, const Rational& shift, const 
                         limits, coefficients.numbers().size());
     std::vector<Quotients<Integer>> rows;
     for (const auto row : coefficients.rows()) {
-        rows.push_back({constructions::substitute_line(row, shift.numerator(), q, q), pow(q, n)});
+        rows.push_back({substitute_line(row, shift.numerator(), q, q), pow(q, n)});
     }
     return point_array(rows, coefficients.denominator());
 }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <blossom/rational/integer.hpp>
+
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// The coefficients of sum_k c_k (X + 1)^k, lowest first.
+///
+/// Cost: n^2 / 2 additions, of vectors of digits whose carries move once in fourteen additions where the
+/// processor has vectors; the memory of about twice the result.
+std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients);
+
+namespace row_recurrences {
+
+/// The same for any commutative ring, by Horner's rule in X + 1.
+template <class R>
+std::vector<R> shifted_by_one(std::span<const R> coefficients) {
+    std::vector<R> result(coefficients.begin(), coefficients.end());
+    for (std::size_t level = 1; level < result.size(); ++level) {
+        for (std::size_t k = result.size() - 1; k-- + 1 > level;) result[k] += result[k + 1];
+    }
+    return result;
+}
+
+}  // namespace row_recurrences
+
+}  // namespace blossom
