@@ -21,7 +21,7 @@ BezierCurve control_points(const PolynomialCurve& curve, const Interval& interva
     for (const auto row : curve.coefficients().rows()) {
         rows.push_back(constructions::bernstein_from_monomial(row, a, b, q));
     }
-    return {point_array(rows, curve.coefficients().denominator()), interval};
+    return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
 }
 
 // In the local coordinate s = (t - a) / (b - a) the new interval has the ends (c - a) / (b - a) and (d - a) /
@@ -37,7 +37,7 @@ BezierCurve control_points(const BezierCurve& curve, const Interval& interval, c
         rows.push_back(constructions::bernstein_from_monomial(std::span<const Integer>(coefficients), local.a,
                                                               local.b, local.q));
     }
-    return {point_array(rows, curve.control_points().denominator()), interval};
+    return {point_array(std::move(rows), curve.control_points().denominator()), interval};
 }
 
 PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits) {
@@ -47,7 +47,7 @@ PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits) {
     for (const auto row : curve.control_points().rows()) {
         rows.push_back(constructions::monomial_from_bernstein(row, a, b, q));
     }
-    return PolynomialCurve(point_array(rows, curve.control_points().denominator()));
+    return PolynomialCurve(point_array(std::move(rows), curve.control_points().denominator()));
 }
 
 }  // namespace blossom

@@ -32,7 +32,7 @@ BezierCurve elevate(const BezierCurve& curve, std::size_t r, const Limits& limit
         }
         rows.push_back(constructions::normalised_coefficients(std::span<const Integer>(raised)));
     }
-    return {point_array(rows, curve.control_points().denominator()), curve.interval()};
+    return {point_array(std::move(rows), curve.control_points().denominator()), curve.interval()};
 }
 
 PolynomialCurve elevate(const PolynomialCurve& curve, std::size_t r, const Limits& limits) {

@@ -66,13 +66,17 @@ Coordinates reduced(const Quotients<Integer>& value, const Integer& denominator)
     return point;
 }
 
-PointArray point_array(const std::vector<Quotients<Integer>>& rows, const Integer& denominator) {
+PointArray point_array(std::vector<Quotients<Integer>> rows, const Integer& denominator) {
     Integer common = 1;
     for (const auto& row : rows) common = lcm(common, row.denominator);
     std::vector<Integer> numerators;
-    for (const auto& row : rows) {
+    numerators.reserve(rows.size() * rows.front().numerators.size());
+    for (auto& row : rows) {
         const Integer scale = divide_exactly(common, row.denominator);
-        for (const Integer& numerator : row.numerators) numerators.push_back(numerator * scale);
+        for (Integer& numerator : row.numerators) {
+            if (!scale.is_one()) numerator *= scale;
+            numerators.push_back(std::move(numerator));
+        }
     }
     PointArray points(rows.size(), RationalVector(std::move(numerators), common * denominator));
     points.make_canonical();

@@ -40,6 +40,6 @@ Coordinates reduced(const Quotients<Integer>& value, const Integer& denominator)
 
 /// Rows of integers over one denominator as points, one row a coordinate; each is scaled to the common
 /// denominator.
-PointArray point_array(const std::vector<Quotients<Integer>>& rows, const Integer& denominator);
+PointArray point_array(std::vector<Quotients<Integer>> rows, const Integer& denominator);
 
 }  // namespace blossom

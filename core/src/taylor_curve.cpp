@@ -18,7 +18,7 @@ PointArray shifted(const PointArray& coefficients, const Rational& shift, const 
     for (const auto row : coefficients.rows()) {
         rows.push_back({substitute_line(row, shift.numerator(), q, q), pow(q, n)});
     }
-    return point_array(rows, coefficients.denominator());
+    return point_array(std::move(rows), coefficients.denominator());
 }
 
 }  // namespace

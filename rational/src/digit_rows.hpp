@@ -20,10 +20,11 @@ inline constexpr std::size_t levels = 14;
 struct Operations {
     /// Digits in a vector. Digits i of all coefficients with the same i / lanes lie together, as a plane.
     std::size_t lanes;
-    /// One plane of g <- g (X + 1)^levels + sum_i added_i (X + 1)^(levels - 1 - i) for `size` coefficients g,
-    /// which become size + levels. `carries` (as many vectors) come from the plane below and are replaced by
-    /// those for the plane above; the greatest digit of the top plane keeps its carry.
-    void (*multiply)(std::int64_t* plane, std::size_t size, const std::int64_t* added, std::int64_t* carries,
+    /// One plane of the entries 0 to count - 1, an even number, of polynomials that are multiplied by X + 1
+    /// `levels` times: previous[i] is the entry left of them before multiplication i, and becomes their last
+    /// one. `carries` come from the plane below and are replaced by those for the plane above; the greatest
+    /// digit of the top plane keeps its carry.
+    void (*multiply)(std::int64_t* entries, std::size_t count, std::int64_t* previous, std::int64_t* carries,
                      bool top);
 };
 

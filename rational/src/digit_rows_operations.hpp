@@ -20,10 +20,10 @@ struct OperationsOf {
         return result;
     }
 
-    static void multiply(std::int64_t* plane, std::size_t size, const std::int64_t* added,
+    static void multiply(std::int64_t* entries, std::size_t count, std::int64_t* previous,
                          std::int64_t* carries, bool top) {
-        auto* entries = reinterpret_cast<Vector*>(plane);
-        const auto* constants = reinterpret_cast<const Vector*>(added);
+        auto* row = reinterpret_cast<Vector*>(entries);
+        auto* left_of_row = reinterpret_cast<Vector*>(previous);
         auto* below = reinterpret_cast<Vector*>(carries);
         Vector digit_mask;
         Vector carry_mask;
@@ -32,21 +32,27 @@ struct OperationsOf {
             digit_mask[i] = keeps ? -1 : (std::int64_t{1} << digit_bits) - 1;
             carry_mask[i] = keeps ? 0 : -1;
         }
-        // previous[i]: the entry to the left after i levels
-        Vector previous[levels];
-        for (std::size_t i = 0; i < levels; ++i) previous[i] = constants[i];
-        for (std::size_t j = 0; j < size + levels; ++j) {
-            Vector entry = j < size ? entries[j] : Vector{};
+        const auto finish = [&](std::size_t j, const Vector& entry) {
+            const Vector carry = (entry >> digit_bits) & carry_mask;
+            row[j] = (entry & digit_mask) + moved_up(below[j], carry);
+            below[j] = carry;
+        };
+        Vector kept[levels];
+        for (std::size_t i = 0; i < levels; ++i) kept[i] = left_of_row[i];
+        for (std::size_t j = 0; j < count; j += 2) {
+            Vector left = row[j];
+            Vector right = row[j + 1];
 #pragma GCC unroll 14
             for (std::size_t i = 0; i < levels; ++i) {
-                const Vector sum = entry + previous[i];
-                previous[i] = entry;
-                entry = sum;
+                const Vector sum = left + kept[i];
+                kept[i] = right;
+                right += left;
+                left = sum;
             }
-            const Vector carry = (entry >> digit_bits) & carry_mask;
-            entries[j] = (entry & digit_mask) + moved_up(below[j], carry);
-            below[j] = carry;
+            finish(j, left);
+            finish(j + 1, right);
         }
+        for (std::size_t i = 0; i < levels; ++i) left_of_row[i] = kept[i];
     }
 
     static constexpr Operations table{lanes, multiply};

@@ -107,33 +107,64 @@ private:
 /// Planes for numbers of at most `bits` bits: the greatest digit stays far below a word.
 std::size_t planes_for(std::size_t bits) { return (bits + 2) / (digit_bits * row_operations().lanes) + 1; }
 
+/// Multiplies by X + 1 as often as there are coefficients and adds one of them after each, highest first.
+class HornersRule {
+public:
+    explicit HornersRule(std::span<const Integer> coefficients)
+        : size_(coefficients.size()),
+          bits_(greatest_bit_length(coefficients)),
+          blocks_((size_ + levels - 1) / levels),
+          row_(blocks_ * levels, planes_after(blocks_)),
+          // At first what is added, which stands left of the entries; after zeros that fill the first block.
+          left_(blocks_ * levels, row_.planes()),
+          carries_(tile, 1) {
+        for (std::size_t k = 0; k < size_; ++k) left_.set(blocks_ * levels - 1 - k, coefficients[k]);
+        for (std::size_t block = 0; block < blocks_; block += blocks_a_pass)
+            multiply(block, std::min(blocks_, block + blocks_a_pass));
+    }
+
+    Integer coefficient(std::size_t k) { return row_.number(k, bits_ + size_); }
+
+private:
+    // Entries that stay in the nearest cache while some blocks of levels run over them.
+    static constexpr std::size_t tile = 4 * levels;
+    static constexpr std::size_t blocks_a_pass = 8;
+
+    std::size_t planes_after(std::size_t blocks) const { return planes_for(bits_ + blocks * levels); }
+
+    void multiply(std::size_t first_block, std::size_t last_block) {
+        for (std::size_t begin = 0; begin < last_block * levels; begin += tile) {
+            for (std::size_t block = first_block; block < last_block; ++block) {
+                const std::size_t end = std::min(begin + tile, (block + 1) * levels);
+                if (begin >= end) continue;
+                const std::size_t planes = planes_after(block + 1);
+                std::fill_n(carries_.plane(0), (end - begin) * row_operations().lanes, 0);
+                for (std::size_t p = 0; p < planes; ++p) {
+                    row_operations().multiply(row_.plane(p, begin), end - begin,
+                                              left_.plane(p, block * levels), carries_.plane(0),
+                                              p + 1 == planes);
+                }
+            }
+        }
+    }
+
+    std::size_t size_;
+    std::size_t bits_;
+    std::size_t blocks_;
+    DigitRow row_;
+    DigitRow left_;
+    DigitRow carries_;
+};
+
 }  // namespace
 
 std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients) {
     if (coefficients.size() < least_coefficients)
         return row_recurrences::shifted_by_one<Integer>(coefficients);
-    const std::size_t blocks = (coefficients.size() + levels - 1) / levels;
-    const std::size_t bits = greatest_bit_length(coefficients);
-    // What is added, highest first, after zeros that fill the first block.
-    DigitRow added(blocks * levels, planes_for(bits));
-    for (std::size_t k = 0; k < coefficients.size(); ++k) added.set(blocks * levels - 1 - k, coefficients[k]);
-    const DigitRow zeros(levels, 1);
-    DigitRow row(blocks * levels, planes_for(bits + blocks * levels));
-    DigitRow carries(blocks * levels, 1);
-    for (std::size_t block = 0; block < blocks; ++block) {
-        const std::size_t size = block * levels;
-        const std::size_t planes = std::max(added.planes(), planes_for(bits + size + levels));
-        std::fill_n(carries.plane(0), (size + levels) * row_operations().lanes, 0);
-        for (std::size_t p = 0; p < planes; ++p) {
-            row_operations().multiply(row.plane(p), size,
-                                      p < added.planes() ? added.plane(p, size) : zeros.plane(0),
-                                      carries.plane(0), p + 1 == planes);
-        }
-    }
+    HornersRule rule(coefficients);
     std::vector<Integer> result;
     result.reserve(coefficients.size());
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-        result.push_back(row.number(k, bits + coefficients.size()));
+    for (std::size_t k = 0; k < coefficients.size(); ++k) result.push_back(rule.coefficient(k));
     return result;
 }
 
