@@ -18,9 +18,12 @@ inline std::string text_of(const Integers& numerators, const fmpz_t denominator)
     return result + "/ " + text_of(denominator);
 }
 
-/// Divides by the greatest common divisor of the denominator and all numerators.
+/// Divides by the greatest common divisor of the denominator and all numerators; the first and the last share
+/// the least.
 inline void make_canonical(Integers& numerators, fmpz_t denominator, fmpz_t scratch) {
-    _fmpz_vec_content_chained(scratch, numerators.data(), numerators.size(), denominator);
+    fmpz_gcd(scratch, denominator, numerators.at(0));
+    fmpz_gcd(scratch, scratch, numerators.at(numerators.size() - 1));
+    _fmpz_vec_content_chained(scratch, numerators.data(), numerators.size(), scratch);
     if (fmpz_is_one(scratch)) return;
     _fmpz_vec_scalar_divexact_fmpz(numerators.data(), numerators.data(), numerators.size(), scratch);
     fmpz_divexact(denominator, denominator, scratch);

@@ -2,6 +2,7 @@
 #include <blossom/core/conversion.hpp>
 
 #include "integer_frame.hpp"
+#include "line_substitution.hpp"
 
 namespace blossom {
 
@@ -19,7 +20,7 @@ BezierCurve control_points(const PolynomialCurve& curve, const Interval& interva
     require_size(curve.coefficients(), cleared(interval).bits(), limits);
     std::vector<Quotients<Integer>> rows;
     for (const auto row : curve.coefficients().rows()) {
-        rows.push_back(constructions::bernstein_from_monomial(row, a, b, q));
+        rows.push_back(bernstein_from_monomial(row, a, b, q));
     }
     return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
 }
@@ -34,8 +35,7 @@ BezierCurve control_points(const BezierCurve& curve, const Interval& interval, c
     std::vector<Quotients<Integer>> rows;
     for (const auto row : curve.control_points().rows()) {
         const std::vector<Integer> coefficients = constructions::local_monomial_from_bernstein(row);
-        rows.push_back(constructions::bernstein_from_monomial(std::span<const Integer>(coefficients), local.a,
-                                                              local.b, local.q));
+        rows.push_back(bernstein_from_monomial(coefficients, local.a, local.b, local.q));
     }
     return {point_array(std::move(rows), curve.control_points().denominator()), interval};
 }

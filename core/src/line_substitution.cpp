@@ -2,6 +2,10 @@
 
 #include <blossom/rational/taylor_shift.hpp>
 
+#include <algorithm>
+
+#include "binomial_weights.hpp"
+
 namespace blossom {
 
 std::vector<Integer> powers(const Integer& base, std::size_t n) {
@@ -30,6 +34,18 @@ std::vector<Integer> substitute_line(std::span<const Integer> coefficients, cons
     }
     if (!d.is_one()) scale(powers(d, n), false);
     return result;
+}
+
+Quotients<Integer> bernstein_from_monomial(std::span<const Integer> coefficients, const Integer& a,
+                                           const Integer& b, const Integer& q) {
+    const std::size_t n = coefficients.size() - 1;
+    std::vector<Integer> form = substitute_line(coefficients, a, b - a, q);
+    std::ranges::reverse(form);
+    form = shifted_by_one(form);
+    std::ranges::reverse(form);
+    const auto weights = binomial_weights(n);
+    for (std::size_t k = 0; k <= n; ++k) form[k] *= weights->numerators[k];
+    return {std::move(form), weights->denominator * pow(q, n)};
 }
 
 }  // namespace blossom

@@ -33,9 +33,11 @@ std::vector<Rational> RationalVector::to_rationals() const {
 
 void RationalVector::make_canonical() {
     Integer common = denominator_;
-    for (const Integer& numerator : numerators_) {
+    // From both ends in turn: what neighbours share is often large, as in control points over an interval.
+    const std::size_t size = numerators_.size();
+    for (std::size_t i = 0; i < size; ++i) {
         if (common.is_one()) return;
-        common = gcd(common, numerator);
+        common = gcd(common, numerators_[i % 2 == 0 ? i / 2 : size - 1 - i / 2]);
     }
     if (common.is_one()) return;
     for (Integer& numerator : numerators_) numerator = divide_exactly(numerator, common);

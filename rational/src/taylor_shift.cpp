@@ -23,6 +23,9 @@ const digit_rows::Operations& row_operations() {
 #if defined(BLOSSOM_AVX512_IFMA)
     if (&residues::operations() == &residues::ifma_operations) return digit_rows::avx512_operations;
 #endif
+#if defined(BLOSSOM_AVX2)
+    if (&residues::operations() == &residues::avx2_operations) return digit_rows::avx2_operations;
+#endif
     return digit_rows::portable_operations;
 }
 
@@ -48,45 +51,52 @@ public:
 
     void set(std::size_t number, const Integer& value) {
         if (const auto word = value.to_int64()) {
-            digit(number, 0) = *word & digit_mask;
-            digit(number, 1) = *word >> digit_bits;
+            plane(0, number)[0] = *word & digit_mask;
+            plane(0, number)[1] = *word >> digit_bits;
             return;
         }
-        words_.resize(value.bit_length() / 64 + 2);
+        constexpr std::size_t group = 4;  // digits in three words
+        const std::size_t words = value.bit_length() / 64 + 1;
+        const std::size_t groups = (words + 2) / 3;
+        words_.resize(3 * groups);
         IntegerAccess::to_twos_complement(value, words_);
-        const std::size_t digits = (value.bit_length() + digit_bits) / digit_bits;
-        for (std::size_t i = 0; i < digits; ++i) {
-            const std::size_t bit = i * digit_bits;
-            std::uint64_t bits = words_[bit / 64] >> (bit % 64);
-            if (bit % 64 != 0) bits |= words_[bit / 64 + 1] << (64 - bit % 64);
-            // The greatest digit has the sign.
-            digit(number, i) =
-                i + 1 < digits ? static_cast<std::int64_t>(bits) & digit_mask
-                               : static_cast<std::int64_t>(bits << (64 - digit_bits)) >> (64 - digit_bits);
+        line_.resize(std::max(group * groups, planes_ * lanes_));
+        for (std::size_t g = 0; g < groups; ++g) {
+            const std::uint64_t* from = words_.data() + 3 * g;
+            std::int64_t* to = line_.data() + group * g;
+            to[0] = static_cast<std::int64_t>(from[0]) & digit_mask;
+            to[1] = static_cast<std::int64_t>(from[0] >> 48 | from[1] << 16) & digit_mask;
+            to[2] = static_cast<std::int64_t>(from[1] >> 32 | from[2] << 32) & digit_mask;
+            to[3] = static_cast<std::int64_t>(from[2] >> 16);
         }
+        // The greatest digit has the sign.
+        const std::size_t greatest = value.bit_length() / digit_bits;
+        line_[greatest] = static_cast<std::int64_t>(static_cast<std::uint64_t>(line_[greatest]) << 16) >> 16;
+        std::fill(line_.begin() + static_cast<std::ptrdiff_t>(greatest) + 1, line_.end(), 0);
+        for (std::size_t p = 0; p <= greatest / lanes_; ++p)
+            std::copy_n(line_.data() + p * lanes_, lanes_, plane(p, number));
     }
 
     /// With at most `bits` bits.
     Integer number(std::size_t number, std::size_t bits) {
-        words_.resize(bits / 64 + 1);
-        const std::size_t most_digits = planes_ * lanes_;
-        std::uint64_t gathered = 0;
-        unsigned filled = 0;
+        const std::size_t groups = bits / 192 + 1;
+        line_.assign(std::max(4 * groups, planes_ * lanes_), 0);
+        for (std::size_t p = 0; p < planes_; ++p)
+            std::copy_n(plane(p, number), lanes_, line_.data() + p * lanes_);
+        words_.resize(3 * groups);
         std::int64_t carry = 0;
-        std::size_t i = 0;
-        for (std::uint64_t& word : words_) {
-            while (filled < 64) {
-                const std::int64_t sum = carry + (i < most_digits ? digit(number, i) : 0);
-                ++i;
-                carry = sum >> digit_bits;
-                const auto next = static_cast<std::uint64_t>(sum & digit_mask);
-                gathered |= next << filled;
-                filled += digit_bits;
-                rest_ = next;
-            }
-            word = gathered;
-            filled -= 64;
-            gathered = filled == 0 ? 0 : rest_ >> (digit_bits - filled);
+        const auto next = [&](std::int64_t digit) {
+            const std::int64_t sum = digit + carry;
+            carry = sum >> digit_bits;
+            return static_cast<std::uint64_t>(sum & digit_mask);
+        };
+        for (std::size_t g = 0; g < groups; ++g) {
+            const std::int64_t* from = line_.data() + 4 * g;
+            std::uint64_t* to = words_.data() + 3 * g;
+            const std::uint64_t digits[] = {next(from[0]), next(from[1]), next(from[2]), next(from[3])};
+            to[0] = digits[0] | digits[1] << 48;
+            to[1] = digits[1] >> 16 | digits[2] << 32;
+            to[2] = digits[2] >> 32 | digits[3] << 16;
         }
         return IntegerAccess::from_twos_complement(words_);
     }
@@ -94,14 +104,12 @@ public:
 private:
     static constexpr std::align_val_t alignment{64};
 
-    std::int64_t& digit(std::size_t number, std::size_t i) { return plane(i / lanes_, number)[i % lanes_]; }
-
     std::size_t lanes_;
     std::size_t numbers_;
     std::size_t planes_;
     std::int64_t* digits_;
     std::vector<std::uint64_t> words_;
-    std::uint64_t rest_ = 0;
+    std::vector<std::int64_t> line_;
 };
 
 /// Planes for numbers of at most `bits` bits: the greatest digit stays far below a word.
