@@ -1,55 +1,173 @@
 #include "quotient_reduction.hpp"
 
+#include <algorithm>
+#include <bit>
 #include <vector>
 
+#include "limb_arithmetic.hpp"
 #include "rational_access.hpp"
 
 namespace blossom {
 
 namespace {
 
+using limbs::Limb;
+
+std::size_t trailing_zeros(const Limb* number) {
+    std::size_t zeros = 0;
+    while (*number == 0) {
+        ++number;
+        zeros += 64;
+    }
+    return zeros + static_cast<std::size_t>(std::countr_zero(*number));
+}
+
+/// A number > 0 in limbs, none of which is 0 at the top.
+class Natural {
+public:
+    explicit Natural(Limb value) : limbs_{value} {}
+    explicit Natural(std::span<const Limb> limbs)
+        : limbs_(limbs.begin(),
+                 limbs.begin() + static_cast<std::ptrdiff_t>(limbs::used(limbs.data(), limbs.size()))) {}
+
+    std::span<const Limb> span() const { return limbs_; }
+    bool is_one() const { return limbs_.size() == 1 && limbs_[0] == 1; }
+    void multiply(std::span<const Limb> factor) {
+        std::vector<Limb> product(limbs_.size() + factor.size());
+        if (factor.size() > limbs_.size()) {
+            limbs::multiply(product.data(), factor.data(), factor.size(), limbs_.data(), limbs_.size());
+        } else {
+            limbs::multiply(product.data(), limbs_.data(), limbs_.size(), factor.data(), factor.size());
+        }
+        product.resize(limbs::used(product.data(), product.size()));
+        limbs_ = std::move(product);
+    }
+
+private:
+    std::vector<Limb> limbs_;
+};
+
+/// gcd(a, b) for a >= 0 and b > 0 without zeros at the top.
+Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
+    const std::size_t a_size = limbs::used(a.data(), a.size());
+    if (a_size == 0) return Natural(b);
+    if (a_size == 1 && b.size() == 1) return Natural(gcd_of_words(a[0], b[0]));
+    std::vector<Limb> room(2 * (a_size + b.size()));
+    Limb* const x = room.data();
+    Limb* const y = x + a_size;
+    Limb* const result = y + b.size();
+    std::copy_n(a.data(), a_size, x);
+    std::ranges::copy(b, y);
+    const std::size_t twos = std::min(trailing_zeros(x), trailing_zeros(y));
+    limbs::shift_right(x, a_size, trailing_zeros(x));
+    limbs::shift_right(y, b.size(), trailing_zeros(y));
+    const std::size_t m = limbs::used(x, a_size);
+    const std::size_t n = limbs::used(y, b.size());
+    const std::size_t size =
+        m < n ? limbs::gcd_with_odd(result, y, n, x, m) : limbs::gcd_with_odd(result, x, m, y, n);
+    Natural common(std::span(result, size));
+    if (twos > 0) {
+        std::vector<Limb> power(twos / 64 + 1);
+        power.back() = Limb{1} << (twos % 64);
+        common.multiply(power);
+    }
+    return common;
+}
+
 /// The products of 1, 2, 4, ... neighbouring factors.
 class FactorTree {
 public:
     explicit FactorTree(std::span<const Integer> factors) {
-        levels_.emplace_back(factors.begin(), factors.end());
+        std::size_t all = 0;
+        for (const Integer& factor : factors) all += limbs::size_of(factor);
+        const auto depth = static_cast<std::size_t>(std::bit_width(factors.size()));
+        limbs_.resize(all * (depth + 1) + 1);
+        Limb* next = limbs_.data();
+        levels_.emplace_back();
+        for (const Integer& factor : factors) {
+            const std::size_t size = limbs::size_of(factor);
+            limbs::write_magnitude(factor, next, size);
+            levels_[0].emplace_back(next, size);
+            next += size;
+        }
         while (levels_.back().size() > 1) {
-            const std::vector<Integer>& below = levels_.back();
-            std::vector<Integer> level;
+            const std::vector<std::span<const Limb>>& below = levels_.back();
+            std::vector<std::span<const Limb>> level;
             level.reserve((below.size() + 1) / 2);
-            for (std::size_t i = 0; i + 1 < below.size(); i += 2) level.push_back(below[i] * below[i + 1]);
+            for (std::size_t i = 0; i + 1 < below.size(); i += 2) {
+                const bool swap = below[i].size() < below[i + 1].size();
+                const auto& a = below[i + (swap ? 1 : 0)];
+                const auto& b = below[i + (swap ? 0 : 1)];
+                limbs::multiply(next, a.data(), a.size(), b.data(), b.size());
+                level.emplace_back(next, limbs::used(next, a.size() + b.size()));
+                next += level.back().size();
+            }
             if (below.size() % 2 == 1) level.push_back(below.back());
             levels_.push_back(std::move(level));
         }
     }
 
-    const Integer& product() const { return levels_.back()[0]; }
+    std::span<const Limb> product() const { return levels_.back()[0]; }
 
     /// prod gcd(numerator, factor).
-    Integer common(const Integer& numerator) const { return common(numerator, levels_.size() - 1, 0); }
-
-private:
-    Integer common(const Integer& numerator, std::size_t level, std::size_t i) const {
-        const Integer rest = numerator % levels_[level][i];
-        if (level == 0) return gcd(rest, levels_[0][i]);
-        Integer product = common(rest, level - 1, 2 * i);
-        if (2 * i + 1 < levels_[level - 1].size()) product *= common(rest, level - 1, 2 * i + 1);
-        return product;
+    Natural common(std::span<const Limb> numerator) {
+        Natural result(1);
+        room_.resize(numerator.size() + levels_.size() * (product().size() + 2));
+        gather(numerator, levels_.size() - 1, 0, room_.data(), result);
+        return result;
     }
 
-    std::vector<std::vector<Integer>> levels_;
+private:
+    void gather(std::span<const Limb> number, std::size_t level, std::size_t i, Limb* room, Natural& result) {
+        const std::span<const Limb> node = levels_[level][i];
+        if (node.size() == 1) {
+            const std::uint64_t common =
+                gcd_of_words(limbs::remainder(number.data(), number.size(), node[0]), node[0]);
+            // A product of factors that is prime to the number ends the search.
+            if (common == 1) return;
+        }
+        std::span<const Limb> rest = number;
+        if (number.size() >= node.size()) {
+            limbs::divide(room + node.size(), room, number.data(), number.size(), node.data(), node.size());
+            rest = {room, node.size()};
+            room += node.size();
+        }
+        if (level == 0) {
+            const Natural common = gcd(rest, node);
+            if (!common.is_one()) result.multiply(common.span());
+            return;
+        }
+        gather(rest, level - 1, 2 * i, room, result);
+        if (2 * i + 1 < levels_[level - 1].size()) gather(rest, level - 1, 2 * i + 1, room, result);
+    }
+
+    std::vector<Limb> limbs_;
+    std::vector<Limb> room_;
+    std::vector<std::vector<std::span<const Limb>>> levels_;
 };
+
+Integer quotient(std::span<const Limb> dividend, std::span<const Limb> divisor, bool negative) {
+    std::vector<Limb> room(dividend.size() + 1);
+    Limb* const result = room.data();
+    std::vector<Limb> rest(divisor.size());
+    limbs::divide(result, rest.data(), dividend.data(), dividend.size(), divisor.data(), divisor.size());
+    return IntegerAccess::from_magnitude(std::span(result, dividend.size() - divisor.size() + 1), negative);
+}
 
 }  // namespace
 
 Rational reduced_quotient(const Integer& numerator, std::span<const Integer> factors) {
     if (numerator.is_zero() || factors.empty()) return numerator;
-    const FactorTree tree(factors);
-    Integer shared = tree.common(numerator);
-    if (!shared.is_one()) shared = gcd(numerator, shared);
-    if (shared.is_one()) return RationalAccess::from_lowest_terms(numerator, tree.product());
-    return RationalAccess::from_lowest_terms(divide_exactly(numerator, shared),
-                                             divide_exactly(tree.product(), shared));
+    std::vector<Limb> words(limbs::size_of(numerator));
+    limbs::write_magnitude(numerator, words.data(), words.size());
+    FactorTree tree(factors);
+    Natural shared = tree.common(words);
+    if (!shared.is_one()) shared = gcd(words, shared.span());
+    if (shared.is_one())
+        return RationalAccess::from_lowest_terms(numerator,
+                                                 IntegerAccess::from_magnitude(tree.product(), false));
+    return RationalAccess::from_lowest_terms(quotient(words, shared.span(), numerator.sign() < 0),
+                                             quotient(tree.product(), shared.span(), false));
 }
 
 }  // namespace blossom

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "backend.hpp"
+#include "limb_arithmetic.hpp"
 #include "wide.hpp"
 
 namespace blossom::residues {
@@ -126,15 +127,39 @@ struct Tables {
 
     Integer combined(std::span<const Octet> residues) const;
 
-    /// sum over the primes p of one group of residue_p * (product of the group / p).
-    Integer group_sum(const Octet& residues, std::size_t group) const;
+    /// sum over the primes p of one group of residue_p * (product of the group / p), which has
+    /// cofactor_words + 1 limbs.
+    void group_sum(const Octet& residues, std::size_t group, limbs::Limb* sum) const;
 
     std::size_t cofactor_words;   ///< of a product of seven primes
     std::vector<Octet> inverses;  ///< of (product of all) / p, times the radix
     std::vector<std::uint64_t> cofactors;
-    std::vector<std::vector<Integer>> levels;  ///< products of 1, 2, 4, ... groups
-    Integer half;
+    std::vector<std::vector<std::vector<limbs::Limb>>> levels;  ///< products of 1, 2, 4, ... groups
+    std::vector<limbs::Limb> half;
 };
+
+std::vector<limbs::Limb> limbs_of(const Integer& value) {
+    std::vector<limbs::Limb> result(limbs::size_of(value));
+    limbs::write_magnitude(value, result.data(), result.size());
+    return result;
+}
+
+/// product[0..size + b.size()) of a[0..size) and b.
+void multiply(limbs::Limb* product, const limbs::Limb* a, std::size_t size,
+              const std::vector<limbs::Limb>& b) {
+    if (size < b.size()) {
+        limbs::multiply(product, b.data(), b.size(), a, size);
+    } else {
+        limbs::multiply(product, a, size, b.data(), b.size());
+    }
+}
+
+std::vector<limbs::Limb> product_of(const std::vector<limbs::Limb>& a, const std::vector<limbs::Limb>& b) {
+    std::vector<limbs::Limb> result(a.size() + b.size());
+    multiply(result.data(), a.data(), a.size(), b);
+    result.resize(limbs::used(result.data(), result.size()));
+    return result;
+}
 
 Tables::Tables(std::size_t groups) : cofactor_words((7 * operations().prime_bits + 63) / 64) {
     levels.emplace_back();
@@ -148,7 +173,7 @@ Tables::Tables(std::size_t groups) : cofactor_words((7 * operations().prime_bits
                                               std::span(cofactors).last(cofactor_words));
         }
         products.push_back(group_product);
-        levels[0].push_back(std::move(group_product));
+        levels[0].push_back(limbs_of(group_product));
     }
     std::vector<Octet> others(groups);
     for (std::size_t g = 0; g < groups; ++g) {
@@ -168,17 +193,19 @@ Tables::Tables(std::size_t groups) : cofactor_words((7 * operations().prime_bits
         inverses.push_back(inverse);
     }
     while (levels.back().size() > 1) {
-        const std::vector<Integer>& below = levels.back();
-        std::vector<Integer> level;
-        for (std::size_t i = 0; i + 1 < below.size(); i += 2) level.push_back(below[i] * below[i + 1]);
+        const auto& below = levels.back();
+        std::vector<std::vector<limbs::Limb>> level;
+        for (std::size_t i = 0; i + 1 < below.size(); i += 2)
+            level.push_back(product_of(below[i], below[i + 1]));
         if (below.size() % 2 == 1) level.push_back(below.back());
         levels.push_back(std::move(level));
     }
-    half = levels.back()[0] >> 1;
+    half = levels.back()[0];
+    limbs::shift_right(half.data(), half.size(), 1);
 }
 
-Integer Tables::group_sum(const Octet& residues, std::size_t group) const {
-    std::uint64_t sum[8] = {};
+void Tables::group_sum(const Octet& residues, std::size_t group, limbs::Limb* sum) const {
+    std::fill(sum, sum + cofactor_words + 1, 0);
     const std::uint64_t* cofactor = cofactors.data() + group * lanes * cofactor_words;
     for (std::size_t i = 0; i < lanes; ++i, cofactor += cofactor_words) {
         Wide carry = 0;
@@ -189,31 +216,47 @@ Integer Tables::group_sum(const Octet& residues, std::size_t group) const {
         }
         sum[cofactor_words] += static_cast<std::uint64_t>(carry);
     }
-    return IntegerAccess::from_magnitude(std::span(sum).first(cofactor_words + 1), false);
 }
 
+/// A sum has one limb more than the product of its groups: it is less than this product times twice the
+/// number of primes.
 Integer Tables::combined(std::span<const Octet> residues) const {
-    std::vector<Integer> sums;
-    sums.reserve(residues.size());
-    for (std::size_t g = 0; g < residues.size(); ++g)
-        sums.push_back(group_sum(operations().dot(moduli(g), &residues[g], &inverses[g], 1), g));
-    for (const std::vector<Integer>& products : std::span(levels).first(levels.size() - 1)) {
-        std::size_t above = 0;
-        for (std::size_t i = 0; i < sums.size(); i += 2, ++above) {
-            if (i + 1 == sums.size()) {
-                sums[above] = std::move(sums[i]);
-            } else {
-                Integer sum = sums[i] * products[i + 1];
-                sum.add_product(sums[i + 1], products[i]);
-                sums[above] = std::move(sum);
-            }
-        }
-        sums.resize(above);
+    const std::vector<limbs::Limb>& all = levels.back()[0];
+    // Each sum lies where the first of its groups has its place; the places fill one half, products the
+    // other.
+    const std::size_t place = levels[0][0].size() + 2;
+    std::vector<limbs::Limb> room(3 * place * residues.size() + 8);
+    limbs::Limb* const products = room.data() + place * residues.size();
+    for (std::size_t g = 0; g < residues.size(); ++g) {
+        limbs::Limb* const sum = room.data() + place * g;
+        group_sum(operations().dot(moduli(g), &residues[g], &inverses[g], 1), g, sum);
+        std::fill(sum + cofactor_words + 1, sum + place, 0);
     }
-    const Integer& all = levels.back()[0];
-    Integer value = std::move(sums[0]) % all;
-    if (value > half) value -= all;
-    return value;
+    std::size_t step = 1;
+    for (const auto& factors : std::span(levels).first(levels.size() - 1)) {
+        for (std::size_t i = 0; i + 1 < factors.size(); i += 2) {
+            const auto& a = factors[i];
+            const auto& b = factors[i + 1];
+            limbs::Limb* const left = room.data() + place * step * i;
+            const limbs::Limb* const right = left + place * step;
+            const std::size_t size = a.size() + b.size() + 1;
+            limbs::Limb* const other = products + size;
+            multiply(products, left, a.size() + 1, b);
+            multiply(other, right, b.size() + 1, a);
+            limbs::add(left, products, other, size);
+        }
+        step *= 2;
+    }
+    limbs::Limb* const value = room.data();
+    limbs::divide(products, value, value, all.size() + 1, all.data(), all.size());
+    bool negative = false;
+    if (std::ranges::lexicographical_compare(half.rbegin(), half.rend(),
+                                             std::reverse_iterator(value + all.size()),
+                                             std::reverse_iterator(value))) {
+        negative = true;
+        limbs::subtract(value, all.data(), value, all.size());
+    }
+    return IntegerAccess::from_magnitude(std::span(value, all.size()), negative);
 }
 
 std::shared_ptr<const Tables> tables(std::size_t groups) {

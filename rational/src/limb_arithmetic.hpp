@@ -1,0 +1,159 @@
+#pragma once
+
+// Numbers >= 0 as limbs, least significant first, in memory of the caller.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "backend.hpp"
+#include "wide.hpp"
+
+namespace blossom::limbs {
+
+using Limb = std::uint64_t;
+
+/// Without the zeros at the top.
+inline std::size_t used(const Limb* number, std::size_t size) {
+    while (size > 0 && number[size - 1] == 0) --size;
+    return size;
+}
+
+#if defined(BLOSSOM_NUMBERS_GMP)
+
+static_assert(GMP_NUMB_BITS == 64 && sizeof(mp_limb_t) == sizeof(Limb));
+
+/// The carry or borrow of a + b and a - b; the result may lie where a or b does.
+inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
+    return mpn_add_n(sum, a, b, static_cast<mp_size_t>(size));
+}
+inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t size) {
+    return mpn_sub_n(difference, a, b, static_cast<mp_size_t>(size));
+}
+/// product[0..m + n) = a b for m >= n >= 1; the product lies apart.
+inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b, std::size_t n) {
+    mpn_mul(product, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n));
+}
+/// quotient[0..m - n] and remainder[0..n) of a / b for m >= n >= 1, the top of b not 0; the remainder may
+/// lie where a does.
+inline void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t m, const Limb* b,
+                   std::size_t n) {
+    mpn_tdiv_qr(quotient, remainder, 0, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n));
+}
+inline Limb remainder(const Limb* a, std::size_t size, Limb divisor) {
+    return mpn_mod_1(a, static_cast<mp_size_t>(size), divisor);
+}
+/// The size of gcd(a, b) for numbers whose tops are not 0, b odd and not longer than a; both are destroyed.
+inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, std::size_t n) {
+    return static_cast<std::size_t>(
+        mpn_gcd(result, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n)));
+}
+
+/// |value| at the front of `to`, which has room for `size` limbs, as many as it has or more; zeros above.
+inline void write(const backend::Number& value, Limb* to, std::size_t size) {
+    const mpz_srcptr data = value.backend().data();
+    const std::size_t used = mpz_size(data);
+    std::copy_n(mpz_limbs_read(data), used, to);
+    std::fill(to + used, to + size, Limb{0});
+}
+
+#else
+
+inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
+    Wide carry = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        carry += Wide{a[i]} + b[i];
+        sum[i] = static_cast<Limb>(carry);
+        carry >>= 64;
+    }
+    return static_cast<Limb>(carry);
+}
+inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t size) {
+    Limb borrow = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        const Wide rest = Wide{a[i]} - b[i] - borrow;
+        difference[i] = static_cast<Limb>(rest);
+        borrow = static_cast<Limb>(rest >> 64) & 1;
+    }
+    return borrow;
+}
+inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b, std::size_t n) {
+    std::fill(product, product + m + n, Limb{0});
+    for (std::size_t j = 0; j < n; ++j) {
+        Wide carry = 0;
+        for (std::size_t i = 0; i < m; ++i) {
+            carry += Wide{a[i]} * b[j] + product[i + j];
+            product[i + j] = static_cast<Limb>(carry);
+            carry >>= 64;
+        }
+        product[m + j] = static_cast<Limb>(carry);
+    }
+}
+inline void write(const backend::Number& value, Limb* to, std::size_t size) {
+    std::fill(to, to + size, Limb{0});
+    if (value != 0) boost::multiprecision::export_bits(backend::Number(abs(value)), to, 64, false);
+}
+inline backend::Number number(const Limb* from, std::size_t size) {
+    backend::Number value;
+    boost::multiprecision::import_bits(value, from, from + size, 64, false);
+    return value;
+}
+inline void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t m, const Limb* b,
+                   std::size_t n) {
+    const backend::Number dividend = number(a, m);
+    const backend::Number divisor = number(b, n);
+    write(dividend / divisor, quotient, m - n + 1);
+    write(dividend % divisor, remainder, n);
+}
+inline Limb remainder(const Limb* a, std::size_t size, Limb divisor) {
+    Limb rest = 0;
+    for (std::size_t i = size; i-- > 0;) rest = static_cast<Limb>((Wide{rest} << 64 | a[i]) % divisor);
+    return rest;
+}
+inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, std::size_t n) {
+    write(gcd(number(a, m), number(b, n)), result, n);
+    return used(result, n);
+}
+
+#endif
+
+/// The number of limbs of a value, at least 1.
+inline std::size_t size_of(const Integer& value) {
+    return value.bit_length() / 64 + (value.bit_length() % 64 != 0 || value.is_zero() ? 1 : 0);
+}
+
+/// |value| in `size` limbs, which must be enough.
+inline void write_magnitude(const Integer& value, Limb* to, std::size_t size) {
+    if (const auto word = value.to_int64()) {
+        std::fill(to, to + size, Limb{0});
+        to[0] = magnitude(*word);
+    } else {
+        IntegerAccess::visit(value, [&](const auto& number) {
+            if constexpr (!std::is_arithmetic_v<std::remove_cvref_t<decltype(number)>>)
+                write(number, to, size);
+        });
+    }
+}
+
+/// a = a / 2^bits for bits < 64 size.
+inline void shift_right(Limb* a, std::size_t size, std::size_t bits) {
+    const std::size_t limbs = bits / 64;
+    const std::size_t rest = bits % 64;
+    for (std::size_t i = 0; i < size; ++i) {
+        const Limb low = i + limbs < size ? a[i + limbs] : 0;
+        const Limb high = i + limbs + 1 < size ? a[i + limbs + 1] : 0;
+        a[i] = rest == 0 ? low : low >> rest | high << (64 - rest);
+    }
+}
+
+/// number = -number modulo 2^(64 size).
+inline void negate(Limb* number, std::size_t size) {
+    bool carry = true;
+    for (std::size_t i = 0; i < size; ++i) {
+        number[i] = ~number[i] + static_cast<Limb>(carry);
+        carry = carry && number[i] == 0;
+    }
+}
+
+}  // namespace blossom::limbs
