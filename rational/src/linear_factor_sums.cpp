@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "fixed_width_rows.hpp"
+#include "large_sums.hpp"
+#include "limb_arithmetic.hpp"
 #include "limb_sums.hpp"
 #include "machine_sums.hpp"
 #include "prepared_rows.hpp"
@@ -120,11 +122,16 @@ void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, st
     }
 }
 
-void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
-                    std::size_t first_row, std::span<Rational> sums) {
-    fixed_width::LimbRow product(factors.size() + 1, 1, bits.product);
+fixed_width::LimbRow multiplied_out(std::span<const WordFactor> factors, std::size_t bits) {
+    fixed_width::LimbRow product(factors.size() + 1, 1, bits);
     product.set(0, 1);
     product.multiply_out(factors);
+    return product;
+}
+
+void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
+                    std::size_t first_row, std::span<Rational> sums) {
+    const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     const DenominatorWords denominator =
         machine_sums::denominator_words(rows.denominators, rows.primes, factors);
     std::uint64_t words[most_sum_limbs];
@@ -145,8 +152,12 @@ std::pair<std::vector<Integer>, bool> denominator_factors(const Prepared& rows,
     bool negative = false;
     Integer gathered = 1;
     const auto multiply = [&](const Integer& factor) {
-        const Integer size = abs(factor);
+        Integer size = abs(factor);
         negative ^= factor.sign() < 0;
+        if (!size.to_int64()) {
+            result.push_back(std::move(size));
+            return;
+        }
         Integer product = gathered * size;
         if (!product.to_int64()) {
             if (!gathered.is_one()) result.push_back(gathered);
@@ -172,21 +183,32 @@ void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> fa
         sums[j] = reduced_quotient(negative ? -numerators[j] : numerators[j], denominators);
 }
 
+/// The sums of products with the coefficients in `product`, or with their negatives.
+template <class R>
+void set_large_sums(const Prepared& rows, std::span<const LinearFactor<R>> factors, const LimbView& product,
+                    bool negated, std::size_t bits, std::size_t first_row, std::span<Rational> sums) {
+    const auto [denominators, negative] = denominator_factors(rows, factors);
+    std::vector<std::uint64_t> numerator(bits / 64 + 1);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        large_dot(rows.integers_of(first_row + j), product, numerator);
+        const bool below_zero = static_cast<std::int64_t>(numerator.back()) < 0;
+        if (below_zero) limbs::negate(numerator.data(), numerator.size());
+        sums[j] = reduced_quotient(numerator, (below_zero != negated) != negative, denominators);
+    }
+}
+
+void evaluate_integers(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
+                       std::span<Rational> sums) {
+    const Bounds bits = bounds(rows, factors);
+    const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
+    set_large_sums(rows, factors, product.limbs(), product.negated(), bits.sum, first_row, sums);
+}
+
 void evaluate_integers(const Prepared& rows, std::span<const IntegerFactor> factors, std::size_t first_row,
                        std::span<Rational> sums) {
-    std::vector<Integer> constants;
-    std::vector<Integer> slopes;
-    for (const IntegerFactor& factor : factors) {
-        constants.push_back(factor.constant);
-        slopes.push_back(factor.slope);
-    }
-    const std::vector<Integer> product =
-        product_of_linear_factors(std::span<const Integer>(constants), std::span<const Integer>(slopes));
-    const auto [denominators, negative] = denominator_factors(rows, factors);
-    for (std::size_t j = 0; j < sums.size(); ++j) {
-        const Integer sum = dot(rows.integers_of(first_row + j), product);
-        sums[j] = reduced_quotient(negative ? -sum : sum, denominators);
-    }
+    const std::size_t bits = sum_bits(rows, factors);
+    const FactorRow product(factors, bits - rows.bits);
+    set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
 }
 
 constexpr SumKernelRule rules[] = {
@@ -234,13 +256,8 @@ void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t
         case SumKernel::residues:
             return evaluate_residues(rows, factors, first_row, sums);
         case SumKernel::integers:
-            break;
+            return evaluate_integers(rows, factors, first_row, sums);
     }
-    std::vector<IntegerFactor> integers;
-    integers.reserve(factors.size());
-    for (const WordFactor& factor : factors)
-        integers.push_back({factor.constant, factor.slope, factor.denominator});
-    evaluate(integers, first_row, sums);
 }
 
 void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,

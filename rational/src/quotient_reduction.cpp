@@ -157,16 +157,23 @@ Integer quotient(std::span<const Limb> dividend, std::span<const Limb> divisor, 
 }  // namespace
 
 Rational reduced_quotient(const Integer& numerator, std::span<const Integer> factors) {
-    if (numerator.is_zero() || factors.empty()) return numerator;
     std::vector<Limb> words(limbs::size_of(numerator));
     limbs::write_magnitude(numerator, words.data(), words.size());
+    return reduced_quotient(words, numerator.sign() < 0, factors);
+}
+
+Rational reduced_quotient(std::span<const Limb> numerator, bool negative, std::span<const Integer> factors) {
+    const std::span<const Limb> top = numerator.first(limbs::used(numerator.data(), numerator.size()));
+    if (top.empty()) return 0;
+    if (factors.empty()) return IntegerAccess::from_magnitude(top, negative);
     FactorTree tree(factors);
-    Natural shared = tree.common(words);
-    if (!shared.is_one()) shared = gcd(words, shared.span());
-    if (shared.is_one())
-        return RationalAccess::from_lowest_terms(numerator,
+    Natural shared = tree.common(top);
+    if (!shared.is_one()) shared = gcd(top, shared.span());
+    if (shared.is_one()) {
+        return RationalAccess::from_lowest_terms(IntegerAccess::from_magnitude(top, negative),
                                                  IntegerAccess::from_magnitude(tree.product(), false));
-    return RationalAccess::from_lowest_terms(quotient(words, shared.span(), numerator.sign() < 0),
+    }
+    return RationalAccess::from_lowest_terms(quotient(top, shared.span(), negative),
                                              quotient(tree.product(), shared.span(), false));
 }
 

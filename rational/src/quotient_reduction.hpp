@@ -5,6 +5,7 @@
 
 #include <blossom/rational/rational.hpp>
 
+#include <cstdint>
 #include <span>
 
 namespace blossom {
@@ -12,5 +13,8 @@ namespace blossom {
 /// numerator / prod factors, all factors positive. Cost: the remainders of the numerator by a tree of the
 /// factors, and one gcd a factor.
 Rational reduced_quotient(const Integer& numerator, std::span<const Integer> factors);
+/// The same for a numerator in words, least significant first, and its sign.
+Rational reduced_quotient(std::span<const std::uint64_t> numerator, bool negative,
+                          std::span<const Integer> factors);
 
 }  // namespace blossom

@@ -1,6 +1,9 @@
 #include "word_quotients.hpp"
 
 #include <algorithm>
+#include <vector>
+
+#include "quotient_reduction.hpp"
 
 namespace blossom {
 
@@ -176,8 +179,9 @@ Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
         shared_fits = !__builtin_mul_overflow(shared, common, &shared);
     }
     if (!shared_fits) {
-        return {IntegerAccess::from_magnitude(numerator, negative),
-                IntegerAccess::from_magnitude(bottom.span(), false) * further};
+        std::vector<Integer> all{further};
+        for (const std::uint64_t factor : factors) all.emplace_back(factor);
+        return reduced_quotient(numerator, negative, all);
     }
     if (shared != 1 && factors.size() > 1) shared = gcd_of_words(top.remainder(shared), shared);
     if (shared != 1) {
