@@ -27,11 +27,19 @@ Integer ClearedArguments::denominator() const {
 ClearedArguments cleared_one_by_one(std::span<const Argument> arguments) {
     ClearedArguments cleared;
     cleared.pairs.reserve(arguments.size());
+    cleared.scales.reserve(arguments.size());
     for (const Argument& argument : arguments) {
-        const Integer scale = lcm(argument.u.denominator(), argument.mass.denominator());
-        cleared.pairs.push_back(scaled(argument, scale));
+        // Parameters and vectors have masses 1 and 0.
+        if (argument.mass.is_integer()) {
+            const Integer& scale = argument.u.denominator();
+            cleared.pairs.push_back({argument.u.numerator(), argument.mass.numerator() * scale});
+            cleared.scales.push_back(scale);
+        } else {
+            const Integer scale = lcm(argument.u.denominator(), argument.mass.denominator());
+            cleared.pairs.push_back(scaled(argument, scale));
+            cleared.scales.push_back(scale);
+        }
         cleared.bits += bits(cleared.pairs.back());
-        cleared.scales.push_back(scale);
     }
     return cleared;
 }

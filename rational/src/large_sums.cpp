@@ -36,7 +36,7 @@ FactorRow::FactorRow(std::span<const IntegerFactor> factors, std::size_t bits)
     words_[0] = 1;
     std::size_t next_bits = 1;
     for (std::size_t i = 0; i < factors.size(); ++i) {
-        next_bits += (abs(factors[i].constant) + abs(factors[i].slope)).bit_length();
+        next_bits += bits_of(factors[i]);
         multiply(factors[i], i, std::min(stride_, next_bits / 64 + 1));
     }
 }

@@ -4,12 +4,18 @@
 
 #include <blossom/rational/linear_factor_sums.hpp>
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
 #include "limb_sums.hpp"
 
 namespace blossom {
+
+/// The magnitudes of both coefficients together are below 2 to this power.
+inline std::size_t bits_of(const IntegerFactor& factor) {
+    return std::max(factor.constant.bit_length(), factor.slope.bit_length()) + 1;
+}
 
 /// The coefficients of a product of linear factors in two's complement, multiplied by one factor after the
 /// other in place.

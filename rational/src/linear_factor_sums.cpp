@@ -38,23 +38,14 @@ Bounds bounds(const Prepared& rows, std::span<const WordFactor> factors) {
 constexpr std::size_t least_residue_factors = 16;
 constexpr std::size_t most_residue_factors = residues::most_terms - 1;
 
-/// The greatest magnitude that a factor can take in its coefficients together.
-Integer size_of(const IntegerFactor& factor) { return abs(factor.constant) + abs(factor.slope); }
-
 /// A bound in bits on the numerators of the sums.
-template <class R>
-std::size_t sum_bits(const Prepared& rows, std::span<const LinearFactor<R>> factors) {
-    fixed_width::BitBound words(rows.bits);
-    std::size_t further = 0;
-    for (const LinearFactor<R>& factor : factors) {
-        const Integer size = size_of(factor);
-        if (const auto word = size.to_int64()) {
-            words.multiply(static_cast<std::uint64_t>(*word));
-        } else {
-            further += size.bit_length();
-        }
-    }
-    return words.bits() + further;
+std::size_t sum_bits(const Prepared& rows, std::span<const WordFactor> factors) {
+    return bounds(rows, factors).sum;
+}
+std::size_t sum_bits(const Prepared& rows, std::span<const IntegerFactor> factors) {
+    std::size_t bits = rows.bits;
+    for (const IntegerFactor& factor : factors) bits += bits_of(factor);
+    return bits;
 }
 
 template <class R>

@@ -109,8 +109,10 @@ public:
 
     std::span<const Limb> product() const { return levels_.back()[0]; }
 
-    /// prod gcd(numerator, factor).
+    /// A multiple of gcd(numerator, product) whose prime factors divide both: itself for short products, and
+    /// prod gcd(numerator, factor) for longer ones.
     Natural common(std::span<const Limb> numerator) {
+        if (product().size() <= longest_direct) return gcd_of(numerator, product());
         Natural result(1);
         room_.resize(numerator.size() + levels_.size() * (product().size() + 2));
         gather(numerator, levels_.size() - 1, 0, room_.data(), result);
@@ -118,6 +120,17 @@ public:
     }
 
 private:
+    /// In limbs, by measurement.
+    static constexpr std::size_t longest_direct = 32;
+
+    Natural gcd_of(std::span<const Limb> number, std::span<const Limb> divisor) {
+        if (number.size() < divisor.size()) return gcd(number, divisor);
+        room_.resize(number.size() + 1);
+        limbs::divide(room_.data() + divisor.size(), room_.data(), number.data(), number.size(),
+                      divisor.data(), divisor.size());
+        return gcd({room_.data(), divisor.size()}, divisor);
+    }
+
     void gather(std::span<const Limb> number, std::size_t level, std::size_t i, Limb* room, Natural& result) {
         const std::span<const Limb> node = levels_[level][i];
         if (node.size() == 1) {
