@@ -14,7 +14,7 @@ import subprocess
 import sys
 from fractions import Fraction
 
-from evaluate_document import Context, Unknown, added, scaled
+from evaluate_document import Context, Unknown, added, scaled, total
 
 
 class Checker:
@@ -121,7 +121,16 @@ class Checker:
             if tree["kind"] not in ("blossom", "call"):
                 continue
             value = self.context.value(tree)
-            if picture["graph"]:
+            if "corners" in picture:
+                arguments = [self.context.pair(part) for part in tree["parts"]]
+                corners = [tuple(map(Fraction, corner)) for corner in picture["corners"]]
+                places = [total(scaled(x, c) for x, c in zip(u, corners, strict=True)) for u in arguments]
+                self.same((x, y), scaled(Fraction(1, len(places)), total(places)), f"{point['label']['text']} drawn")
+            elif "projection" in picture:
+                rows = [[Fraction(w) for w in row] for row in picture["projection"]]
+                seen = tuple(sum(w * c for w, c in zip(row, value, strict=True)) for row in rows)
+                self.same((x, y), seen, f"{point['label']['text']} in the picture")
+            elif picture["graph"]:
                 arguments = [self.context.value(part) for part in tree["parts"]]
                 self.same(x, sum(arguments) / len(arguments), f"{point['label']['text']} in the picture, x")
                 self.same(y, value, f"{point['label']['text']} in the picture, y")

@@ -46,7 +46,11 @@ def point(coordinates):
     return numbers[0] if len(numbers) == 1 else numbers
 
 
-class PolynomialByCoefficients:
+class Map:
+    vertices = ()
+
+
+class PolynomialByCoefficients(Map):
     def __init__(self, definition):
         self.coefficients = [point(c) for c in definition["coefficients"]]
         self.degree = len(self.coefficients) - 1
@@ -56,7 +60,7 @@ class PolynomialByCoefficients:
         return total(scaled(elementary(k, pairs) / comb(n, k), c) for k, c in enumerate(self.coefficients))
 
 
-class PolynomialByControlPoints:
+class PolynomialByControlPoints(Map):
     def __init__(self, definition):
         self.points = [point(p) for p in definition["control_points"]]
         self.a, self.b = (Fraction(x) for x in definition["interval"])
@@ -70,7 +74,7 @@ class PolynomialByControlPoints:
         return points[0]
 
 
-class Spline:
+class Spline(Map):
     """Control point j is the value at the n knots after the first of its n + 2; a span is named by its first knot."""
 
     def __init__(self, definition):
@@ -113,7 +117,39 @@ class Spline:
         return inside[-1] + self.shift
 
 
-KINDS = {"polynomial": PolynomialByCoefficients, "bezier": PolynomialByControlPoints, "bspline": Spline}
+class Triangle(Map):
+    """By the definition: every way to put a vertex in the place of each argument, with the product of coordinates."""
+
+    def __init__(self, definition):
+        self.degree = n = definition["degree"]
+        indices = [(i, j, n - i - j) for i in range(n, -1, -1) for j in range(n - i, -1, -1)]
+        self.net = dict(zip(indices, (point(p) for p in definition["control_net"]), strict=True))
+        self.vertices = [point(v) for v in definition.get("vertices", [])]
+
+    def blossom(self, arguments, _span):
+        values = []
+        for choice in itertools.product(range(3), repeat=self.degree):
+            weight = prod((x[k] for x, k in zip(arguments, choice)), start=Fraction(1))
+            values.append(scaled(weight, self.net[tuple(choice.count(k) for k in range(3))]))
+        return total(values)
+
+    def barycentric(self, place):
+        """By Cramer's rule."""
+
+        def area(p, q, r):
+            return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+
+        a, b, c = self.vertices
+        whole = area(a, b, c)
+        return area(place, b, c) / whole, area(a, place, c) / whole, area(a, b, place) / whole
+
+
+KINDS = {
+    "polynomial": PolynomialByCoefficients,
+    "bezier": PolynomialByControlPoints,
+    "bspline": Spline,
+    "triangle": Triangle,
+}
 
 
 class Context:
@@ -125,6 +161,12 @@ class Context:
             self.maps[entry["map"]] = defined
             self.blossoms[entry["blossom"]] = defined
         self.symbols = {"delta": None}
+        self.points = {name: tuple(map(Fraction, place)) for name, place in document["points"].items()}
+        for name, place in self.points.items():
+            for vertices in (d.vertices for d in self.maps.values() if d.vertices):
+                # As a value a point is a place; as an argument it has barycentric coordinates.
+                self.symbols[name] = total(scaled(x, v) for x, v in zip(place, vertices, strict=True))
+            self.symbols.setdefault(name, place)
 
     def value(self, tree):
         return getattr(self, "value_" + tree["kind"])(tree)
@@ -185,7 +227,9 @@ class Context:
         return values[0] if len(values) == 1 else values
 
     def pair(self, tree):
-        """An argument as (u, mass)."""
+        """An argument as (u, mass), or of a triangle as three coordinates."""
+        if tree["kind"] == "symbol" and tree["name"] in self.points:
+            return self.points[tree["name"]]
         if tree["kind"] == "symbol" and tree["name"] == "delta":
             return Fraction(1), Fraction(0)
         if tree["kind"] == "product" and tree["parts"][-1] == {"kind": "symbol", "name": "delta"}:
@@ -210,6 +254,9 @@ class Context:
     def at(self, name, pairs):
         """The map, or with a pair its form."""
         defined = self.maps[name]
+        if isinstance(defined, Triangle):
+            place = pairs[0] if len(pairs) == 1 else defined.barycentric([u for u, mass in pairs])
+            return defined.blossom([place] * defined.degree, None)
         if len(pairs) == 2:
             pair = (pairs[0][0], pairs[1][0])
         else:

@@ -13,7 +13,9 @@ std::size_t largest_degree(const Document& document) {
             return std::visit([](const auto& curve) { return curve.degree(); }, one);
         };
         const auto of_spline = [](const BSplineCurve& spline) { return spline.degree(); };
-        degree = std::max(degree, std::visit(Overloaded{of_polynomial, of_spline}, map.definition));
+        const auto of_triangle = [](const TriangleMap& triangle) { return triangle.net.shape()[0].degree; };
+        degree =
+            std::max(degree, std::visit(Overloaded{of_polynomial, of_spline, of_triangle}, map.definition));
     }
     return degree;
 }

@@ -3,6 +3,7 @@
 #include <blossom/core/polynomial_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/render.hpp>
+#include <blossom/worked/triangle_chapters.hpp>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,18 @@ GivenMap circle() {
                                               parse_univariate("2t").polynomial,
                                               parse_univariate("1 + t^2").polynomial};
     return {PolynomialCurve(coordinates)};
+}
+
+/// A quadratic patch in the plane.
+GivenTriangle plane_triangle() {
+    const std::vector<Coordinates> net{{0, 0}, {3, -1}, {1, 3}, {6, 0}, {5, 4}, {2, 6}};
+    return {BezierPatch(NetShape::simplex(2, 2), net), {}, {}, false};
+}
+
+/// A quadratic patch in space over a triangle of the plane.
+GivenTriangle space_triangle() {
+    const std::vector<Coordinates> net{{0, 0, 0}, {2, 0, 3}, {0, 2, 2}, {4, 0, 1}, {2, 2, 4}, {0, 4, 0}};
+    return {BezierPatch(NetShape::simplex(2, 2), net), BarycentricFrame({{0, 0}, {4, 0}, {0, 4}}), {}, false};
 }
 
 const Picture* first_picture(const Document& document) {
@@ -109,6 +122,9 @@ std::vector<GalleryPage> gallery_pages() {
     add("knot-insertion", knots_inserted(plane_spline(), knot));
     add("continuity", continuity_at(BSplineCurve(3, {0, 0, 0, 1, 1, 2, 2, 2}, kinked), 1));
     add("rational-arc", rational_arc(circle(), half));
+    const Coordinates inside{half, Rational(1, 4), Rational(1, 4)};
+    add("triangle-evaluation", triangle_evaluation(plane_triangle(), inside));
+    add("triangle-subdivision", triangle_subdivision(space_triangle(), inside));
     return pages;
 }
 

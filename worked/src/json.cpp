@@ -52,6 +52,13 @@ struct DefinitionWriter {
                 {"knots", numbers(curve.knots().knots())},
                 {"control_points", points(curve.control_points())}};
     }
+    Json operator()(const TriangleMap& triangle) const {
+        Json json{{"kind", "triangle"},
+                  {"degree", triangle.net.shape()[0].degree},
+                  {"control_net", points(triangle.net.control_net().to_points())}};
+        if (triangle.frame) json["vertices"] = points(triangle.frame->vertices());
+        return json;
+    }
     Json operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
 };
 
@@ -71,9 +78,16 @@ public:
         for (const Step& step : document.steps) {
             steps.push_back({{"title", step.title}, {"blocks", blocks(step.blocks)}});
         }
-        Json json{{"title", document.title},   {"source", document.source},
-                  {"maps", std::move(maps)},   {"statement", blocks(document.statement)},
-                  {"steps", std::move(steps)}, {"result", blocks(document.result)}};
+        Json json{{"title", document.title},
+                  {"source", document.source},
+                  {"maps", std::move(maps)},
+                  {"points", Json::object()},
+                  {"statement", blocks(document.statement)},
+                  {"steps", std::move(steps)},
+                  {"result", blocks(document.result)}};
+        for (const NamedPoint& point : document.points) {
+            json["points"][point.name] = numbers(point.barycentric);
+        }
         if (document.check) {
             json["check"] = {{"blocks", blocks(document.check->blocks)}, {"holds", document.check->holds}};
         }
@@ -125,6 +139,8 @@ private:
         Json json{{"caption", picture.caption}, {"description", picture.description},
                   {"graph", picture.graph},     {"curves", Json::array()},
                   {"lines", Json::array()},     {"points", Json::array()}};
+        if (!picture.projection.empty()) json["projection"] = points(picture.projection);
+        if (!picture.corners.empty()) json["corners"] = places(picture.corners);
         for (const PictureCurve& curve : picture.curves) {
             json["curves"].push_back(
                 {{"role", role_name(curve.role)}, {"cubic", curve.cubic}, {"places", places(curve.places)}});

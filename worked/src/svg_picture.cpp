@@ -10,7 +10,7 @@ namespace blossom::worked {
 
 namespace {
 
-constexpr Length tick = 40;
+constexpr Length tick_length = 40;
 
 std::string coordinates(const Spot& spot) { return pixels(spot.x) + " " + pixels(spot.y); }
 
@@ -27,11 +27,11 @@ void append_axes(pugi::xml_node svg, const Drawing& drawing) {
     for (const Drawing::Tick& mark : drawing.ticks) {
         const Spot& spot = mark.spot;
         if (mark.horizontal) {
-            append_line(svg, {spot, {spot.x, spot.y + tick}}, "axis");
-            append_label(svg, {spot.x, spot.y + 4 * tick}, "middle", "number", mark.text);
+            append_line(svg, {spot, {spot.x, spot.y + tick_length}}, "axis");
+            append_label(svg, {spot.x, spot.y + 4 * tick_length}, "middle", "number", mark.text);
         } else {
-            append_line(svg, {{spot.x - tick, spot.y}, spot}, "axis");
-            append_label(svg, {spot.x - 2 * tick, spot.y}, "end", "number", mark.text);
+            append_line(svg, {{spot.x - tick_length, spot.y}, spot}, "axis");
+            append_label(svg, {spot.x - 2 * tick_length, spot.y}, "end", "number", mark.text);
         }
     }
 }

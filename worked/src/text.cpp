@@ -102,11 +102,14 @@ private:
     }
 
     std::string picture_text(const Picture& picture) const {
-        std::string text = wrapped(picture.caption + " " + picture.description, width_) + "\n\n";
+        std::string text = wrapped(picture.caption + " " + picture.description, width_) + "\n";
+        // Arguments, not values, have no coordinates that mean anything.
+        if (!picture.corners.empty()) return text;
+        text += "\n";
         std::vector<std::vector<std::string>> rows{{"point", "x", "y"}};
         for (const PicturePoint& point : picture.points) {
-            rows.push_back(
-                {to_text(point.label, notation_), to_string(point.place.x), to_string(point.place.y)});
+            rows.push_back({to_text(point.label, notation_), to_text(number(point.place.x)),
+                            to_text(number(point.place.y))});
         }
         return text + text_table(rows);
     }

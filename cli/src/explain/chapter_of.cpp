@@ -2,6 +2,7 @@
 
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>
+#include <blossom/worked/triangle_chapters.hpp>
 
 #include <algorithm>
 #include <array>
@@ -18,6 +19,11 @@ namespace {
 
 using worked::Document;
 using worked::GivenMap;
+
+Error one_parameter(std::size_t asked) {
+    return Error(ErrorCode::wrong_arity,
+                 "a worked example is made for one parameter, not for " + std::to_string(asked), "/at");
+}
 
 /// A request that was answered, so that its fields are known to be right.
 class Asked {
@@ -42,12 +48,7 @@ public:
     Rational parameter() const {
         const Json& at = *find("at");
         if (!at.array()) return read_number(at, limits);
-        if (at.array()->size() != 1) {
-            throw Error(
-                ErrorCode::wrong_arity,
-                "a worked example is made for one parameter, not for " + std::to_string(at.array()->size()),
-                "/at");
-        }
+        if (at.array()->size() != 1) throw one_parameter(at.array()->size());
         return within("at", [&] {
             return within(std::size_t{0}, [&] { return read_number(at.array()->front(), limits); });
         });
@@ -79,7 +80,42 @@ const BSplineCurve& required_spline(const Asked& asked) {
     return *spline;
 }
 
+/// The point of a page on a triangle, in barycentric coordinates. Errors: those of reading it.
+Coordinates barycentric_point(const Patch& patch, const Json& at, const Limits& limits) {
+    const std::vector<Rational> numbers = read_tuple(at, patch.parameters(), limits);
+    if (patch.is_polynomial()) return BarycentricFrame::standard(2).of_point(numbers);
+    return engine_arguments(patch, numbers, 1).front();
+}
+
+using TriangleChapter = Document (*)(const worked::GivenTriangle&, const Coordinates&, const Limits&);
+
+/// Errors: `wrong_kind` unless the domain is one triangle; `wrong_arity` for several points.
+Document triangle_chapter(const Asked& asked, TriangleChapter chapter) {
+    const Patch& patch = std::get<Patch>(asked.map().value);
+    const NetShape& shape = patch.shape();
+    if (shape.factors() != 1 || shape[0].dimension != 2) {
+        throw Error(ErrorCode::wrong_kind,
+                    "a worked example of a patch is made for one on a triangle, or for a polynomial in two "
+                    "variables with a total degree",
+                    "/map");
+    }
+    worked::GivenTriangle given{patch.map, {}, patch.variables, asked.map().form.rational};
+    if (!patch.frames.empty()) given.frame = patch.frames.front();
+    const Json* at = asked.find("at");
+    const bool list = at->array() && !at->array()->empty() && at->array()->front().array();
+    if (list && at->array()->size() > 1) throw one_parameter(at->array()->size());
+    if (at->text()) {
+        throw Error(ErrorCode::wrong_kind,
+                    "a worked example divides a triangle at a point, not at " + quoted(*at->text()), "/at");
+    }
+    return chapter(given, barycentric_point(patch, list ? at->array()->front() : *at, asked.limits),
+                   asked.limits);
+}
+
+bool has_patch(const Asked& asked) { return std::holds_alternative<Patch>(asked.map().value); }
+
 Document evaluation_chapter(const Asked& asked) {
+    if (has_patch(asked)) return triangle_chapter(asked, worked::triangle_evaluation);
     if (const BSplineCurve* spline = spline_of(asked)) {
         return worked::de_boor_at(*spline, asked.parameter(), asked.limits);
     }
@@ -105,6 +141,7 @@ Document control_points_chapter(const Asked& asked) {
 }
 
 Document subdivision_chapter(const Asked& asked) {
+    if (has_patch(asked)) return triangle_chapter(asked, worked::triangle_subdivision);
     return worked::subdivision_at(one_polynomial_of(asked), asked.parameter(), asked.limits);
 }
 

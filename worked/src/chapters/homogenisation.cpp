@@ -64,10 +64,15 @@ SparsePolynomial polarized_form(const Polynomial& polynomial, std::size_t n) {
     return result.numerators.front() * SparsePolynomial(Rational(1, result.denominator));
 }
 
+/// The first half of the symbols are parameters, the others masses.
+Formula parameters_first(const SparsePolynomial& polynomial, std::span<const Formula> symbols) {
+    return sparse_formula(polynomial, symbols, (symbols.size() + 1) / 2);
+}
+
 Formula coordinates_formula(const Symbolic& coordinates, std::span<const Formula> symbols) {
     std::vector<Formula> formulas;
     for (const SparsePolynomial& coordinate : coordinates)
-        formulas.push_back(sparse_formula(coordinate, symbols));
+        formulas.push_back(parameters_first(coordinate, symbols));
     return formulas.size() == 1 ? formulas.front() : tuple(std::move(formulas));
 }
 
@@ -110,9 +115,9 @@ Table monomials(std::size_t n, const std::string& variable) {
         }
         const std::vector<Formula> tw{symbol(variable), symbol("w")};
         table.rows.push_back(
-            {k == 0 ? number(1) : power(tw[0], number(k)), sparse_formula(blossom, symbols),
-             sparse_formula(SparsePolynomial::term(1, std::vector<std::size_t>{k, n - k}), tw),
-             sparse_formula(homogenised(blossom, n), symbols)});
+            {k == 0 ? number(1) : power(tw[0], number(k)), parameters_first(blossom, symbols),
+             parameters_first(SparsePolynomial::term(1, std::vector<std::size_t>{k, n - k}), tw),
+             parameters_first(homogenised(blossom, n), symbols)});
     }
     return table;
 }

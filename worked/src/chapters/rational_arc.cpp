@@ -30,15 +30,6 @@ Table weight_table(const BezierCurve& curve) {
     return table;
 }
 
-/// The division of the first coordinates by the last.
-Formula division(const Coordinates& homogeneous) {
-    std::vector<Formula> coordinates;
-    for (std::size_t j = 0; j + 1 < homogeneous.size(); ++j) {
-        coordinates.push_back(fraction(number(homogeneous[j]), number(homogeneous.back())));
-    }
-    return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
-}
-
 std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t, const Limits& limits) {
     if (curve.dimension() != 3) return std::nullopt;
     Picture picture;

@@ -17,4 +17,12 @@ Formula polynomial_equation(const PolynomialMap& map, const std::string& variabl
     return definition_of({coefficient_form(map, limits), variable}).formulas.front();
 }
 
+Formula division(const Coordinates& homogeneous) {
+    std::vector<Formula> coordinates;
+    for (std::size_t j = 0; j + 1 < homogeneous.size(); ++j) {
+        coordinates.push_back(fraction(number(homogeneous[j]), number(homogeneous.back())));
+    }
+    return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
+}
+
 }  // namespace blossom::worked

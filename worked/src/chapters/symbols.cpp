@@ -11,13 +11,13 @@ std::vector<Formula> numbered_symbols(const std::string& letter, std::size_t n) 
     return symbols;
 }
 
-Formula sparse_formula(const SparsePolynomial& polynomial, std::span<const Formula> symbols) {
+Formula sparse_formula(const SparsePolynomial& polynomial, std::span<const Formula> symbols,
+                       std::size_t counted) {
     std::vector<std::size_t> order(polynomial.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t term) {
-        // By the degree in the first half: for pairs (u, v) that in the parameters, not the masses.
         std::size_t degree = 0;
-        for (std::size_t i = 0; i < (symbols.size() + 1) / 2; ++i) degree += polynomial.exponent(term, i);
+        for (std::size_t i = 0; i < counted; ++i) degree += polynomial.exponent(term, i);
         return degree;
     });
     std::vector<Formula> terms;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <blossom/core/barycentric_frame.hpp>
+#include <blossom/core/bezier_patch.hpp>
 #include <blossom/core/blossom.hpp>
 #include <blossom/core/bspline_curve.hpp>
 #include <blossom/worked/formula.hpp>
@@ -91,12 +93,24 @@ struct Check {
     bool holds = true;
 };
 
+/// A map on a triangle, whose vertices may have coordinates.
+struct TriangleMap {
+    BezierPatch net;
+    std::optional<BarycentricFrame> frame;
+};
+
 /// A map that the formulas name: `map`(t) and its blossom.
 struct NamedMap {
     std::string map = "P";
     std::string blossom = "p";
     std::string variable = "t";
-    std::variant<PolynomialMap, BSplineCurve> definition;
+    std::variant<PolynomialMap, BSplineCurve, TriangleMap> definition;
+};
+
+/// An argument that the formulas name, by its barycentric coordinates.
+struct NamedPoint {
+    std::string name;
+    Coordinates barycentric;
 };
 
 /// One worked example.
@@ -104,6 +118,7 @@ struct Document {
     std::string title;
     std::string source;  ///< where the literature has it
     std::vector<NamedMap> maps;
+    std::vector<NamedPoint> points;
     std::vector<Block> statement;
     std::vector<Step> steps;
     std::vector<Block> result;

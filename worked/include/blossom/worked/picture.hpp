@@ -1,5 +1,6 @@
 #pragma once
 
+#include <blossom/core/point_array.hpp>
 #include <blossom/rational/rational.hpp>
 #include <blossom/worked/formula.hpp>
 
@@ -54,6 +55,11 @@ struct Picture {
     std::vector<PictureLine> lines;
     std::vector<PicturePoint> points;
     bool graph = false;  ///< of a function: both axes are drawn, each with its own scale
+    /// Of points in space: two rows that make a place of a point.
+    std::vector<Coordinates> projection = {};
+    /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
+    /// arguments of its name.
+    std::vector<Place> corners = {};
 };
 
 }  // namespace blossom::worked

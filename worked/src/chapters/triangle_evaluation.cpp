@@ -1,0 +1,72 @@
+#include <blossom/core/net_shape.hpp>
+#include <blossom/core/patch_blossom.hpp>
+#include <blossom/core/rational_curve.hpp>
+
+#include "chapters/triangle_net.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+/// Beyond some 15 points names hide more than they tell.
+constexpr std::size_t named_degree = 2;
+/// The degree up to which the Bernstein polynomials of the check are written out.
+constexpr std::size_t written_degree = 3;
+
+Picture construction(const GivenTriangle& given, const TriangleNet& net) {
+    const std::size_t n = net.degree();
+    TrianglePicture picture(given, net, "The construction.");
+    for (std::size_t level = 0; level < n; ++level) {
+        picture.add_net(level, level == 0 ? Role::control : Role::construction);
+    }
+    for (std::size_t k = 0; k < 3; ++k) picture.add_side(k, (k + 1) % 3, Role::control);
+    for (std::size_t level = 0; level <= n; ++level) {
+        if (level > 0 && level < n && n > named_degree) continue;
+        picture.add_points(level, level == n   ? Role::result
+                                  : level == 0 ? Role::control
+                                               : Role::construction);
+    }
+    return picture.done();
+}
+
+/// The control points times Bernstein polynomials.
+Formula bernstein_sum(const TriangleNet& net) {
+    std::vector<std::pair<Rational, Formula>> terms;
+    for (const MultiIndex& index : net.indices(0)) {
+        Rational weight(multinomial(index));
+        for (std::size_t k = 0; k < 3; ++k) weight *= pow(net.u()[k], index[k]);
+        if (!weight.is_zero()) terms.emplace_back(weight, net.name(index));
+    }
+    return combination(terms);
+}
+
+}  // namespace
+
+Document triangle_evaluation(const GivenTriangle& given, const Coordinates& u, const Limits& limits) {
+    const TriangleNet net(given, u, limits);
+    Document document =
+        begun(given, net, "De Casteljau's algorithm on a triangle", "DeRose, section 5.2");
+    const Formula wanted = call("P", {symbol("u")});
+    document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, " for the point"}});
+    document.statement.emplace_back(point_display(given, net));
+
+    document.steps = level_steps(given, net);
+    if (net.degree() > 0) document.steps.back().blocks.emplace_back(construction(given, net));
+    const MultiIndex none(3);
+    const Coordinates value = net.value(none);
+    document.result.emplace_back(Display{{equation({wanted, net.name(none), point_formula(value)})}});
+    if (given.weighted) {
+        document.result.emplace_back(Paragraph{"Divided by the weight this is the point"});
+        document.result.emplace_back(Display{{equation({division(value), point_formula(projected(value))})}});
+    }
+    const Coordinates direct = evaluate(net.patch(), {u}, limits);
+    std::vector<Formula> sides{wanted};
+    if (net.degree() <= written_degree) sides.push_back(bernstein_sum(net));
+    sides.push_back(point_formula(direct));
+    document.check = {{Paragraph{"The control points, weighted with Bernstein polynomials, give the same:"},
+                       Display{{equation(std::move(sides))}}},
+                      value == direct};
+    return document;
+}
+
+}  // namespace blossom::worked
