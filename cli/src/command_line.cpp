@@ -130,7 +130,8 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
         CLI::Option* added = option.value.empty()
                                  ? command->add_flag(option.name, option.help)
                                  : add_value(*command, option.name, option.value, option.help);
-        if (positional) added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args();
+        if (positional || option.repeated)
+            added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(positional);
         options.emplace_back(&option, added);
     }
     const std::string json_help = "print the response as JSON";
@@ -307,8 +308,10 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
     commands.push_back(add_completion(app));
 
     std::vector<std::string> reversed;
-    // "-e" is an option of one command, and a polynomial for the others.
-    const bool proves = !arguments.empty() && arguments.front() == "prove";
+    // "-e" is an option of one command, also behind explain, and a polynomial for the others.
+    const auto command = std::ranges::find_if(
+        arguments, [&](const std::string& argument) { return argument != explain_operation().name; });
+    const bool proves = command != arguments.end() && *command == prove_operation().name;
     std::ranges::transform(arguments, std::back_inserter(reversed), [&](const std::string& argument) {
         return proves && argument == "-e" ? argument : protected_value(argument);
     });

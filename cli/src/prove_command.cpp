@@ -18,6 +18,7 @@
 #include "json_text.hpp"
 #include "operations/map_options.hpp"
 #include "proof_certificate.hpp"
+#include "prove_statement.hpp"
 
 namespace blossom::cli {
 
@@ -87,30 +88,6 @@ std::vector<std::string> files_of(const std::string& path) {
                                 path + " holds no file *.blossom");
     }
     return files;
-}
-
-/// The maps of --degree as lines of the language.
-std::string map_lines(const std::vector<std::string>& degrees) {
-    std::string text;
-    for (const std::string& degree : degrees) {
-        const std::size_t equals = degree.find('=');
-        if (equals == std::string::npos) {
-            throw UsageError(
-                fmt::format("--degree names a map and its degree, as in b=2, not \"{}\"", degree));
-        }
-        const bool several = degree.find(',') != std::string::npos;
-        text += fmt::format("map {} {} {}\n", degree.substr(0, equals), several ? "degrees" : "degree",
-                            degree.substr(equals + 1));
-    }
-    return text;
-}
-
-/// What -e is given as a text: the word "claim" may be left out.
-std::string statement_text(const std::string& claim) {
-    for (const std::string_view word : {"theorem ", "for ", "map ", "claim ", "refute "}) {
-        if (claim.starts_with(word)) return claim + "\n";
-    }
-    return "claim " + claim + "\n";
 }
 
 std::vector<Text> read_texts(const ProveCommand& command, const Streams& streams) {

@@ -60,6 +60,18 @@ class PolynomialByCoefficients(Map):
         return total(scaled(elementary(k, pairs) / comb(n, k), c) for k, c in enumerate(self.coefficients))
 
 
+class PolynomialByNames(Map):
+    """With numbers that the context chooses for its coefficients."""
+
+    def __init__(self, definition, context):
+        self.trees, self.context = definition["coefficients"], context
+        self.degree = len(self.trees) - 1
+
+    def blossom(self, pairs, _span):
+        n, value = self.degree, self.context.value
+        return sum(value(tree) * elementary(k, pairs) / comb(n, k) for k, tree in enumerate(self.trees))
+
+
 class PolynomialByControlPoints(Map):
     def __init__(self, definition):
         self.points = [point(p) for p in definition["control_points"]]
@@ -157,7 +169,11 @@ class Context:
         self.random = random.Random(seed)
         self.maps, self.blossoms = {}, {}
         for entry in document["maps"]:
-            defined = KINDS[entry["definition"]["kind"]](entry["definition"])
+            definition = entry["definition"]
+            if definition["kind"] == "symbolic":
+                defined = PolynomialByNames(definition, self)
+            else:
+                defined = KINDS[definition["kind"]](definition)
             self.maps[entry["map"]] = defined
             self.blossoms[entry["blossom"]] = defined
         self.symbols = {"delta": None}

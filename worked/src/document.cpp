@@ -6,6 +6,8 @@
 
 namespace blossom::worked {
 
+std::string said_of(const Check& check) { return check.holds ? check.verdict : "This does NOT hold."; }
+
 std::size_t largest_degree(const Document& document) {
     std::size_t degree = 0;
     for (const NamedMap& map : document.maps) {
@@ -14,8 +16,9 @@ std::size_t largest_degree(const Document& document) {
         };
         const auto of_spline = [](const BSplineCurve& spline) { return spline.degree(); };
         const auto of_triangle = [](const TriangleMap& triangle) { return triangle.net.shape()[0].degree; };
-        degree =
-            std::max(degree, std::visit(Overloaded{of_polynomial, of_spline, of_triangle}, map.definition));
+        const auto of_symbols = [](const SymbolicMap& any) { return any.coefficients.size() - 1; };
+        degree = std::max(degree, std::visit(Overloaded{of_polynomial, of_spline, of_triangle, of_symbols},
+                                             map.definition));
     }
     return degree;
 }

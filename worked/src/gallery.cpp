@@ -2,6 +2,7 @@
 
 #include <blossom/core/polynomial_text.hpp>
 #include <blossom/worked/chapters.hpp>
+#include <blossom/worked/proof_chapter.hpp>
 #include <blossom/worked/render.hpp>
 #include <blossom/worked/triangle_chapters.hpp>
 
@@ -123,8 +124,14 @@ std::vector<GalleryPage> gallery_pages() {
     add("continuity", continuity_at(BSplineCurve(3, {0, 0, 0, 1, 1, 2, 2, 2}, kinked), 1));
     add("rational-arc", rational_arc(circle(), half));
     const Coordinates inside{half, Rational(1, 4), Rational(1, 4)};
-    add("triangle-evaluation", triangle_evaluation(plane_triangle(), inside));
-    add("triangle-subdivision", triangle_subdivision(space_triangle(), inside));
+    add("triangle-evaluation", triangle_evaluation(space_triangle(), inside));
+    add("triangle-subdivision", triangle_subdivision(plane_triangle(), inside));
+    add("proof", claim_decided("theorem fj-eq20 \"the blossom from points of the curve alone\"\n"
+                               "map b degree 2\n"
+                               "claim b[s, t] == (4*b((s + t)/2) - b(s) - b(t))/2\n"));
+    add("refutation", claim_decided("theorem goldman-thm9 \"a derivative needs the vector delta\"\n"
+                                    "map a degree 2\n"
+                                    "claim a'(t) == 2*a[t, 1]\n"));
     return pages;
 }
 

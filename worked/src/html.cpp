@@ -125,8 +125,7 @@ private:
 
     void check(pugi::xml_node node, const Check& check) {
         blocks(node, check.blocks);
-        append_words(node, "p", check.holds ? "This holds exactly." : "This does not hold.")
-            .append_attribute("class") = check.holds ? "holds" : "fails";
+        append_words(node, "p", said_of(check)).append_attribute("class") = check.holds ? "holds" : "fails";
     }
 
     /// What may be wider than a small screen scrolls by itself, also by the keyboard.

@@ -59,6 +59,11 @@ struct DefinitionWriter {
         if (triangle.frame) json["vertices"] = points(triangle.frame->vertices());
         return json;
     }
+    Json operator()(const SymbolicMap& any) const {
+        Json coefficients = Json::array();
+        for (const Formula& coefficient : any.coefficients) coefficients.push_back(to_json(coefficient));
+        return {{"kind", "symbolic"}, {"coefficients", std::move(coefficients)}};
+    }
     Json operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
 };
 

@@ -29,7 +29,7 @@ public:
         if (!document.result.empty()) text += heading("Result") + blocks(document.result);
         if (!document.check) return text;
         return text + heading("Check") + blocks(document.check->blocks) + "\n" +
-               (document.check->holds ? "This holds exactly.\n" : "This does not hold.\n");
+               latex_text(said_of(*document.check)) + "\n";
     }
 
 private:

@@ -26,8 +26,8 @@ public:
         }
         if (!document.result.empty()) text += "## Result\n\n" + blocks(document.result);
         if (!document.check) return text;
-        return text + "## Check\n\n" + blocks(document.check->blocks) +
-               (document.check->holds ? "This holds exactly.\n" : "This does not hold.\n");
+        return text + "## Check\n\n" + blocks(document.check->blocks) + escaped(said_of(*document.check)) +
+               "\n";
     }
 
 private:

@@ -114,9 +114,7 @@ private:
         return text + text_table(rows);
     }
 
-    std::string check(const Check& check) const {
-        return blocks(check.blocks) + (check.holds ? "This holds exactly.\n" : "This does NOT hold.\n");
-    }
+    std::string check(const Check& check) const { return blocks(check.blocks) + said_of(check) + "\n"; }
 
     const Notation& notation_;
     std::size_t width_;

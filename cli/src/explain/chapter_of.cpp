@@ -2,10 +2,12 @@
 
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>
+#include <blossom/worked/proof_chapter.hpp>
 #include <blossom/worked/triangle_chapters.hpp>
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -28,10 +30,11 @@ Error one_parameter(std::size_t asked) {
 /// A request that was answered, so that its fields are known to be right.
 class Asked {
 public:
-    Asked(const Json& request, const Limits& allowed)
-        : limits(allowed), request_(request), map_(read_map(*request.find("map"), allowed)) {}
+    Asked(const Json& request, const Limits& allowed) : limits(allowed), request_(request) {
+        if (const Json* map = request.find("map")) map_ = read_map(*map, allowed);
+    }
 
-    const Map& map() const { return map_; }
+    const Map& map() const { return *map_; }
     const Json* find(std::string_view name) const { return request_.find(name); }
     std::vector<Argument> arguments() const {
         return read_arguments(*find("arguments"), {.scalar = true}, limits);
@@ -58,7 +61,7 @@ public:
 
 private:
     const Json& request_;
-    Map map_;
+    std::optional<Map> map_;  ///< none for a statement
 };
 
 GivenMap one_polynomial_of(const Asked& asked) {
@@ -177,12 +180,16 @@ Document continuity_chapter(const Asked& asked) {
     return worked::continuity_at(required_spline(asked), asked.parameter(), asked.limits);
 }
 
+Document proof_chapter(const Asked& asked) {
+    return worked::claim_decided(*asked.find("statement")->text(), asked.limits);
+}
+
 struct Chapter {
     std::string_view operation;
     Document (*make)(const Asked& asked);
 };
 
-constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
+constexpr std::array<Chapter, 12> chapters{{{"agree", agreement_chapter},
                                             {"blossom", agreement_chapter},
                                             {"evaluate", evaluation_chapter},
                                             {"derivative", derivative_chapter},
@@ -192,7 +199,8 @@ constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
                                             {"elevate", elevation_chapter},
                                             {"insert-knots", insertion_chapter},
                                             {"segments", segments_chapter},
-                                            {"continuity", continuity_chapter}}};
+                                            {"continuity", continuity_chapter},
+                                            {"prove", proof_chapter}}};
 
 }  // namespace
 

@@ -67,7 +67,7 @@ DocumentFormat DocumentFormat::read(Fields& request, const Limits& limits) {
 }
 
 Json DocumentFormat::written(const worked::Document& document) const {
-    const worked::Notation notation{style_.value_or(worked::BlossomStyle::parentheses),
+    const worked::Notation notation{style_.value_or(document.style),
                                     multiplicities_.value_or(largest_degree(document) > widest_degree)};
     const auto* format = std::ranges::find(formats, format_, &Format::name);
     return Json::Object{{"format", format_}, {"document", format->write(document, notation, columns_)}};
@@ -78,7 +78,7 @@ std::vector<Option> document_options() {
         field_option("--format", "format", "text|markdown|latex|latex-fragment|html|json",
                      "how the document is written; by default text", plain_text),
         field_option("--notation", "notation", "parentheses|brackets|multiplicative",
-                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses", plain_text),
+                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses, of statements brackets", plain_text),
         flag_option("--multiplicities", "multiplicities", "write equal arguments once, as t^<3>"),
         field_option("--columns", "columns", "N", "the columns of a text; by default 79", count),
     };

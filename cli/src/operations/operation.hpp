@@ -21,6 +21,7 @@ struct Option {
     std::string value;  ///< what to call its value in the help; alternatives as "a|b"; empty for a flag
     std::string help;
     std::function<void(Json& request, const std::vector<std::string>& values, const Limits& limits)> apply;
+    bool repeated = false;  ///< it may be given several times
 };
 
 /// What a command shows to a person.

@@ -1,4 +1,4 @@
-#include "evaluation.hpp"
+#include <blossom/proofs/evaluation.hpp>
 
 #include "polar_form.hpp"
 

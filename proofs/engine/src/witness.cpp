@@ -7,7 +7,7 @@
 #include <ranges>
 #include <set>
 
-#include "evaluation.hpp"
+#include <blossom/proofs/evaluation.hpp>
 
 namespace blossom::proofs {
 

@@ -8,10 +8,8 @@ namespace blossom::worked {
 
 namespace {
 
-/// Beyond some 15 points names hide more than they tell.
-constexpr std::size_t named_degree = 2;
 /// The degree up to which the Bernstein polynomials of the check are written out.
-constexpr std::size_t written_degree = 3;
+constexpr std::size_t bernstein_degree = 3;
 
 Picture construction(const GivenTriangle& given, const TriangleNet& net) {
     const std::size_t n = net.degree();
@@ -21,7 +19,7 @@ Picture construction(const GivenTriangle& given, const TriangleNet& net) {
     }
     for (std::size_t k = 0; k < 3; ++k) picture.add_side(k, (k + 1) % 3, Role::control);
     for (std::size_t level = 0; level <= n; ++level) {
-        if (level > 0 && level < n && n > named_degree) continue;
+        if (level > 0 && level < n && n > TrianglePicture::named_degree) continue;
         picture.add_points(level, level == n   ? Role::result
                                   : level == 0 ? Role::control
                                                : Role::construction);
@@ -44,8 +42,7 @@ Formula bernstein_sum(const TriangleNet& net) {
 
 Document triangle_evaluation(const GivenTriangle& given, const Coordinates& u, const Limits& limits) {
     const TriangleNet net(given, u, limits);
-    Document document =
-        begun(given, net, "De Casteljau's algorithm on a triangle", "DeRose, section 5.2");
+    Document document = begun(given, net, "De Casteljau's algorithm on a triangle", "DeRose, section 5.2");
     const Formula wanted = call("P", {symbol("u")});
     document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, " for the point"}});
     document.statement.emplace_back(point_display(given, net));
@@ -61,7 +58,7 @@ Document triangle_evaluation(const GivenTriangle& given, const Coordinates& u, c
     }
     const Coordinates direct = evaluate(net.patch(), {u}, limits);
     std::vector<Formula> sides{wanted};
-    if (net.degree() <= written_degree) sides.push_back(bernstein_sum(net));
+    if (net.degree() <= bernstein_degree) sides.push_back(bernstein_sum(net));
     sides.push_back(point_formula(direct));
     document.check = {{Paragraph{"The control points, weighted with Bernstein polynomials, give the same:"},
                        Display{{equation(std::move(sides))}}},

@@ -21,10 +21,11 @@ BezierPatch net_of(const PatchMap& map, const Limits& limits) {
     const NetShape& shape =
         std::visit([](const auto& patch) -> const NetShape& { return patch.shape(); }, map);
     if (shape.factors() != 1 || shape[0].dimension != 2) {
-        throw Error(ErrorCode::wrong_kind,
-                    "a worked example of a patch is made for a map on one triangle, or of total degree in two "
-                    "variables",
-                    "/map");
+        throw Error(
+            ErrorCode::wrong_kind,
+            "a worked example of a patch is made for a map on one triangle, or of total degree in two "
+            "variables",
+            "/map");
     }
     require_within(shape[0].degree, triangle_page_degree, "degree of a page on a triangle", "formal degree");
     if (const auto* net = std::get_if<BezierPatch>(&map)) return *net;
@@ -92,8 +93,7 @@ Coordinates TriangleNet::value(const MultiIndex& index) const {
 
 Formula TriangleNet::name(const MultiIndex& index) const {
     std::vector<Formula> arguments;
-    for (std::size_t k = 0; k < 3; ++k)
-        arguments.insert(arguments.end(), index[k], symbol(vertex_names[k]));
+    for (std::size_t k = 0; k < 3; ++k) arguments.insert(arguments.end(), index[k], symbol(vertex_names[k]));
     arguments.resize(degree(), symbol("u"));
     return blossom_of("p", std::move(arguments));
 }
@@ -133,8 +133,7 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
     document.title = std::move(title);
     document.source = std::move(source);
     document.maps.push_back({"P", "p", "", TriangleMap{net.patch(), frame}});
-    for (std::size_t k = 0; k < 3; ++k)
-        document.points.push_back({vertex_names[k], net.vertices()[k]});
+    for (std::size_t k = 0; k < 3; ++k) document.points.push_back({vertex_names[k], net.vertices()[k]});
     document.points.push_back({"u", net.u()});
 
     const Formula degree = number(net.degree());
@@ -163,9 +162,9 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
         document.statement.emplace_back(Paragraph{std::move(text)});
     }
     if (given.weighted) {
-        document.statement.emplace_back(
-            Paragraph{"The patch is rational, and its values are homogeneous: the last coordinate is a weight, "
-                      "and a point of the patch has the others divided by it."});
+        document.statement.emplace_back(Paragraph{
+            "The patch is rational, and its values are homogeneous: the last coordinate is a weight, "
+            "and a point of the patch has the others divided by it."});
     }
     return document;
 }

@@ -56,6 +56,9 @@ Display point_display(const GivenTriangle& given, const TriangleNet& net);
 /// otherwise the names over the triangle.
 class TrianglePicture {
 public:
+    /// Beyond some 15 points names hide more than they tell: the degree up to which all are named.
+    static constexpr std::size_t named_degree = 2;
+
     TrianglePicture(const GivenTriangle& given, const TriangleNet& net, std::string caption);
 
     /// The rows of the net of a level in the three directions.

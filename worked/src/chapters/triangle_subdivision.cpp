@@ -6,8 +6,6 @@ namespace blossom::worked {
 
 namespace {
 
-constexpr std::size_t named_degree = 2;
-
 /// Index `index` of the part in which u replaces vertex k, as copies of r, s and t.
 MultiIndex without_vertex(MultiIndex index, std::size_t k) {
     index[k] = 0;
@@ -38,7 +36,7 @@ Picture parts_picture(const GivenTriangle& given, const TriangleNet& net) {
     for (std::size_t k = 0; k < 3; ++k) picture.add_side(k, (k + 1) % 3, Role::control);
     for (std::size_t k = 0; k < 3; ++k) picture.add_side(k, 3, Role::second);
     for (std::size_t level = 0; level <= net.degree(); ++level) {
-        if (level > 0 && level < net.degree() && net.degree() > named_degree) continue;
+        if (level > 0 && level < net.degree() && net.degree() > TrianglePicture::named_degree) continue;
         picture.add_points(level, level == 0 ? Role::control : Role::result);
     }
     return picture.done();
@@ -60,8 +58,9 @@ Document triangle_subdivision(const GivenTriangle& given, const Coordinates& u, 
     const TriangleNet net(given, u, limits);
     const std::vector<BezierPatch> parts = subdivide(net.patch(), 0, u, limits);
     Document document = begun(given, net, "Subdivision of a triangle", "DeRose, section 5.2");
-    document.statement.emplace_back(Paragraph{"Wanted are the control points over the three triangles into "
-                                              "which a point divides the given one:"});
+    document.statement.emplace_back(
+        Paragraph{"Wanted are the control points over the three triangles into "
+                  "which a point divides the given one:"});
     document.statement.emplace_back(point_display(given, net));
 
     document.steps = level_steps(given, net);

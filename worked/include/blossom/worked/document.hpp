@@ -5,6 +5,7 @@
 #include <blossom/core/blossom.hpp>
 #include <blossom/core/bspline_curve.hpp>
 #include <blossom/worked/formula.hpp>
+#include <blossom/worked/notation.hpp>
 #include <blossom/worked/picture.hpp>
 
 #include <optional>
@@ -91,7 +92,11 @@ struct Step {
 struct Check {
     std::vector<Block> blocks;
     bool holds = true;
+    std::string verdict = "This holds exactly.";  ///< what is said where it holds
 };
+
+/// The sentence at the end of a check.
+std::string said_of(const Check& check);
 
 /// A map on a triangle, whose vertices may have coordinates.
 struct TriangleMap {
@@ -99,12 +104,17 @@ struct TriangleMap {
     std::optional<BarycentricFrame> frame;
 };
 
+/// Any polynomial map, by what its coefficients are called.
+struct SymbolicMap {
+    std::vector<Formula> coefficients;
+};
+
 /// A map that the formulas name: `map`(t) and its blossom.
 struct NamedMap {
     std::string map = "P";
     std::string blossom = "p";
     std::string variable = "t";
-    std::variant<PolynomialMap, BSplineCurve, TriangleMap> definition;
+    std::variant<PolynomialMap, BSplineCurve, TriangleMap, SymbolicMap> definition;
 };
 
 /// An argument that the formulas name, by its barycentric coordinates.
@@ -123,6 +133,9 @@ struct Document {
     std::vector<Step> steps;
     std::vector<Block> result;
     std::optional<Check> check;  ///< a sheet of problems has none, and no result
+    /// How blossom values are written unless a reader chooses: where a blossom has the name of its map it
+    /// needs brackets.
+    BlossomStyle style = BlossomStyle::parentheses;
 };
 
 /// The largest degree of its maps.

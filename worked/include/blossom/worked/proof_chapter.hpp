@@ -1,0 +1,19 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+#include <blossom/worked/document.hpp>
+
+#include <string_view>
+
+namespace blossom::worked {
+
+/// What the prover makes of one claim, worked out: for a proof the expansion of every value, and with it of
+/// both sides, in the largest case that can be read; for a refutation the counterexample with both sides
+/// computed from it.
+///
+/// The statement is a text of the identity language with one line `claim` or `refute`. Values of maps with
+/// several arguments, and claims with hypotheses, are not written out; all else is. Errors: `syntax`, with
+/// the place in the message and its offset; `wrong_arity` for several claims; those of the prover.
+Document claim_decided(std::string_view statement, const Limits& limits = {});
+
+}  // namespace blossom::worked
