@@ -8,44 +8,11 @@
 #include <string>
 #include <utility>
 
+#include "tensor_rows.hpp"
+
 namespace blossom {
 
 namespace {
-
-/// Points in a box, the last direction fastest.
-struct Grid {
-    std::vector<std::size_t> counts;
-    std::vector<Coordinates> points;
-};
-
-Grid grid_of(const TensorBSpline& spline) {
-    Grid grid{{}, spline.control_points()};
-    for (const KnotVector& knots : spline.knots()) grid.counts.push_back(knots.points());
-    return grid;
-}
-
-/// The grid with the points of every row in one direction replaced by those of `row`, of any number.
-template <class Row>
-Grid along_rows(const Grid& grid, std::size_t direction, const Row& row) {
-    std::size_t behind = 1;
-    for (std::size_t d = direction + 1; d < grid.counts.size(); ++d) behind *= grid.counts[d];
-    const std::size_t count = grid.counts[direction];
-    Grid result{grid.counts, {}};
-    for (std::size_t block = 0; block < grid.points.size(); block += count * behind) {
-        std::vector<std::vector<Coordinates>> rows;
-        for (std::size_t k = 0; k < behind; ++k) {
-            std::vector<Coordinates> points;
-            points.reserve(count);
-            for (std::size_t i = 0; i < count; ++i) points.push_back(grid.points[block + i * behind + k]);
-            rows.push_back(row(std::move(points)));
-        }
-        result.counts[direction] = rows.front().size();
-        for (std::size_t i = 0; i < rows.front().size(); ++i) {
-            for (auto& made : rows) result.points.push_back(std::move(made[i]));
-        }
-    }
-    return result;
-}
 
 void require_directions(const TensorBSpline& spline, std::size_t given, const std::string& field) {
     if (given == spline.directions()) return;
@@ -55,37 +22,28 @@ void require_directions(const TensorBSpline& spline, std::size_t given, const st
 }
 
 /// The control points of the box of spans alone.
-Grid cropped(const TensorBSpline& spline, std::span<const std::size_t> spans) {
+PointGrid cropped(const TensorBSpline& spline, std::span<const std::size_t> spans) {
     require_directions(spline, spans.size(), "/segment");
-    Grid grid = grid_of(spline);
+    std::vector<std::size_t> places{0};
+    PointGrid grid;
     for (std::size_t d = 0; d < spans.size(); ++d) {
         const KnotVector& knots = spline.knots(d);
         knots.require_span(spans[d]);
-        const auto first = static_cast<std::ptrdiff_t>(knots.first_point(spans[d]));
-        const auto count = static_cast<std::ptrdiff_t>(knots.degree() + 1);
-        grid = along_rows(grid, d, [&](std::vector<Coordinates> points) {
-            return std::vector<Coordinates>(points.begin() + first, points.begin() + first + count);
-        });
+        grid.counts.push_back(knots.degree() + 1);
+        std::vector<std::size_t> finer;
+        for (const std::size_t place : places) {
+            for (std::size_t i = 0; i <= knots.degree(); ++i)
+                finer.push_back(place * knots.points() + knots.first_point(spans[d]) + i);
+        }
+        places = std::move(finer);
     }
+    for (const std::size_t place : places) grid.points.push_back(spline.control_points()[place]);
     return grid;
 }
 
 ProgressiveCurve progressive(const KnotVector& knots, std::size_t span, std::span<const Coordinates> points) {
     const auto around = knots.around(span);
     return {{around.begin(), around.end()}, points};
-}
-
-std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters) {
-    require_directions(spline, parameters.size(), "/at");
-    std::vector<std::size_t> spans;
-    for (std::size_t d = 0; d < parameters.size(); ++d) {
-        try {
-            spans.push_back(spline.knots(d).span_at(parameters[d]));
-        } catch (const Error& error) {
-            throw Error(error.code(), error.message(), "/at/" + std::to_string(d));
-        }
-    }
-    return spans;
 }
 
 }  // namespace
@@ -114,10 +72,23 @@ TensorBSpline::TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordina
     }
 }
 
+std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters) {
+    require_directions(spline, parameters.size(), "/at");
+    std::vector<std::size_t> spans;
+    for (std::size_t d = 0; d < parameters.size(); ++d) {
+        try {
+            spans.push_back(spline.knots(d).span_at(parameters[d]));
+        } catch (const Error& error) {
+            throw Error(error.code(), error.message(), "/at/" + std::to_string(d));
+        }
+    }
+    return spans;
+}
+
 Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::size_t> spans,
                             std::span<const std::vector<Argument>> arguments, const Limits& limits) {
     require_directions(spline, arguments.size(), "/arguments");
-    Grid grid = cropped(spline, spans);
+    PointGrid grid = cropped(spline, spans);
     for (std::size_t d = spans.size(); d-- > 0;) {
         grid = along_rows(grid, d, [&](const std::vector<Coordinates>& points) {
             const ProgressiveCurve row = progressive(spline.knots(d), spans[d], points);
@@ -157,19 +128,13 @@ TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
     require_within(spline.knots(direction).points() + knots.size(),
                    limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
                    "/knots");
-    std::vector<KnotVector> finer = spline.knots();
-    const Grid grid = along_rows(grid_of(spline), direction, [&](std::vector<Coordinates> points) {
-        const BSplineCurve row(spline.knots(direction), std::move(points));
-        const BSplineCurve refined = insert_knots_boehm(row, knots, limits);
-        finer[direction] = refined.knots();
-        return refined.control_points();
-    });
-    return {std::move(finer), grid.points};
+    return with_rows(spline, direction,
+                     [&](const BSplineCurve& row) { return insert_knots_boehm(row, knots, limits); });
 }
 
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,
                            const Limits& limits) {
-    Grid grid = cropped(spline, spans);
+    PointGrid grid = cropped(spline, spans);
     const std::vector<Interval> box = box_of(spline, spans);
     std::vector<std::size_t> degrees;
     for (std::size_t d = 0; d < spans.size(); ++d) {

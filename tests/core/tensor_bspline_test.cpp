@@ -3,6 +3,7 @@
 #include <blossom/core/patch_blossom.hpp>
 #include <blossom/core/rational_curve.hpp>
 #include <blossom/core/tensor_bspline.hpp>
+#include <blossom/core/tensor_bspline_change.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"
@@ -160,6 +161,77 @@ TEST_CASE("tensor B-splines: a quarter of a cylinder, rational and exact") {
         CHECK(value[0] * value[0] + value[1] * value[1] == 1);
         CHECK(value[2] == 1);
     }
+}
+
+TEST_CASE("tensor B-splines: raised, split, restricted and extracted, they are the same map") {
+    Random random(855);
+    for (const auto& knots : shapes) {
+        const TensorBSpline surface = random_surface(random, knots);
+        const std::size_t d = random.below(knots.size());
+        const Interval domain = knots[d].domain();
+        const Rational u = domain.a() + Rational(1, 3) * (domain.b() - domain.a());
+        const TensorBSpline raised = elevate(surface, d, 2);
+        CHECK(raised.knots(d).degree() == knots[d].degree() + 2);
+        CHECK(elevate(surface, d, 0) == surface);
+        const auto [left, right] = split(surface, d, u);
+        CHECK(left.knots(d).domain() == Interval(domain.a(), u));
+        const TensorBSpline part = restricted(surface, d, {u, domain.b()});
+        CHECK(part == right);
+        for (int round = 0; round < 12; ++round) {
+            std::vector<Rational> at;
+            for (const KnotVector& own : knots) at.push_back(in_domain(random, own));
+            const Coordinates expected = definition(surface, at);
+            CHECK(evaluate(raised, at) == expected);
+            CHECK(evaluate(at[d] < u ? left : right, at) == expected);
+            std::vector<std::size_t> spans = spans_at(surface, at);
+            const PlacedPatch piece = placed_segment(surface, spans);
+            PatchPoint point;
+            for (std::size_t k = 0; k < at.size(); ++k)
+                point.push_back(piece.frames[k].of_point(std::span(&at[k], 1)));
+            CHECK(evaluate(piece.patch, point) == expected);
+            // A Bezier patch is a spline of one box.
+            CHECK(evaluate(bspline_of(piece), at) == expected);
+        }
+    }
+}
+
+TEST_CASE("tensor B-splines: the boxes are all combinations of spans") {
+    Random random(856);
+    const TensorBSpline surface = random_surface(random, {quadratic, linear});
+    CHECK(boxes_of(surface) == std::vector<std::vector<std::size_t>>{{2, 1}, {2, 2}, {3, 1}, {3, 2}});
+    Limits limits;
+    limits.numbers = 4 * 6 * 2 - 1;
+    CHECK(failure_code([&] { boxes_of(surface, limits); }) == ErrorCode::limit_exceeded);
+    ++limits.numbers;
+    CHECK(boxes_of(surface, limits).size() == 4);
+}
+
+TEST_CASE("tensor B-splines: the spline of a partial derivative has its values") {
+    Random random(857);
+    for (const auto& knots : shapes) {
+        const TensorBSpline surface = random_surface(random, knots);
+        for (int round = 0; round < 6; ++round) {
+            std::vector<Rational> at;
+            std::vector<std::size_t> orders;
+            for (const KnotVector& own : knots) {
+                at.push_back(in_domain(random, own));
+                orders.push_back(random.below(3));
+            }
+            CHECK(evaluate(derivative_spline(surface, orders), at) == derivative(surface, orders, at));
+        }
+    }
+}
+
+TEST_CASE("tensor B-splines: a patch over a reversed box becomes one over increasing knots") {
+    const PlacedPatch reversed{BezierPatch(NetShape::tensor(std::vector<std::size_t>{2, 0}),
+                                           std::vector<Coordinates>{{1}, {2}, {5}}),
+                               {BarycentricFrame({{3}, {1}}), BarycentricFrame({{0}, {1}})}};
+    const TensorBSpline spline = bspline_of(reversed);
+    CHECK(spline.control_points() == std::vector<Coordinates>{{5}, {2}, {1}});
+    CHECK(spline.knots(0).knots() == std::vector<Rational>{1, 1, 1, 3, 3, 3});
+    const PlacedPatch triangle{BezierPatch(NetShape::simplex(2, 0), std::vector<Coordinates>{{1}}),
+                               {BarycentricFrame::standard(2)}};
+    CHECK(failure_code([&] { bspline_of(triangle); }) == ErrorCode::mismatched_dimensions);
 }
 
 TEST_CASE("tensor B-splines: what does not fit is refused") {

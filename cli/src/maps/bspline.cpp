@@ -6,6 +6,7 @@
 namespace blossom::cli {
 
 Map read_bspline(Fields& fields, const Limits& limits) {
+    if (fields.has("degrees")) return read_tensor_bspline(fields, limits);
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
     std::vector<Rational> knots =

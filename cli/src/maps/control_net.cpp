@@ -5,67 +5,12 @@
 #include <algorithm>
 
 #include "maps/kinds.hpp"
+#include "maps/net_fields.hpp"
 #include "readable.hpp"
 
 namespace blossom::cli {
 
 namespace {
-
-[[noreturn]] void refuse_net(const std::string& message) { throw Error(ErrorCode::incomplete_net, message); }
-
-/// The points of a net in order, all of the form of the first.
-class NetPoints {
-public:
-    explicit NetPoints(const Limits& limits) : limits_(limits) {}
-
-    void add(const Json& value) {
-        const bool scalar = !value.array();
-        if (points_.empty()) scalar_ = scalar;
-        Coordinates point = scalar ? Coordinates{read_number(value, limits_)} : read_numbers(value, limits_);
-        if (scalar != scalar_ || point.empty() ||
-            (!points_.empty() && point.size() != points_.front().size())) {
-            throw Error(ErrorCode::mismatched_dimensions,
-                        "the point is not of the form of those before; all are numbers, or all are arrays of "
-                        "the same "
-                        "length of at least 1");
-        }
-        points_.push_back(std::move(point));
-    }
-    Points finish() && { return {std::move(points_), scalar_}; }
-
-private:
-    const Limits& limits_;
-    std::vector<Coordinates> points_;
-    bool scalar_ = true;
-};
-
-/// leaf(value) for every entry of nested arrays with degrees[d] + 1 elements on level d.
-template <class Leaf>
-void visit_nested(const Json& value, std::span<const std::size_t> degrees, const Leaf& leaf) {
-    if (degrees.empty()) {
-        leaf(value);
-        return;
-    }
-    const Json::Array& elements = read_array(value);
-    if (elements.size() != degrees.front() + 1) {
-        refuse_net(fmt::format("there are {} entries here; degree {} needs {}", elements.size(),
-                               degrees.front(), degrees.front() + 1));
-    }
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        within(i, [&] { visit_nested(elements[i], degrees.subspan(1), leaf); });
-    }
-}
-
-/// The values in order, as nested arrays.
-Json nested(std::span<const Json> values, std::span<const std::size_t> degrees) {
-    if (degrees.empty()) return values.front();
-    Json::Array elements;
-    const std::size_t each = values.size() / (degrees.front() + 1);
-    for (std::size_t i = 0; i <= degrees.front(); ++i) {
-        elements.push_back(nested(values.subspan(i * each, each), degrees.subspan(1)));
-    }
-    return elements;
-}
 
 MultiIndex read_index_of(const Json& value, std::size_t entries, std::size_t degree, const Limits& limits) {
     MultiIndex index = read_list(value, [&](const Json& element) { return read_count(element, limits); });
@@ -122,64 +67,17 @@ Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
     return entries;
 }
 
-/// The fields "control_net", "weights" and "homogeneous"; visit(value, leaf) goes through a net in order.
-template <class Visit>
-WeightedPoints read_net(Fields& fields, const Limits& limits, const Visit& visit) {
-    Points points = fields.required("control_net", [&](const Json& value) {
-        NetPoints read(limits);
-        visit(value, [&](const Json& leaf) { read.add(leaf); });
-        return std::move(read).finish();
-    });
-    PointForm form{.scalar = points.scalar};
-    if (read_homogeneous(fields)) {
-        form = within("control_net", [&] { return homogeneous_form(points); });
-        if (fields.has("weights")) {
-            throw Error(
-                ErrorCode::wrong_kind,
-                R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
-                "/weights");
-        }
-        return {std::move(points.points), form};
-    }
-    std::size_t place = 0;
-    form.rational =
-        fields
-            .optional("weights",
-                      [&](const Json& value) {
-                          visit(value, [&](const Json& leaf) {
-                              const Rational weight = read_number(leaf, limits);
-                              if (weight.is_zero()) {
-                                  throw Error(ErrorCode::zero_weight,
-                                              "the weight is 0; with \"homogeneous\": true, points carry "
-                                              "their weight and may have weight 0");
-                              }
-                              Coordinates& point = points.points[place++];
-                              for (Rational& coordinate : point) coordinate *= weight;
-                              point.push_back(weight);
-                          });
-                          return true;
-                      })
-            .value_or(false);
-    return {std::move(points.points), form};
-}
-
-/// Writes the same fields; arrange(values) puts a list in the form of the net.
-template <class Arrange>
-void write_net(Json& map, const BezierPatch& patch, const PointForm& form, const Arrange& arrange) {
-    Json::Array points, weights;
-    for (const Coordinates& point : patch.control_net().to_points()) {
-        points.push_back(to_json(point, form));
-        if (form.separate_weights()) weights.emplace_back(point.back());
-    }
-    map["control_net"] = arrange(points);
-    if (form.separate_weights()) map["weights"] = arrange(weights);
-    if (form.homogeneous) map["homogeneous"] = true;
-}
-
 std::vector<std::size_t> degrees_of(const NetShape& shape) {
     std::vector<std::size_t> degrees;
     for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
     return degrees;
+}
+
+/// One more than the degree in each direction.
+std::vector<std::size_t> counts_of(const NetShape& shape) {
+    std::vector<std::size_t> counts;
+    for (std::size_t f = 0; f < shape.factors(); ++f) counts.push_back(shape.count(f));
+    return counts;
 }
 
 Json vertices_json(const BarycentricFrame& frame) {
@@ -199,7 +97,8 @@ Json write_tensor(const BezierPatch& patch, const std::vector<BarycentricFrame>&
     Json map = Json::Object{{"kind", "tensor"},
                             {"degrees", Json::Array(degrees.begin(), degrees.end())},
                             {"intervals", std::move(intervals)}};
-    write_net(map, patch, form, [&](std::span<const Json> values) { return nested(values, degrees); });
+    write_net(map, patch.control_net().to_points(), form,
+              [&](std::span<const Json> values) { return nested(values, counts_of(patch.shape())); });
     return map;
 }
 
@@ -207,7 +106,7 @@ Json write_simplex(const BezierPatch& patch, const std::vector<BarycentricFrame>
                    const PointForm& form) {
     Json map = Json::Object{{"kind", "simplex"}, {"degree", patch.shape()[0].degree}};
     if (!frames.empty()) map["vertices"] = vertices_json(frames.front());
-    write_net(map, patch, form,
+    write_net(map, patch.control_net().to_points(), form,
               [&](std::span<const Json> values) { return indexed(values, patch.shape()[0]); });
     return map;
 }
@@ -221,7 +120,13 @@ Map read_tensor(Fields& fields, const Limits& limits) {
     if (degrees.empty())
         throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/degrees");
     const NetShape shape = within("degrees", [&] { return NetShape::tensor(degrees, limits); });
-    const auto visit = [&](const Json& value, const auto& leaf) { visit_nested(value, degrees, leaf); };
+    const std::vector<std::size_t> counts = counts_of(shape);
+    const auto visit = [&](const Json& value, const auto& leaf) {
+        visit_nested(value, counts, leaf, [&](std::size_t level, std::size_t count) {
+            return fmt::format("there are {} entries here; degree {} needs {}", count, degrees[level],
+                               counts[level]);
+        });
+    };
     WeightedPoints read = read_net(fields, limits, visit);
     auto frames = fields.optional("intervals", [&](const Json& value) {
         std::vector<BarycentricFrame> given = read_intervals(value, limits);

@@ -26,6 +26,11 @@ Map read_bspline(Fields& fields, const Limits& limits);
 Json write(const BSplineCurve& curve, const PointForm& form);
 std::string formula(const BSplineCurve& curve, const Map& map, std::string_view name);
 
+/// {"kind": "bspline", "degrees", "knots", "control_net", "weights"?, "homogeneous"?}
+Map read_tensor_bspline(Fields& fields, const Limits& limits);
+Json write(const TensorBSpline& spline, const PointForm& form);
+std::string formula(const TensorBSpline& spline, const Map& map, std::string_view name);
+
 /// {"kind": "progressive", "knots", "control_points", "weights"?, "degree"?, "homogeneous"?}
 Map read_progressive(Fields& fields, const Limits& limits);
 Json write(const ProgressiveCurve& curve, const PointForm& form);

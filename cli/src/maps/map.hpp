@@ -5,6 +5,7 @@
 #include <blossom/core/polynomial_curve.hpp>
 #include <blossom/core/progressive.hpp>
 #include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/tensor_bspline.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <string>
@@ -20,12 +21,13 @@
 namespace blossom::cli {
 
 /// What a map is made of, one alternative a kind.
-using AnyMap =
-    std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve, Samples, Patch>;
+using AnyMap = std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve,
+                            Samples, Patch, TensorBSpline>;
 
 /// What messages call each alternative of `AnyMap`.
-inline constexpr std::string_view map_names[] = {"polynomial",  "bezier",  "taylor", "bspline",
-                                                 "progressive", "samples", "patch"};
+inline constexpr std::string_view map_names[] = {
+    "polynomial",  "bezier",  "taylor", "bspline",
+    "progressive", "samples", "patch",  "bspline in several directions"};
 static_assert(std::size(map_names) == std::variant_size_v<AnyMap>, "one name an alternative");
 
 /// A map as a request gives it. A rational one is a polynomial map into one dimension more: (w x, w), the

@@ -39,6 +39,8 @@ struct Value {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     if (patch_of(map)) return blossom_of_patch(request, map, limits);
+    if (tensor_bspline_of(map))
+        return blossom_of_patch(request, chosen_segment(request, map, limits), limits);
     const std::vector<Argument> arguments = request.required(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     const auto construction = request.optional("construction", read_construction);

@@ -54,6 +54,7 @@ struct ControlPoints {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     if (patch_of(map)) return control_net_of_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return control_net_of_tensor_bspline(request, map, limits);
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     const auto degree =
@@ -69,6 +70,13 @@ Json answer(Fields& request, const Limits& limits) {
 void apply_degree(Json& request, const std::vector<std::string>& values, const Limits&) {
     Json& owner = has_knots(request) ? request["map"] : request;
     owner["degree"] = count(values.front());
+}
+
+/// A map that is given whole has its degrees already, so that --degrees says those wanted.
+void apply_degrees(Json& request, const std::vector<std::string>& values, const Limits&) {
+    const Json* map = request.find("map");
+    Json& owner = map && map->find("text") ? request["map"] : request;
+    owner["degrees"] = number_list(values.front());
 }
 
 }  // namespace
@@ -89,6 +97,9 @@ Operation control_points_operation() {
             {"--degree", "/degree", "N",
              "the formal degree wanted, by default that of the map; with --knots the degree of the spline",
              apply_degree},
+            {"--degrees", "/degrees", "M,N,...",
+             "one formal degree a variable of a polynomial; of a patch given by --map those wanted",
+             apply_degrees},
         }),
         .answer = answer,
         .render = described_listing,

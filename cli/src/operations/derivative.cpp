@@ -47,6 +47,7 @@ Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     if (patch_of(map)) return derivative_of_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return derivative_of_tensor_bspline(request, map, limits);
     const std::size_t order =
         request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
     const auto parameters =
@@ -69,7 +70,10 @@ std::string render(const Answered& answered) {
     const std::string name =
         has_patch(answered.request) ? "DP" : derivative_name(order ? read_count(*order, answered.limits) : 1);
     std::string text = description(map_of(answered)) + "\n\n";
-    if (const Json* derived = answered.result.find("map")) return text + line_of(*derived, name, answered);
+    if (const Json* derived = answered.result.find("map")) {
+        return text + (derived->find("control_net") ? net_listing(*derived, name, answered)
+                                                    : line_of(*derived, name, answered));
+    }
     const Json::Array& parameters = *answered.request.find("at")->array();
     const std::vector<std::string> values = member_texts(answered.result, "values");
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -33,6 +33,7 @@ struct Elevate {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     if (patch_of(map)) return elevate_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return elevate_tensor_bspline(request, map, limits);
     const std::size_t by =
         request.required("by", [&](const Json& value) { return read_count(value, limits); });
     request.finish();

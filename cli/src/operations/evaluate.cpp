@@ -15,6 +15,7 @@ namespace {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     if (patch_of(map)) return evaluate_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return evaluate_tensor_bspline(request, map, limits);
     const auto parameters =
         request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
     const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);

@@ -3,6 +3,7 @@
 #include "maps/serve.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
@@ -19,6 +20,7 @@ constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (tensor_bspline_of(map)) return insert_knots_of_tensor_bspline(request, map, limits);
     const auto knots =
         request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
     const auto method =
@@ -32,6 +34,13 @@ Json answer(Fields& request, const Limits& limits) {
     return Json::Object{{"map", within("map", [&] { return to_json(Map{refined, map.form}); })}};
 }
 
+/// "1/2; 1,3": one list a direction, which may be empty.
+Json lists_of_knots(std::string_view text, const Json&) {
+    Json::Array lists;
+    for (const std::string& list : split(text, ';')) lists.push_back(number_list(list));
+    return lists;
+}
+
 }  // namespace
 
 Operation insert_knots_operation() {
@@ -42,8 +51,9 @@ Operation insert_knots_operation() {
                     "--degree", "3", "--insert", "5/2"},
         .options = with_map_options({
             field_option("--insert", "knots", "X1,X2,...",
-                         "the knots to insert, in any order; repeated for a higher multiplicity",
-                         number_list),
+                         "the knots to insert, in any order; repeated for a higher multiplicity; in several "
+                         "directions one list each, separated by ';'",
+                         number_list, lists_of_knots),
             field_option("--method", "method", "boehm|oslo", "by which algorithm; by default boehm",
                          plain_text),
         }),

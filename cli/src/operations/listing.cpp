@@ -73,37 +73,19 @@ std::string window_listing(const Json& map, const Style& style) {
 }
 
 /// A line a control point of nested arrays, "P(0, 1) = 3".
-void add_nested(std::string& text, const Json& net, const Json* weights, const std::string& index,
-                std::size_t depth, const Style& style) {
+void add_nested(std::string& text, const Json& net, const Json* weights, std::string_view name,
+                const std::string& index, std::size_t depth, const Style& style) {
     const Json::Array& entries = *net.array();
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string own = index + (index.empty() ? "" : ", ") + std::to_string(i);
         const Json* weight = weights ? &(*weights->array())[i] : nullptr;
         if (depth > 1) {
-            add_nested(text, entries[i], weight, own, depth - 1, style);
+            add_nested(text, entries[i], weight, name, own, depth - 1, style);
             continue;
         }
-        text += fmt::format("  P({}) = {}{}\n", own, style.bold(point_text(entries[i])),
+        text += fmt::format("  {}({}) = {}{}\n", name, own, style.bold(point_text(entries[i])),
                             weight ? ", weight " + point_text(*weight) : "");
     }
-}
-
-std::string net_listing(const Json& map, const Answered& answered) {
-    std::string text = formula(result_map(map, answered.limits), "P") + ":\n";
-    const Json& net = *map.find("control_net");
-    const Json* weights = map.find("weights");
-    if (const Json* degrees = map.find("degrees")) {
-        add_nested(text, net, weights, "", degrees->array()->size(), answered.style);
-        return text;
-    }
-    const Json::Array& entries = *net.array();
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-        const Json::Array& pair = *entries[i].array();
-        const Json* weight = weights ? &(*(*weights->array())[i].array())[1] : nullptr;
-        text += fmt::format("  P{} = {}{}\n", point_text(pair[0]), answered.style.bold(point_text(pair[1])),
-                            weight ? ", weight " + point_text(*weight) : "");
-    }
-    return text;
 }
 
 }  // namespace
@@ -129,9 +111,33 @@ std::string line_of(const Json& map, std::string_view name, const Answered& answ
     return "  " + answered.style.bold(formula(result_map(map, answered.limits), name)) + "\n";
 }
 
+std::string net_listing(const Json& map, std::string_view name, const Answered& answered) {
+    std::string text = formula(result_map(map, answered.limits), name) + ":\n";
+    if (const Json* knots = map.find("knots")) {
+        const Json::Array& lists = *knots->array();
+        for (std::size_t d = 0; d < lists.size(); ++d)
+            text += fmt::format("  knots {}: {}\n", d, numbers_text(lists[d]));
+    }
+    const Json& net = *map.find("control_net");
+    const Json* weights = map.find("weights");
+    if (const Json* degrees = map.find("degrees")) {
+        add_nested(text, net, weights, name, "", degrees->array()->size(), answered.style);
+        return text;
+    }
+    const Json::Array& entries = *net.array();
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const Json::Array& pair = *entries[i].array();
+        const Json* weight = weights ? &(*(*weights->array())[i].array())[1] : nullptr;
+        text += fmt::format("  {}{} = {}{}\n", name, point_text(pair[0]),
+                            answered.style.bold(point_text(pair[1])),
+                            weight ? ", weight " + point_text(*weight) : "");
+    }
+    return text;
+}
+
 std::string listing(const Json& map, const Answered& answered) {
     const std::string& kind = *map.find("kind")->text();
-    if (map.find("control_net")) return net_listing(map, answered);
+    if (map.find("control_net")) return net_listing(map, "P", answered);
     if (kind == "bezier") return bezier_listing(map, answered.style);
     if (map.find("knots")) return window_listing(map, answered.style);
     return line_of(map, "P", answered);

@@ -22,6 +22,9 @@ std::string line_of(const Json& map, std::string_view name, const Answered& answ
 /// Its points, one a line, each as the blossom value that it is; a polynomial in one line.
 std::string listing(const Json& map, const Answered& answered);
 
+/// The same of a map with a control net, under any name.
+std::string net_listing(const Json& map, std::string_view name, const Answered& answered);
+
 /// What was asked about, and the listings of the members "map" or "maps" of the result.
 std::string described_listing(const Answered& answered);
 

@@ -218,7 +218,8 @@ bool has_patch(const Json& request) {
     if (!map) return false;
     const Json* kind = map->find("kind");
     const std::string* name = kind ? kind->text() : nullptr;
-    return map->find("variables") || (name && (*name == "tensor" || *name == "simplex"));
+    return map->find("variables") || map->find("control_net") ||
+           (name && (*name == "tensor" || *name == "simplex"));
 }
 
 bool is_tensor(const Json& map) { return map.find("degrees") != nullptr; }

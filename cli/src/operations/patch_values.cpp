@@ -9,6 +9,7 @@
 
 #include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
+#include "operations/directions.hpp"
 #include "operations/patch_answers.hpp"
 
 namespace blossom::cli {
@@ -144,20 +145,20 @@ PatchMap sum_of(const std::vector<std::pair<PatchMap, Integer>>& maps, const Lim
     return std::visit(add, maps.front().first);
 }
 
-std::vector<PatchPoint> read_directions(Fields& request, const Patch& patch, const Limits& limits) {
-    const auto read = [&](const Json& value) {
-        return engine_arguments(patch, read_tuple(value, patch.parameters(), limits), 0);
-    };
-    auto list = request.optional("directions", [&](const Json& value) { return read_list(value, read); });
-    if (list) return std::move(*list);
-    const PatchPoint direction = request.required("direction", read);
-    const std::size_t order =
-        request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
-    require_numbers(order, patch.parameters(), limits);
-    return std::vector<PatchPoint>(order, direction);
-}
-
 }  // namespace
+
+Coordinates derivative_value(const Patch& patch, std::span<const PatchPoint> directions, const PatchPoint& at,
+                             bool divided, const Limits& limits) {
+    if (!divided) return derivative_at(patch, directions, at, limits);
+    const auto in_subset = [&](std::size_t subset) {
+        std::vector<PatchPoint> chosen;
+        for (std::size_t k = 0; k < directions.size(); ++k) {
+            if ((subset >> k & 1) != 0) chosen.push_back(directions[k]);
+        }
+        return derivative_at(patch, chosen, at, limits);
+    };
+    return projected_derivative(directions.size(), in_subset, limits);
+}
 
 Json evaluate_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch& patch = *patch_of(map);
@@ -181,7 +182,10 @@ Json blossom_of_patch(Fields& request, const Map& map, const Limits& limits) {
 
 Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch& patch = *patch_of(map);
-    const std::vector<PatchPoint> directions = read_directions(request, patch, limits);
+    const auto read = [&](const Json& value) {
+        return engine_arguments(patch, read_tuple(value, patch.parameters(), limits), 0);
+    };
+    const std::vector<PatchPoint> directions = read_directions(request, patch.parameters(), limits, read);
     std::optional<std::vector<PatchPoint>> points;
     if (request.has("at")) points = read_parameters(request, patch, limits);
     request.finish();
@@ -204,17 +208,8 @@ Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits) 
     within("at", [&] {
         for (std::size_t i = 0; i < points->size(); ++i) {
             const PatchPoint& at = (*points)[i];
-            const auto in_subset = [&](std::size_t subset) {
-                std::vector<PatchPoint> chosen;
-                for (std::size_t k = 0; k < directions.size(); ++k) {
-                    if ((subset >> k & 1) != 0) chosen.push_back(directions[k]);
-                }
-                return derivative_at(patch, chosen, at, limits);
-            };
-            values.push_back(within(i, [&] {
-                return divided ? projected_derivative(directions.size(), in_subset, limits)
-                               : derivative_at(patch, directions, at, limits);
-            }));
+            values.push_back(
+                within(i, [&] { return derivative_value(patch, directions, at, divided, limits); }));
         }
     });
     return Json::Object{

@@ -3,6 +3,7 @@
 #include "maps/serve.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/table.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
@@ -13,6 +14,7 @@ namespace {
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (tensor_bspline_of(map)) return segments_of_tensor_bspline(request, map, limits);
     request.finish();
     const auto segments = serve<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
         require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);

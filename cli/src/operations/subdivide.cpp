@@ -34,6 +34,7 @@ struct Subdivide {
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
     if (patch_of(map)) return subdivide_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return subdivide_tensor_bspline(request, map, limits);
     const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
     const auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});

@@ -7,15 +7,9 @@
 
 #include "maps/map.hpp"
 #include "surface/domain_grid.hpp"
+#include "surface/place.hpp"
 
 namespace blossom::cli {
-
-/// A place in space, exact.
-struct SpacePoint {
-    Rational x;
-    Rational y;
-    Rational z;
-};
 
 /// What the places of a mesh are.
 enum class MeshSpace : unsigned char {
@@ -34,7 +28,7 @@ struct Mesh {
     std::vector<std::vector<std::size_t>> curves;                ///< of a domain of one dimension
     std::vector<std::optional<SpacePoint>> net;                  ///< none for a point at infinity
     std::vector<std::pair<std::size_t, std::size_t>> net_edges;  ///< between neighbours in the net
-    std::string parameters[2];  ///< the names of the first parameters, for a graph
+    std::string parameters[2] = {"u", "v"};  ///< the names of the first parameters, for a graph
 };
 
 /// The points of a map of a domain of dimension 1 or more, or its graph over the first two parameters where
@@ -46,9 +40,5 @@ struct Mesh {
 /// that is no patch; `mismatched_dimensions` for points of more than three dimensions, and for a graph over
 /// more than two; `limit_exceeded` for a domain with very many faces.
 Mesh mesh_of(const Map& map, const Limits& limits);
-
-/// Where a value of the map is, as a result gives it for a parameter of a request; none at infinity.
-std::optional<SpacePoint> place_of_value(const Map& map, const Json& parameter, const Json& value,
-                                         const Limits& limits);
 
 }  // namespace blossom::cli

@@ -114,6 +114,7 @@ std::optional<Interval> given_interval(const Map& map) {
     const auto own = Overloads{[](const PolynomialCurve&) { return std::optional<Interval>(); },
                                [](const TaylorCurve&) { return std::optional<Interval>(); },
                                [](const Patch&) { return std::optional<Interval>(); },
+                               [](const TensorBSpline&) { return std::optional<Interval>(); },
                                [](const auto& curve) { return std::optional(own_interval(curve)); }};
     return std::visit(own, map.value);
 }

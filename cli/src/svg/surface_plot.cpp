@@ -22,12 +22,12 @@ const std::string& operation_of(const Answered& answered) { return *answered.req
 /// Whether the map has a net of its own to be painted before another.
 bool has_net(const Map& map) {
     const Patch* patch = patch_of(map);
-    return patch && !patch->is_polynomial();
+    return tensor_bspline_of(map) || (patch && !patch->is_polynomial());
 }
 
 }  // namespace
 
-bool is_surface(const Map& map) { return patch_of(map) != nullptr; }
+bool is_surface(const Map& map) { return patch_of(map) || tensor_bspline_of(map); }
 
 std::string surface_of_values(const Answered& answered) {
     const Map map = map_of(answered);

@@ -47,6 +47,10 @@ private:
 Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::size_t> spans,
                             std::span<const std::vector<Argument>> arguments, const Limits& limits = {});
 
+/// The spans with the parameters, to their right, at the end of a domain the last. Errors: `outside_domain`
+/// with the field "/at/d", `wrong_arity`.
+std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters);
+
 /// The value at parameters, on the spans to their right, at the end of a domain on the last. Errors: as
 /// there, `outside_domain` with the field "/at/d".
 Coordinates evaluate(const TensorBSpline& spline, std::span<const Rational> parameters,
