@@ -17,7 +17,7 @@ struct Narrow {
     static constexpr std::size_t parts = lanes / width;
     /// Products of residues below 2 p are below 2^58.
     static constexpr std::size_t most_summed = 64;
-    static constexpr std::size_t coefficients_at_once = 4;
+    static constexpr std::size_t coefficients_at_once = 6;
 
     struct Sum {
         Vector value = {};

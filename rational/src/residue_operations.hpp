@@ -24,6 +24,7 @@ struct OperationsOf {
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             Total total = {};
+            Sum rest_of_terms = {};  // Less than `chains`: only the last round has any.
             for (std::size_t begin = 0; begin < count; begin += chains * Level::most_summed) {
                 const std::size_t rest = count - begin;
                 const std::size_t end =
@@ -35,10 +36,12 @@ struct OperationsOf {
                     for (std::size_t i = 0; i < chains; ++i)
                         Level::add_product(sums[i], Level::load(a[k + i], part), Level::load(b[k + i], part));
                 }
-                for (std::size_t i = 0; k < end; ++k, ++i)
-                    Level::add_product(sums[i], Level::load(a[k], part), Level::load(b[k], part));
-                for (const Sum& sum : sums) Level::collect(total, sum);
+                for (; k < end; ++k)
+                    Level::add_product(rest_of_terms, Level::load(a[k], part), Level::load(b[k], part));
+#pragma GCC unroll 4
+                for (std::size_t i = 0; i < chains; ++i) Level::collect(total, sums[i]);
             }
+            Level::collect(total, rest_of_terms);
             Level::store(result, part, Level::reduced(constants, total));
         }
         return result;
@@ -80,14 +83,10 @@ struct OperationsOf {
 #pragma GCC unroll 8
                     for (std::size_t i = 0; i < step; ++i) Level::add_product(sums[i], terms[i], factor);
                 }
-                if (last < size) {
+                // All indices are constants, so that the sums stay in registers.
 #pragma GCC unroll 8
-                    for (std::size_t i = 0; i < step; ++i)
-                        Level::store(product[k + i], part, Level::reduced(constants, sums[i]));
-                } else {
-                    for (std::size_t i = 0; k + i < size; ++i)
-                        Level::store(product[k + i], part, Level::reduced(constants, sums[i]));
-                }
+                for (std::size_t i = 0; i < step; ++i)
+                    if (k + i < size) Level::store(product[k + i], part, Level::reduced(constants, sums[i]));
             }
         }
     }
@@ -143,6 +142,7 @@ private:
 #pragma GCC unroll 4
             for (std::size_t i = 0; i < Numbers; ++i) Level::collect(totals[i], sums[i]);
         }
+#pragma GCC unroll 4
         for (std::size_t i = 0; i < Numbers; ++i) {
             const std::size_t size = begins[i + 1] - begins[i];
             for (std::size_t begin = common; begin < size; begin += Level::most_summed) {
