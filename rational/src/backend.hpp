@@ -75,9 +75,13 @@ inline void set_words(Number& value, std::span<const std::uint64_t> words) {
     mpz_limbs_finish(value.backend().data(), size);
 }
 
-/// The binary digits of a value >= 0 at the front of `words`; the words beyond keep what they hold.
+/// Of the magnitude.
+inline std::size_t bit_length(const Number& value) { return mpz_sizeinbase(value.backend().data(), 2); }
+
+/// The binary digits of the magnitude at the front of `words`; the words beyond keep what they hold.
 inline void to_words(const Number& value, std::span<std::uint64_t> words) {
-    mpz_export(words.data(), nullptr, -1, sizeof(std::uint64_t), 0, 0, value.backend().data());
+    const mpz_srcptr data = value.backend().data();
+    std::copy_n(mpz_limbs_read(data), mpz_size(data), words.begin());
 }
 
 #else
@@ -108,8 +112,12 @@ inline void set_words(Number& value, std::span<const std::uint64_t> words) {
     boost::multiprecision::import_bits(value, words.begin(), words.end(), 64, false);
 }
 
+inline std::size_t bit_length(const Number& value) {
+    return boost::multiprecision::msb(Number(boost::multiprecision::abs(value))) + 1;
+}
+
 inline void to_words(const Number& value, std::span<std::uint64_t> words) {
-    boost::multiprecision::export_bits(value, words.begin(), 64, false);
+    boost::multiprecision::export_bits(Number(boost::multiprecision::abs(value)), words.begin(), 64, false);
 }
 
 #endif

@@ -112,7 +112,7 @@ int Integer::large_sign() const { return large_->value.sign(); }
 
 std::size_t Integer::bit_length() const {
     if (!large_) return static_cast<std::size_t>(std::bit_width(magnitude(small_)));
-    return boost::multiprecision::msb(Number(boost::multiprecision::abs(large_->value))) + 1;
+    return backend::bit_length(large_->value);
 }
 
 bool Integer::is_odd() const {
@@ -297,11 +297,12 @@ void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint
     }
     std::ranges::fill(words, 0);
     const Number& number = value.large_->value;
-    if (number.sign() > 0) {
-        backend::to_words(number, words);
-    } else {
-        backend::to_words(Number(-number - 1), words);
-        for (auto& word : words) word = ~word;
+    backend::to_words(number, words);
+    bool carry = number.sign() < 0;
+    if (!carry) return;
+    for (std::uint64_t& word : words) {
+        word = ~word + static_cast<std::uint64_t>(carry);
+        carry = carry && word == 0;
     }
 }
 

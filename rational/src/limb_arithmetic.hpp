@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <type_traits>
 
 #include "backend.hpp"
@@ -50,14 +51,6 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
         mpn_gcd(result, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n)));
 }
 
-/// |value| at the front of `to`, which has room for `size` limbs, as many as it has or more; zeros above.
-inline void write(const backend::Number& value, Limb* to, std::size_t size) {
-    const mpz_srcptr data = value.backend().data();
-    const std::size_t used = mpz_size(data);
-    std::copy_n(mpz_limbs_read(data), used, to);
-    std::fill(to + used, to + size, Limb{0});
-}
-
 #else
 
 inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
@@ -92,7 +85,7 @@ inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b,
 }
 inline void write(const backend::Number& value, Limb* to, std::size_t size) {
     std::fill(to, to + size, Limb{0});
-    if (value != 0) boost::multiprecision::export_bits(backend::Number(abs(value)), to, 64, false);
+    if (value != 0) backend::to_words(value, {to, size});
 }
 inline backend::Number number(const Limb* from, std::size_t size) {
     backend::Number value;
@@ -125,15 +118,14 @@ inline std::size_t size_of(const Integer& value) {
 
 /// |value| in `size` limbs, which must be enough.
 inline void write_magnitude(const Integer& value, Limb* to, std::size_t size) {
-    if (const auto word = value.to_int64()) {
-        std::fill(to, to + size, Limb{0});
-        to[0] = magnitude(*word);
-    } else {
-        IntegerAccess::visit(value, [&](const auto& number) {
-            if constexpr (!std::is_arithmetic_v<std::remove_cvref_t<decltype(number)>>)
-                write(number, to, size);
-        });
-    }
+    std::fill(to, to + size, Limb{0});
+    IntegerAccess::visit(value, [&](const auto& number) {
+        if constexpr (std::is_same_v<decltype(number), const std::int64_t&>) {
+            to[0] = magnitude(number);
+        } else {
+            backend::to_words(number, {to, size});
+        }
+    });
 }
 
 /// a = a / 2^bits for bits < 64 size.

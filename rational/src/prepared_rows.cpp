@@ -43,8 +43,9 @@ std::vector<std::uint64_t> split_into_words(Integer& value) {
     return words;
 }
 
-LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count, Use use)
+LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count, Use use_of_rows)
     : numbers(std::move(given)),
+      use(use_of_rows),
       rows(row_count),
       size(numbers.size() / row_count),
       bits(greatest_bit_length(numbers.numerators())),

@@ -25,6 +25,7 @@ struct LinearFactorSums::Prepared {
     const std::uint64_t* limbs_of(std::size_t row) const { return limbs.data() + row * size * width; }
 
     RationalVector numbers;
+    Use use;
     std::size_t rows;
     std::size_t size;                         ///< the length of a row, n + 1
     std::size_t bits;                         ///< of the greatest magnitude

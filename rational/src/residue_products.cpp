@@ -13,6 +13,12 @@ namespace {
 constexpr std::size_t basecase = 64;
 static_assert(basecase <= most_product_terms);
 
+/// Octets in the largest buffer that is kept.
+constexpr std::size_t most_kept_octets = std::size_t{1} << 16;
+
+// A buffer that is given back takes the place of a smaller one.
+thread_local Buffer::Memory kept_buffers[4];
+
 /// a[0..m) in pieces of n terms, for m > n.
 void multiply_in_pieces(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
                         Octet* product, Octet* scratch) {
@@ -51,14 +57,33 @@ void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* 
     run.add(moduli, product + half, middle, std::min(2 * half - 1, m + n - 1 - half), product + half);
 }
 
-ProductTree::ProductTree(std::vector<std::size_t> sizes) : begins_(std::move(sizes)) {
-    std::size_t size = 0;
-    for (std::size_t& entry : begins_) size += std::exchange(entry, size);
-    begins_.push_back(size);
-    if (size > 0) {
-        result_.resize(product_size(0, begins_.size() - 1));
-        scratch_.resize(3 * size + scratch_size(size));
+Buffer::Buffer(std::size_t size) {
+    for (Memory& kept : kept_buffers) {
+        if (kept.size >= size && (!memory_.octets || kept.size < memory_.size)) std::swap(memory_, kept);
     }
+    if (memory_.size >= size) return;
+    // A little more serves the next that is a little longer.
+    memory_.size = size + size / 8;
+    memory_.octets = std::make_unique_for_overwrite<Octet[]>(memory_.size);
+}
+
+Buffer::~Buffer() {
+    if (memory_.size > most_kept_octets) return;
+    for (Memory& kept : kept_buffers) {
+        if (kept.size < memory_.size) std::swap(kept, memory_);
+    }
+}
+
+ProductTree::ProductTree(std::vector<std::size_t> sizes)
+    : begins_(begins_of(std::move(sizes))),
+      result_(product_size()),
+      scratch_(3 * begins_.back() + scratch_size(begins_.back())) {}
+
+std::vector<std::size_t> ProductTree::begins_of(std::vector<std::size_t> sizes) {
+    std::size_t size = 0;
+    for (std::size_t& entry : sizes) size += std::exchange(entry, size);
+    sizes.push_back(size);
+    return sizes;
 }
 
 const Octet* ProductTree::product(const Moduli& moduli, const Octet* polynomials) {

@@ -3,11 +3,31 @@
 // Products of polynomials modulo the primes of one group.
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "residue_lanes.hpp"
 
 namespace blossom::residues {
+
+/// Memory for octets, with what its last user left in it. Each thread keeps a few buffers that are given back
+/// for the next.
+class Buffer {
+public:
+    explicit Buffer(std::size_t size);
+    Buffer(const Buffer&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    ~Buffer();
+    Octet* data() const { return memory_.octets.get(); }
+
+    struct Memory {
+        std::unique_ptr<Octet[]> octets;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
+        std::size_t size = 0;
+    };
+
+private:
+    Memory memory_;
+};
 
 /// The product of polynomials that lie one after the other, by a balanced tree.
 class ProductTree {
@@ -26,13 +46,14 @@ private:
     /// Of polynomials [begin, end) to `to`.
     void multiply(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
                   Octet* to, Octet* scratch) const;
+    static std::vector<std::size_t> begins_of(std::vector<std::size_t> sizes);
     std::size_t product_size(std::size_t begin, std::size_t end) const {
         return begins_[end] - begins_[begin] - (end - begin - 1);
     }
 
     std::vector<std::size_t> begins_;
-    std::vector<Octet> result_;
-    std::vector<Octet> scratch_;
+    Buffer result_;
+    Buffer scratch_;
 };
 
 /// The coefficients of the product of a[0..m) and b[0..n), divided by the radix; m >= n >= 1. Cost: n^1.58 by

@@ -33,6 +33,13 @@ void append_product(FactorBlocks& blocks, std::span<const std::int64_t> a, std::
     blocks.sizes.push_back(a.size() + b.size() - 1);
 }
 
+Digits digits_of(std::span<const Integer> numbers) {
+    Digits digits;
+    digits.reserve(numbers.size(), 1);
+    for (const Integer& number : numbers) digits.push_back(number);
+    return digits;
+}
+
 }  // namespace
 
 FactorBlocks blocks_of(std::span<const WordFactor> factors) {
@@ -82,41 +89,48 @@ ResidueCache::Residues ResidueCache::of(std::span<const Integer> numbers, std::s
         const std::lock_guard lock(mutex_);
         if (kept_ && kept_->size() >= size) return kept_;
     }
-    Digits digits;
-    for (const Integer& number : numbers) digits.push_back(number);
+    if (size * sizeof(Octet) > most_kept) return nullptr;
+    const Digits digits = digits_of(numbers);
     auto made = std::make_shared<std::vector<Octet>>(size);
     for (std::size_t g = 0; g < groups; ++g) {
         digits.residues(moduli(g), plain_powers(moduli(g), digits.most_digits()).data(),
                         made->data() + g * numbers.size());
     }
-    if (size * sizeof(Octet) <= most_kept) {
-        const std::lock_guard lock(mutex_);
-        kept_ = made;
-    }
+    const std::lock_guard lock(mutex_);
+    kept_ = made;
     return made;
 }
 
-std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache& cache,
+std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache* cache,
                                   const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count) {
     const std::size_t groups = groups_for(bits);
-    const ResidueCache::Residues prepared = cache.of(numbers, groups);
     residues::ProductTree tree(factors.sizes);
     const std::size_t size = tree.product_size();
-    std::vector<Octet> coefficients(factors.coefficients.size());
-    std::vector<std::vector<Octet>> sums(count);
+    const auto asked = numbers.subspan(first_row * size, count * size);
+    const ResidueCache::Residues prepared = cache ? cache->of(numbers, groups) : nullptr;
+    const Digits digits = prepared ? Digits() : digits_of(asked);
+    const residues::Buffer unprepared(prepared ? 0 : asked.size());
+    const residues::Buffer coefficients(factors.coefficients.size());
+    std::vector<Octet> sums(count * groups);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
         factors.coefficients.residues(
             group, montgomery_powers(group, factors.coefficients.most_digits()).data(), coefficients.data());
         const Octet* product = tree.product(group, coefficients.data());
-        const Octet* rows = prepared->data() + g * numbers.size() + first_row * size;
+        const Octet* rows = unprepared.data();
+        if (prepared) {
+            rows = prepared->data() + g * numbers.size() + first_row * size;
+        } else {
+            digits.residues(group, plain_powers(group, digits.most_digits()).data(), unprepared.data());
+        }
         for (std::size_t j = 0; j < count; ++j)
-            sums[j].push_back(operations().dot(group, product, rows + j * size, size));
+            sums[j * groups + g] = operations().dot(group, product, rows + j * size, size);
     }
     std::vector<Integer> integers;
     integers.reserve(count);
-    for (const auto& residues_of_sum : sums) integers.push_back(integer_with(residues_of_sum));
+    for (std::size_t j = 0; j < count; ++j)
+        integers.push_back(integer_with(std::span(sums).subspan(j * groups, groups)));
     return integers;
 }
 

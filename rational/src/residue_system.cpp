@@ -331,7 +331,7 @@ void Digits::push_back(const Integer& value) {
     const std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
     const std::size_t bits = value.bit_length();
     words_.resize(bits / 64 + 2);
-    IntegerAccess::to_twos_complement(abs(value), words_);
+    limbs::write_magnitude(value, words_.data(), words_.size());
     for (std::size_t bit = 0; bit < bits; bit += digit_bits) {
         const std::size_t word = bit / 64;
         const Wide pair = Wide{words_[word + 1]} << 64 | words_[word];
