@@ -1,6 +1,6 @@
 // A polynomial at a thousand parameters.
 
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/curve_values.hpp>
 
 #include "cases.hpp"
 #include "families.hpp"
@@ -16,14 +16,11 @@ void compare_evaluation(const Report& report, std::size_t degree, std::size_t bi
     std::vector<Rational> parameters;
     for (std::size_t i = 0; i < (report.quick() ? 100 : 1000); ++i)
         parameters.push_back(number(random, bits));
-    std::vector<Rational> values(parameters.size());
+    const CurveValues prepared(curve);
+    std::vector<Rational> values;
     flint_peer::Values flint(curve.coefficients().numbers(), parameters);
     report.compare("operations", "evaluation", degree, bits,
-                   {{"engine",
-                     [&] {
-                         for (std::size_t i = 0; i < parameters.size(); ++i)
-                             values[i] = evaluate(curve, Parameter(parameters[i]))[0];
-                     },
+                   {{"engine", [&] { values = prepared.at(parameters); },
                      [&] {
                          std::string text;
                          for (const Rational& value : values) text += to_string(value) + " ";

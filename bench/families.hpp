@@ -7,3 +7,4 @@ void measure_values(const Report& report);
 void measure_constructions(const Report& report);
 void measure_operations(const Report& report);
 void measure_evaluation(const Report& report);
+void measure_splines(const Report& report);

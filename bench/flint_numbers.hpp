@@ -50,7 +50,7 @@ public:
     Arguments(const Arguments&) = delete;
     Arguments& operator=(const Arguments&) = delete;
     ~Arguments() { _fmpq_vec_clear(entries_, size_); }
-    const fmpq* data() const { return entries_; }
+    fmpq* data() const { return entries_; }
     slong size() const { return size_; }
 
 private:

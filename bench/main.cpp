@@ -73,5 +73,6 @@ int main(int argc, char** argv) {
     measure_constructions(report);
     measure_operations(report);
     measure_evaluation(report);
+    measure_splines(report);
     return 0;
 }

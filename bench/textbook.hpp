@@ -68,4 +68,20 @@ Number polarization(const Numbers<Number>& coefficients, const Numbers<Number>& 
     return sum;
 }
 
+/// De Boor's algorithm on the span between knots i and i + 1, with as many knots as points + degree + 1.
+template <class Number>
+Number de_boor(const Numbers<Number>& knots, const Numbers<Number>& points, std::size_t degree,
+               std::size_t span, const Number& t) {
+    Numbers<Number> d(points.begin() + static_cast<std::ptrdiff_t>(span - degree),
+                      points.begin() + static_cast<std::ptrdiff_t>(span + 1));
+    for (std::size_t level = 1; level <= degree; ++level) {
+        for (std::size_t j = degree; j >= level; --j) {
+            const Number& begin = knots[span - degree + j];
+            const Number weight = (t - begin) / (knots[span + 1 + j - level] - begin);
+            d[j] = (1 - weight) * d[j - 1] + weight * d[j];
+        }
+    }
+    return d[degree];
+}
+
 }  // namespace textbook

@@ -1,0 +1,94 @@
+// Curves prepared to be evaluated at many parameters, held against Horner's rule and de Boor's triangle on
+// integers.
+
+#include <blossom/core/curve_values.hpp>
+#include <blossom/core/de_boor.hpp>
+#include <blossom/core/evaluation.hpp>
+
+#include "support/failure.hpp"
+#include "support/map_printing.hpp"
+#include "support/spline_generators.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+Size any_size(Random& random) { return random.one_in(3) ? Size::any : Size::small; }
+
+/// All values of one batch against single ones, and those against `expected`.
+template <class Values, class Expected>
+void check(Random& random, const Values& values, std::span<const Rational> parameters,
+           const Expected& expected) {
+    const std::vector<Rational> batch = values.at(parameters, 1 + random.below(3));
+    REQUIRE(batch.size() == parameters.size() * values.dimension());
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        CAPTURE(i, parameters[i]);
+        const Coordinates value = expected(parameters[i]);
+        CHECK(values(parameters[i]) == value);
+        const auto place = batch.begin() + static_cast<std::ptrdiff_t>(i * values.dimension());
+        CHECK(std::equal(value.begin(), value.end(), place));
+    }
+}
+
+template <class Curve>
+void check_curve(Random& random, const Curve& curve) {
+    std::vector<Rational> parameters;
+    for (std::size_t i = random.below(20); i > 0; --i) parameters.push_back(number(random, any_size(random)));
+    check(random, CurveValues(curve), parameters, [&](const Rational& t) { return evaluate(curve, t); });
+}
+
+}  // namespace
+
+TEST_CASE("curves are evaluated at many parameters", "[curve_values]") {
+    Random random(1);
+    for (int i = 0; i < 500; ++i) {
+        check_curve(random, polynomial_map(random, random.below(9), any_size(random)).curve());
+        check_curve(random, bezier_map(random, random.below(9), any_size(random)).curve());
+    }
+}
+
+TEST_CASE("splines are evaluated at many parameters", "[curve_values]") {
+    Random random(2);
+    for (int i = 0; i < 1000; ++i) {
+        const BSplineCurve curve = spline(random, random.below(7), any_size(random)).curve();
+        std::vector<Rational> parameters;
+        for (std::size_t j = random.below(20); j > 0; --j)
+            parameters.push_back(parameter(random, curve.knots()));
+        check(random, SplineValues(curve), parameters, [&](const Rational& t) { return de_boor(curve, t); });
+    }
+}
+
+TEST_CASE("splines whose knots are at the limits of a word", "[curve_values]") {
+    Random random(3);
+    for (const unsigned bits : {61U, 62U, 63U, 64U, 70U}) {
+        for (const int sign : {-1, 1}) {
+            const Integer far = sign * (Integer(1) << bits);
+            for (const Rational& scale : {Rational(1), Rational(1, 3), Rational(5, (Integer(1) << 40) + 1)}) {
+                std::vector<Rational> knots;
+                for (int i = 0; i < 8; ++i) knots.push_back(Rational(far) - 4 * sign + i * scale);
+                const BSplineCurve curve(2, knots, {{0, 1}, {2, 3}, {5, -1}, {0, 0}, {7, 7}});
+                std::vector<Rational> parameters{curve.knots().domain().a(), curve.knots().domain().b()};
+                for (int i = 0; i < 8; ++i) parameters.push_back(parameter(random, curve.knots()));
+                check(random, SplineValues(curve), parameters,
+                      [&](const Rational& t) { return de_boor(curve, t); });
+            }
+        }
+    }
+}
+
+TEST_CASE("prepared curves keep to the domain and to the limits", "[curve_values]") {
+    const BSplineCurve spline(1, {0, 0, 1, 1}, {{0}, {1}});
+    const SplineValues values(spline);
+    CHECK(failure_code([&] { values(Rational(-1, 7)); }) == ErrorCode::outside_domain);
+    CHECK(failure_code([&] { values.at(std::vector<Rational>{0, 2}); }) == ErrorCode::outside_domain);
+    CHECK(values(1) == Coordinates{1});
+
+    Limits limits;
+    limits.digits = 60;
+    const CurveValues power(PolynomialCurve(Polynomial::monomial(20)), limits);
+    CHECK(power(100) == Coordinates{pow(Rational(100), 20)});
+    CHECK(failure_code([&] { power(1'000'000); }) == ErrorCode::limit_exceeded);
+    CHECK(failure_code([&] { power(Rational(1, Integer(1) << 70)); }) == ErrorCode::limit_exceeded);
+    CHECK(power.at({}).empty());
+}
