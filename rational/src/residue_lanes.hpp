@@ -24,16 +24,20 @@ struct alignas(64) Octet {
 /// radix, r = radix_bits.
 struct Moduli {
     Octet prime;
-    Octet delta;    ///< below 2^22
+    Octet delta;    ///< below 2 to the power of delta_bits
     Octet inverse;  ///< 1/p modulo the radix
     Octet radix;    ///< modulo p
     Octet square;   ///< radix^2 modulo p
+    Octet root;     ///< a root of unity of order 2^root_order, times the radix
+    std::size_t root_order;
 };
 
 /// What a level of instruction sets offers.
 struct Operations {
     std::size_t prime_bits;
     std::size_t radix_bits;
+    std::size_t delta_bits;
+    std::size_t root_order;  ///< of as many primes as there are
 
     /// sum_k a[k] b[k] / radix for k < count <= most_terms.
     Octet (*dot)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count);
@@ -52,6 +56,17 @@ struct Operations {
     void (*add)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count, Octet* sum);
     void (*subtract)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
                      Octet* difference);
+    /// a[k] b[k] / radix.
+    void (*multiply_each)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
+                          Octet* product);
+    /// The same residues below p.
+    void (*reduce)(const Moduli& moduli, Octet* a, std::size_t count);
+    /// The values of the polynomial with the coefficients a[0..size) at the powers of a root of unity, where
+    /// the indices of the values have their bits in the opposite order, and the inverse but for a division by
+    /// `size`, a power of 2. roots[h + i] is power i of a root of order 2 h times the radix, below p, for
+    /// i < h < size.
+    void (*transform)(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size);
+    void (*inverse_transform)(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size);
 };
 
 extern const Operations portable_operations;

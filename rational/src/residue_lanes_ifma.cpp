@@ -13,6 +13,8 @@ namespace {
 struct Ifma {
     static constexpr std::size_t prime_bits = 50;
     static constexpr std::size_t radix_bits = 52;
+    static constexpr std::size_t delta_bits = 34;
+    static constexpr std::size_t root_order = 13;
     static constexpr std::size_t parts = 1;
     static constexpr std::size_t most_summed = most_terms;
     static constexpr std::size_t coefficients_at_once = 4;
@@ -50,11 +52,19 @@ struct Ifma {
         return _mm512_madd52lo_epu64(_mm512_and_si512(quotient, broadcast((std::uint64_t{1} << 50) - 1)),
                                      _mm512_srli_epi64(quotient, 50), constants.delta);
     }
-    /// One product of residues below 2 p is below 2 p without more.
+    /// One product below 4 p^2 is below 2 p without more, and its lower half has no bits beyond 52.
     static __m512i product(const Constants& constants, __m512i a, __m512i b) {
-        Sum sum;
-        add_product(sum, a, b);
-        return divided(constants, sum);
+        const __m512i zero = _mm512_setzero_si512();
+        const __m512i low = _mm512_madd52lo_epu64(zero, a, b);
+        const __m512i upper = _mm512_madd52hi_epu64(constants.prime, a, b);
+        const __m512i multiple = _mm512_madd52lo_epu64(zero, low, constants.inverse);
+        return _mm512_sub_epi64(upper, _mm512_madd52hi_epu64(zero, multiple, constants.prime));
+    }
+    static __m512i product_of_difference(const Constants& constants, __m512i a, __m512i b, __m512i c) {
+        return product(constants, _mm512_sub_epi64(_mm512_add_epi64(a, constants.twice), b), c);
+    }
+    static __m512i below_prime(const Constants& constants, __m512i value) {
+        return _mm512_min_epu64(value, _mm512_sub_epi64(value, constants.prime));
     }
     static __m512i sum(const Constants& constants, __m512i a, __m512i b) {
         return below_twice(constants, _mm512_add_epi64(a, b));

@@ -13,6 +13,8 @@ struct Narrow {
 
     static constexpr std::size_t prime_bits = 28;
     static constexpr std::size_t radix_bits = 32;
+    static constexpr std::size_t delta_bits = 22;
+    static constexpr std::size_t root_order = 11;
     static constexpr std::size_t width = sizeof(Vector) / sizeof(std::uint64_t);
     static constexpr std::size_t parts = lanes / width;
     /// Products of residues below 2 p are below 2^58.
@@ -64,22 +66,28 @@ struct Narrow {
         const Vector value = Instructions::product(a, b);
         return divided(constants, value, value >> 32);
     }
+    static Vector product_of_difference(const Constants& constants, Vector a, Vector b, Vector c) {
+        return product(constants, a + constants.twice - b, c);
+    }
+    static Vector below_prime(const Constants& constants, Vector value) {
+        return below(constants.prime, value);
+    }
     static Vector sum(const Constants& constants, Vector a, Vector b) {
-        return below_twice(constants, a + b);
+        return below(constants.twice, a + b);
     }
     static Vector difference(const Constants& constants, Vector a, Vector b) {
-        return below_twice(constants, a + constants.twice - b);
+        return below(constants.twice, a + constants.twice - b);
     }
 
 private:
     static constexpr std::uint64_t low_32 = 0xffff'ffff;
     static constexpr std::uint64_t low_28 = 0x0fff'ffff;
 
-    static Vector below_twice(const Constants& constants, Vector value) {
-        // Both are below 2^63: the sign tells which is less.
-        const Vector less = value - constants.twice;
+    /// value, or value - bound where that is not negative.
+    static Vector below(Vector bound, Vector value) {
+        const Vector less = value - bound;
         const Vector borrowed = Vector{} - (less >> 63);
-        return less + (borrowed & constants.twice);
+        return less + (borrowed & bound);
     }
     static Vector folded(const Constants& constants, Vector value) {
         return (value & low_28) + Instructions::product(value >> 28, constants.delta);

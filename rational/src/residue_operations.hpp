@@ -3,6 +3,7 @@
 // The operations written once over what a level calls a vector, so many to an octet, and sums of products.
 
 #include "residue_lanes.hpp"
+#include "residue_transform_steps.hpp"
 
 namespace blossom::residues {
 
@@ -10,7 +11,8 @@ namespace blossom::residues {
 /// Sum of up to `most_summed` products of residues below 2 p, zero by default, with add_product; Total of up
 /// to most_terms products, with collect(total, sum); Constants of one part of the moduli; reduced(constants,
 /// sum) and reduced(constants, total), divided by the radix, and product(constants, a, b), all below 2 p;
-/// sum and difference of residues.
+/// sum and difference of residues; below_prime(constants, a); product_of_difference(constants, a, b, c),
+/// (a - b) c / radix for c below p.
 template <class Level>
 struct OperationsOf {
     using Vector = typename Level::Vector;
@@ -109,8 +111,41 @@ struct OperationsOf {
         });
     }
 
-    static constexpr Operations table{
-        Level::prime_bits, Level::radix_bits, dot, residues_of_digits, multiply, scale, add, subtract};
+    static void multiply_each(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
+                              Octet* product) {
+        each(moduli, count, product, [&](const Constants& constants, std::size_t k, std::size_t part) {
+            return Level::product(constants, Level::load(a[k], part), Level::load(b[k], part));
+        });
+    }
+    static void reduce(const Moduli& moduli, Octet* a, std::size_t count) {
+        each(moduli, count, a, [&](const Constants& constants, std::size_t k, std::size_t part) {
+            return Level::below_prime(constants, Level::load(a[k], part));
+        });
+    }
+
+    static void transform(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size) {
+        for (std::size_t part = 0; part < Level::parts; ++part)
+            Transform<Level>(moduli, roots, part).forward(a, size);
+    }
+    static void inverse_transform(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size) {
+        for (std::size_t part = 0; part < Level::parts; ++part)
+            Transform<Level>(moduli, roots, part).backward(a, size);
+    }
+
+    static constexpr Operations table{Level::prime_bits,
+                                      Level::radix_bits,
+                                      Level::delta_bits,
+                                      Level::root_order,
+                                      dot,
+                                      residues_of_digits,
+                                      multiply,
+                                      scale,
+                                      add,
+                                      subtract,
+                                      multiply_each,
+                                      reduce,
+                                      transform,
+                                      inverse_transform};
 
 private:
     template <class Entry>

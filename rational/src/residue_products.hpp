@@ -37,19 +37,24 @@ public:
 
     /// The number of coefficients of the product.
     std::size_t product_size() const { return product_size(0, begins_.size() - 1); }
+    std::size_t product_size(std::size_t begin, std::size_t end) const {
+        return begins_[end] - begins_[begin] - (end - begin - 1);
+    }
 
     /// The coefficients of the product, where those of the factors and of the product stand for themselves
     /// times the radix. Valid until the next call.
     const Octet* product(const Moduli& moduli, const Octet* polynomials);
+    /// Those of polynomials [begin, end) alone, to `to`.
+    void product(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
+                 Octet* to) const {
+        multiply(moduli, polynomials, begin, end, to, scratch_.data());
+    }
 
 private:
     /// Of polynomials [begin, end) to `to`.
     void multiply(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
                   Octet* to, Octet* scratch) const;
     static std::vector<std::size_t> begins_of(std::vector<std::size_t> sizes);
-    std::size_t product_size(std::size_t begin, std::size_t end) const {
-        return begins_[end] - begins_[begin] - (end - begin - 1);
-    }
 
     std::vector<std::size_t> begins_;
     Buffer result_;

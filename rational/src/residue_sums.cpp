@@ -33,19 +33,8 @@ void append_product(FactorBlocks& blocks, std::span<const std::int64_t> a, std::
     blocks.sizes.push_back(a.size() + b.size() - 1);
 }
 
-Digits digits_of(std::span<const Integer> numbers) {
-    Digits digits;
-    digits.reserve(numbers.size(), 1);
-    for (const Integer& number : numbers) digits.push_back(number);
-    return digits;
-}
-
-}  // namespace
-
-FactorBlocks blocks_of(std::span<const WordFactor> factors) {
+void append(FactorBlocks& blocks, std::span<const WordFactor> factors) {
     constexpr std::int64_t one[] = {1};
-    FactorBlocks blocks;
-    blocks.coefficients.reserve(factors.size() + factors.size() / 2, 3);
     FactorBlock first;
     FactorBlock second;
     while (!factors.empty()) {
@@ -61,11 +50,9 @@ FactorBlocks blocks_of(std::span<const WordFactor> factors) {
         }
         append_product(blocks, first.coefficients(), further);
     }
-    return blocks;
 }
 
-FactorBlocks blocks_of(std::span<const IntegerFactor> factors) {
-    FactorBlocks blocks;
+void append(FactorBlocks& blocks, std::span<const IntegerFactor> factors) {
     while (!factors.empty()) {
         const auto block = factors.first(std::min(factors.size(), integer_block));
         factors = factors.subspan(block.size());
@@ -80,22 +67,107 @@ FactorBlocks blocks_of(std::span<const IntegerFactor> factors) {
             blocks.coefficients.push_back(coefficient);
         blocks.sizes.push_back(block.size() + 1);
     }
+}
+
+template <class R>
+FactorBlocks leaf_by_leaf(std::span<const LinearFactor<R>> factors) {
+    FactorBlocks blocks;
+    blocks.coefficients.reserve(factors.size() + factors.size() / 2, 3);
+    blocks.plan = residues::transform_plan(factors.size());
+    if (!blocks.plan) {
+        append(blocks, factors);
+        return blocks;
+    }
+    blocks.leaves.push_back(0);
+    for (std::size_t i = 0; i < blocks.plan.leaves(); ++i) {
+        const std::size_t begin = blocks.plan.begin(i, factors.size());
+        append(blocks, factors.subspan(begin, blocks.plan.begin(i + 1, factors.size()) - begin));
+        blocks.leaves.push_back(blocks.sizes.size());
+    }
     return blocks;
 }
 
-ResidueCache::Residues ResidueCache::of(std::span<const Integer> numbers, std::size_t groups) const {
-    const std::size_t size = groups * numbers.size();
+Digits digits_of(std::span<const Integer> numbers) {
+    Digits digits;
+    digits.reserve(numbers.size(), 1);
+    for (const Integer& number : numbers) digits.push_back(number);
+    return digits;
+}
+
+/// The length of what is kept of a row of `size` numbers.
+std::size_t width(const Moduli& group, std::size_t size) {
+    const residues::TransformPlan plan = residues::transform_plan(size - 1);
+    return plan && has_transform(group, plan.size()) ? plan.size() : size;
+}
+
+/// Writes what `ResidueRows` has of rows of `size` numbers.
+void read_rows(const Digits& numbers, std::size_t size, const Moduli& group, Octet* rows) {
+    const std::vector<Octet> powers = plain_powers(group, numbers.most_digits());
+    const std::size_t length = width(group, size);
+    if (length == size) return numbers.residues(group, powers.data(), rows);
+    const residues::Buffer residues(numbers.size());
+    numbers.residues(group, powers.data(), residues.data());
+    const residues::Roots roots(group, length);
+    for (std::size_t k = 0; k < numbers.size(); k += size, rows += length)
+        transform_numbers(group, roots, residues.data() + k, size, length, rows);
+}
+
+/// The product of all factors in the form that goes with `ResidueRows`.
+class FactorProduct {
+public:
+    explicit FactorProduct(const FactorBlocks& factors)
+        : factors_(factors),
+          tree_(factors.sizes),
+          coefficients_(factors.coefficients.size()),
+          leaves_(factors.plan ? factors.plan.size() : 0),
+          values_(factors.plan ? factors.plan.size() : 0) {}
+
+    /// The number of coefficients.
+    std::size_t size() const { return tree_.product_size(); }
+
+    const Octet* of(const Moduli& group) {
+        const Digits& digits = factors_.coefficients;
+        digits.residues(group, montgomery_powers(group, digits.most_digits()).data(), coefficients_.data());
+        const residues::TransformPlan& plan = factors_.plan;
+        if (width(group, size()) == size()) return tree_.product(group, coefficients_.data());
+        for (std::size_t i = 0; i < plan.leaves(); ++i) {
+            Octet* const leaf = leaves_.data() + i * plan.leaf;
+            const std::size_t begin = factors_.leaves[i];
+            const std::size_t end = factors_.leaves[i + 1];
+            tree_.product(group, coefficients_.data(), begin, end, leaf);
+            std::fill(leaf + tree_.product_size(begin, end), leaf + plan.leaf, Octet{});
+        }
+        product_values(group, residues::Roots(group, plan.size()), plan, leaves_.data(), values_.data());
+        return values_.data();
+    }
+
+private:
+    const FactorBlocks& factors_;
+    residues::ProductTree tree_;
+    residues::Buffer coefficients_;
+    residues::Buffer leaves_;
+    residues::Buffer values_;
+};
+
+}  // namespace
+
+FactorBlocks blocks_of(std::span<const WordFactor> factors) { return leaf_by_leaf(factors); }
+FactorBlocks blocks_of(std::span<const IntegerFactor> factors) { return leaf_by_leaf(factors); }
+
+ResidueCache::Rows ResidueCache::of(std::span<const Integer> numbers, std::size_t size,
+                                    std::size_t groups) const {
     {
         const std::lock_guard lock(mutex_);
-        if (kept_ && kept_->size() >= size) return kept_;
+        if (kept_ && kept_->begins.size() > groups) return kept_;
     }
-    if (size * sizeof(Octet) > most_kept) return nullptr;
+    auto made = std::make_shared<ResidueRows>();
+    for (std::size_t g = 0; g < groups; ++g)
+        made->begins.push_back(made->begins.back() + numbers.size() / size * width(moduli(g), size));
+    if (made->begins.back() * sizeof(Octet) > most_kept) return nullptr;
     const Digits digits = digits_of(numbers);
-    auto made = std::make_shared<std::vector<Octet>>(size);
-    for (std::size_t g = 0; g < groups; ++g) {
-        digits.residues(moduli(g), plain_powers(moduli(g), digits.most_digits()).data(),
-                        made->data() + g * numbers.size());
-    }
+    made->octets.resize(made->begins.back());
+    for (std::size_t g = 0; g < groups; ++g)
+        read_rows(digits, size, moduli(g), made->octets.data() + made->begins[g]);
     const std::lock_guard lock(mutex_);
     kept_ = made;
     return made;
@@ -105,27 +177,24 @@ std::vector<Integer> residue_sums(std::span<const Integer> numbers, const Residu
                                   const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count) {
     const std::size_t groups = groups_for(bits);
-    residues::ProductTree tree(factors.sizes);
-    const std::size_t size = tree.product_size();
-    const auto asked = numbers.subspan(first_row * size, count * size);
-    const ResidueCache::Residues prepared = cache ? cache->of(numbers, groups) : nullptr;
-    const Digits digits = prepared ? Digits() : digits_of(asked);
-    const residues::Buffer unprepared(prepared ? 0 : asked.size());
-    const residues::Buffer coefficients(factors.coefficients.size());
+    FactorProduct product(factors);
+    const std::size_t size = product.size();
+    const ResidueCache::Rows prepared = cache ? cache->of(numbers, size, groups) : nullptr;
+    const Digits digits = prepared ? Digits() : digits_of(numbers.subspan(first_row * size, count * size));
+    const residues::Buffer unprepared(prepared ? 0 : count * std::max(size, factors.plan.size()));
     std::vector<Octet> sums(count * groups);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
-        factors.coefficients.residues(
-            group, montgomery_powers(group, factors.coefficients.most_digits()).data(), coefficients.data());
-        const Octet* product = tree.product(group, coefficients.data());
+        const std::size_t length = width(group, size);
+        const Octet* values = product.of(group);
         const Octet* rows = unprepared.data();
         if (prepared) {
-            rows = prepared->data() + g * numbers.size() + first_row * size;
+            rows = prepared->octets.data() + prepared->begins[g] + first_row * length;
         } else {
-            digits.residues(group, plain_powers(group, digits.most_digits()).data(), unprepared.data());
+            read_rows(digits, size, group, unprepared.data());
         }
         for (std::size_t j = 0; j < count; ++j)
-            sums[j * groups + g] = operations().dot(group, product, rows + j * size, size);
+            sums[j * groups + g] = operations().dot(group, values, rows + j * length, length);
     }
     std::vector<Integer> integers;
     integers.reserve(count);

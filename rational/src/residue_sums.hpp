@@ -8,29 +8,38 @@
 #include <vector>
 
 #include "residue_system.hpp"
+#include "residue_transforms.hpp"
 
 namespace blossom {
 
-/// The numbers of all rows modulo the first groups of primes, kept for the next call.
+/// Rows of numbers modulo the first groups of primes: the residues themselves, or `transform_numbers` of them
+/// where the group has transforms for rows of their length.
+struct ResidueRows {
+    std::vector<residues::Octet> octets;
+    std::vector<std::size_t> begins{0};  ///< of the rows of each group, and the end
+};
+
+/// Keeps those of all rows for the next call.
 class ResidueCache {
 public:
-    using Residues = std::shared_ptr<const std::vector<residues::Octet>>;
+    using Rows = std::shared_ptr<const ResidueRows>;
 
-    /// Group after group, each with all numbers in their order; nothing if they would take more than
-    /// `most_kept`.
-    Residues of(std::span<const Integer> numbers, std::size_t groups) const;
+    /// For rows of `size` numbers; nothing if they would take more than `most_kept`.
+    Rows of(std::span<const Integer> numbers, std::size_t size, std::size_t groups) const;
 
     static constexpr std::size_t most_kept = std::size_t{64} << 20;  ///< bytes
 
 private:
     mutable std::mutex mutex_;
-    mutable Residues kept_;
+    mutable Rows kept_;
 };
 
 /// Polynomials whose product is that of linear factors.
 struct FactorBlocks {
     residues::Digits coefficients;  ///< one polynomial after the other, lowest coefficients first
     std::vector<std::size_t> sizes;
+    residues::TransformPlan plan;
+    std::vector<std::size_t> leaves;  ///< the first polynomial of each leaf of the plan, and the end
 };
 FactorBlocks blocks_of(std::span<const WordFactor> factors);
 FactorBlocks blocks_of(std::span<const IntegerFactor> factors);

@@ -51,8 +51,13 @@ std::uint64_t inverse_of(std::uint64_t prime) {
     return inverse;
 }
 
-/// Below 2^22, so that the reductions of all levels have room.
-constexpr std::uint64_t greatest_delta = (std::uint64_t{1} << 22) - 1;
+/// A root of unity of order 2^order modulo a prime that is 1 modulo 2^order.
+std::uint64_t root_of_unity(std::uint64_t prime, std::size_t order) {
+    for (std::uint64_t base = 2;; ++base) {
+        const std::uint64_t root = power(base, (prime - 1) >> order, prime);
+        if (power(root, std::uint64_t{1} << (order - 1), prime) == prime - 1) return root;
+    }
+}
 
 /// The groups of primes in use, in place once they are there; not to be used by two threads at a time.
 class Groups {
@@ -68,22 +73,42 @@ public:
     }
 
 private:
+    /// The primes that are 1 modulo 2^root_order come first.
+    void step_to_prime(const Operations& level) {
+        const std::uint64_t end = std::uint64_t{1} << level.delta_bits;
+        const std::uint64_t order = std::uint64_t{1} << level.root_order;
+        for (;;) {
+            delta_ += has_roots_ ? order : 2;
+            if (delta_ >= end) {
+                if (!has_roots_) {
+                    throw Error(ErrorCode::limit_exceeded,
+                                "there are not enough primes for integers of this size");
+                }
+                has_roots_ = false;
+                delta_ = static_cast<std::uint64_t>(-1);
+            } else if ((has_roots_ || (delta_ + 1) % order != 0) &&
+                       is_prime((std::uint64_t{1} << level.prime_bits) - delta_)) {
+                return;
+            }
+        }
+    }
     void append() {
         const Operations& level = operations();
         const std::uint64_t power = std::uint64_t{1} << level.prime_bits;
         const std::uint64_t mask = (std::uint64_t{1} << level.radix_bits) - 1;
         Moduli group{};
+        group.root_order = level.root_order;
         Integer product_of_all = 1;
         for (std::size_t i = 0; i < lanes; ++i) {
-            do delta_ += 2;
-            while (!is_prime(power - delta_));
-            if (delta_ > greatest_delta)
-                throw Error(ErrorCode::limit_exceeded,
-                            "there are not enough primes for integers of this size");
+            step_to_prime(level);
+            if (!has_roots_) group.root_order = 0;
             const std::uint64_t prime = power - delta_;
             const std::uint64_t radix = (mask + 1) % prime;
             group.prime.lane[i] = prime;
             group.delta.lane[i] = delta_;
+            if (has_roots_) {
+                group.root.lane[i] = product(root_of_unity(prime, level.root_order), radix, prime);
+            }
             group.inverse.lane[i] = inverse_of(prime) & mask;
             group.radix.lane[i] = radix;
             group.square.lane[i] = product(radix, radix, prime);
@@ -96,6 +121,7 @@ private:
     std::deque<Moduli> groups_;
     std::vector<std::size_t> bits_;  ///< the product of as many groups is at least 2 to this power
     std::uint64_t delta_ = static_cast<std::uint64_t>(-1);
+    bool has_roots_ = true;
 };
 
 template <class Use>
