@@ -99,9 +99,11 @@ Json answer(Fields& request, const Limits& limits) {
     std::vector<Map> maps;
     if (of_maps) {
         maps = read_maps_field(request, limits);
-        if (std::ranges::any_of(maps, patch_of)) return continuity_of_patches(request, maps, limits);
+        if (std::ranges::any_of(maps, patch_of))
+            return continuity_of_patches(request, std::move(maps), limits);
     } else {
         map = read_map_field(request, limits);
+        if (tensor_bspline_of(*map)) return continuity_of_tensor_bspline(request, *map, limits);
     }
     const Rational s = request.required("at", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
@@ -127,7 +129,9 @@ Operation continuity_operation() {
             maps_option("--maps",
                         "instead of a spline a list of two curves, left and right, as maps of the protocol, "
                         "or what 'subdivide --json' printed"),
-            field_option("--at", "at", "T", "the parameter", plain_text),
+            field_option("--at", "at", "T",
+                         "the parameter; in several directions a number for one and - for the others",
+                         plain_text, place_of_division),
         }),
         .answer = answer,
         .render = render,

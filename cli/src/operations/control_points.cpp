@@ -72,13 +72,6 @@ void apply_degree(Json& request, const std::vector<std::string>& values, const L
     owner["degree"] = count(values.front());
 }
 
-/// A map that is given whole has its degrees already, so that --degrees says those wanted.
-void apply_degrees(Json& request, const std::vector<std::string>& values, const Limits&) {
-    const Json* map = request.find("map");
-    Json& owner = map && map->find("text") ? request["map"] : request;
-    owner["degrees"] = number_list(values.front());
-}
-
 }  // namespace
 
 Operation control_points_operation() {
@@ -97,9 +90,7 @@ Operation control_points_operation() {
             {"--degree", "/degree", "N",
              "the formal degree wanted, by default that of the map; with --knots the degree of the spline",
              apply_degree},
-            {"--degrees", "/degrees", "M,N,...",
-             "one formal degree a variable of a polynomial; of a patch given by --map those wanted",
-             apply_degrees},
+            wanted_degrees_option(),
         }),
         .answer = answer,
         .render = described_listing,

@@ -9,6 +9,7 @@
 #include "nearest_name.hpp"
 #include "operations/listing.hpp"
 #include "operations/map_options.hpp"
+#include "operations/patch_answers.hpp"
 #include "operations/segment.hpp"
 #include "operations/table.hpp"
 #include "surface/obj.hpp"
@@ -63,6 +64,8 @@ private:
 
 Json answer(Fields& request, const Limits& limits) {
     const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return convert_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return convert_tensor_bspline(request, map, limits);
     const Basis to = request.required("to", read_basis);
     std::optional<Interval> interval;
     std::optional<Rational> center;
@@ -84,16 +87,22 @@ Json answer(Fields& request, const Limits& limits) {
 Operation convert_operation() {
     return {
         .name = "convert",
-        .summary = "The same map in another basis: monomial, Bernstein, Taylor or B-spline",
+        .summary =
+            "The same map in another basis or form: monomial, Bernstein, Taylor, B-spline, tensor, simplex",
         .example = {"convert", "--control-points", "1; 5/3; 11/3; 6", "--to", "monomial"},
         .options = with_map_options({
-            field_option("--to", "to", "monomial|bernstein|taylor|bspline", "the basis wanted", plain_text),
+            field_option("--to", "to", "monomial|bernstein|taylor|bspline|tensor|simplex",
+                         "the basis wanted; tensor and simplex are forms of patches", plain_text),
             own_interval_option("the interval of the control points: of those given, or else of those "
                                 "wanted; by default 0,1"),
             field_option("--over", "interval", "A,B", "the interval of the control points wanted",
                          number_list),
             field_option("--center", "center", "A", "the centre of the powers for taylor; by default 0",
                          plain_text),
+            field_option("--vertices", "vertices", "P0;P1;...",
+                         "of a patch: the vertices of the simplex wanted", tuple_list),
+            field_option("--intervals", "intervals", "A,B;C,D;...", "of a patch: the box wanted", tuple_list),
+            wanted_degrees_option(),
             segment_option(),
         }),
         .answer = answer,

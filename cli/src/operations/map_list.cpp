@@ -30,6 +30,22 @@ struct WithWeight {
         return BSplineCurve(curve.knots(), weighted(curve.control_points()));
     }
 
+    AnyMap operator()(const Patch& patch) const {
+        const auto* net = std::get_if<BezierPatch>(&patch.map);
+        Patch result = patch;
+        if (net) {
+            result.map = BezierPatch(net->shape(), weighted(net->control_net().to_points()));
+            return result;
+        }
+        // The polynomial 1 has its only coefficient in front.
+        const auto& polynomial = std::get<PolynomialPatch>(patch.map);
+        std::vector<Coordinates> coefficients = polynomial.coefficients().to_points();
+        for (Coordinates& coefficient : coefficients) coefficient.emplace_back(0);
+        coefficients.front().back() = 1;
+        result.map = PolynomialPatch(polynomial.shape(), PointArray(coefficients));
+        return result;
+    }
+
 private:
     static std::vector<Coordinates> weighted(std::vector<Coordinates> points) {
         for (Coordinates& point : points) point.emplace_back(1);

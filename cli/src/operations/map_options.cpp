@@ -208,6 +208,25 @@ Option own_interval_option(std::string help) {
     return {"--interval", "/interval", "A,B", std::move(help), apply};
 }
 
+Option wanted_degrees_option() {
+    const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits&) {
+        const Json* map = request.find("map");
+        Json& owner = map && map->find("text") ? request["map"] : request;
+        owner["degrees"] = number_list(values.front());
+    };
+    return {"--degrees", "/degrees", "M,N,...",
+            "one formal degree a variable of a polynomial; of a patch given by --map those wanted", apply};
+}
+
+Json place_of_division(std::string_view text, const Json&) {
+    if (text == "midpoints") return text;
+    Json parameters = number_list(text);
+    for (Json& parameter : *parameters.array()) {
+        if (*parameter.text() == "-") parameter = Json();
+    }
+    return parameters;
+}
+
 bool has_control_points(const Json& request) {
     const Json* map = request.find("map");
     return map && map->find("control_points");

@@ -51,6 +51,14 @@ std::vector<Option> with_map_options(std::vector<Option> others);
 /// maps where something is wanted.
 Option own_interval_option(std::string help);
 
+/// --degrees, which belongs to a polynomial in several variables, and says what is wanted of a patch that is
+/// given whole.
+Option wanted_degrees_option();
+
+/// The parameter at which something is divided, for a patch "1/2,1/4", "1/2,-" with a number in some
+/// directions, or "midpoints".
+Json place_of_division(std::string_view text, const Json& map);
+
 /// Whether the request is about a control polygon, not a polynomial.
 bool has_control_points(const Json& request);
 /// Whether it is about a map on a product of simplices or in several variables.

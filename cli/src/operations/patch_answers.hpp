@@ -27,12 +27,15 @@ Json agree_on_patch(Fields& request, const Map& map, const Limits& limits);
 Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits);
 /// "vertices" or "intervals", "degree" or "degrees".
 Json control_net_of_patch(Fields& request, const Map& map, const Limits& limits);
+/// "to": monomial, bernstein, bspline, tensor or simplex, the last two and bernstein with the fields of a
+/// control net.
+Json convert_patch(Fields& request, const Map& map, const Limits& limits);
 /// "at": a point of the simplex or "midpoints"; for a tensor product one number or null a direction.
 Json subdivide_patch(Fields& request, const Map& map, const Limits& limits);
 /// "by": a number, or one a direction.
 Json elevate_patch(Fields& request, const Map& map, const Limits& limits);
 /// Of two patches along what their domains share.
-Json continuity_of_patches(Fields& request, const std::vector<Map>& maps, const Limits& limits);
+Json continuity_of_patches(Fields& request, std::vector<Map> maps, const Limits& limits);
 
 /// The mixed derivative at a point, of the map divided by its weight where that is asked for. Errors:
 /// `zero_weight`, `limit_exceeded`.
@@ -57,8 +60,13 @@ Json insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limit
 Json segments_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// "at": one number or null a direction.
 Json subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// As for patches, of the polynomial of field "segment"; to bspline it is what it is.
+Json convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// "by": a number, or one a direction.
 Json elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+
+/// At a knot of one direction, "at" with null in the others.
+Json continuity_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 
 /// The blossom of a patch expanded, for a person.
 std::string patch_expansion_text(const Answered& answered);

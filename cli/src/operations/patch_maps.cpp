@@ -1,7 +1,6 @@
-// Patches made of patches: nets over other domains, subdivision, degree raising.
+// Patches made of patches: subdivision, degree raising.
 
 #include <fmt/format.h>
-#include <blossom/core/patch_conversion.hpp>
 #include <blossom/core/patch_elevation.hpp>
 #include <blossom/core/patch_subdivision.hpp>
 
@@ -14,113 +13,6 @@ namespace {
 
 Json map_json(Patch patch, const Map& original) {
     return to_json(Map{std::move(patch), original.form, original.variable});
-}
-
-/// What control points are wanted of.
-struct WantedDomain {
-    bool tensor;
-    std::vector<BarycentricFrame> frames;  ///< none: those of the map
-};
-
-/// The degrees of the map as simplex or tensor form asks for: kept, or turned into each other.
-std::vector<std::size_t> default_degrees(const NetShape& shape, bool tensor) {
-    std::vector<std::size_t> degrees;
-    std::size_t total = 0;
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
-        degrees.push_back(shape[f].degree);
-        total += shape[f].degree;
-    }
-    if (!tensor) return {total};
-    if (shape.factors() == 1) degrees.assign(shape.dimension(), total);
-    return degrees;
-}
-
-/// The degrees asked for, or the default ones. Errors: `wrong_arity`.
-std::vector<std::size_t> read_degrees(Fields& request, const NetShape& shape, bool tensor,
-                                      const Limits& limits) {
-    const std::vector<std::size_t> usual = default_degrees(shape, tensor);
-    if (!tensor) {
-        const auto degree =
-            request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
-        return degree ? std::vector<std::size_t>{*degree} : usual;
-    }
-    const auto degrees = request.optional("degrees", [&](const Json& value) {
-        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
-    });
-    if (!degrees) return usual;
-    if (degrees->size() == usual.size()) return *degrees;
-    throw Error(ErrorCode::wrong_arity,
-                fmt::format("{} degrees for {} directions", degrees->size(), usual.size()), "/degrees");
-}
-
-/// By monomial coefficients in a shape that may group the variables otherwise.
-PolynomialPatch monomials_in(const Patch& patch, const NetShape& shape, const Limits& limits) {
-    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
-        return regrouped(*polynomial, shape, limits);
-    return regrouped(monomial_form(std::get<BezierPatch>(patch.map), patch.frames, limits), shape, limits);
-}
-
-WantedDomain read_domain(Fields& request, const Patch& patch, const Limits& limits) {
-    const auto vertices = [&](const Json& value) {
-        BarycentricFrame frame = read_vertices(value, limits);
-        const std::size_t dimension = patch.shape().dimension();
-        if (frame.dimension() == dimension && frame.space_dimension() == patch.parameters()) return frame;
-        throw Error(
-            ErrorCode::mismatched_dimensions,
-            fmt::format(
-                "a simplex of dimension {} is needed, {} vertices with {} numbers each; given are {} with {}",
-                dimension, dimension + 1, patch.parameters(), frame.dimension() + 1,
-                frame.space_dimension()));
-    };
-    const auto over = request.optional("vertices", vertices);
-    const auto boxes = request.optional("intervals", [&](const Json& value) {
-        std::vector<BarycentricFrame> frames = read_intervals(value, limits);
-        if (frames.size() == patch.shape().dimension()) return frames;
-        throw Error(ErrorCode::wrong_arity,
-                    fmt::format("{} intervals for {} directions", frames.size(), patch.shape().dimension()));
-    });
-    if (over && boxes) {
-        throw Error(ErrorCode::wrong_kind,
-                    R"(control points are over "vertices" or over "intervals", not over both)", "/intervals");
-    }
-    if (over) return {false, {*over}};
-    if (boxes) return {true, *boxes};
-    return {patch.tensor, {}};
-}
-
-/// Over vertices that are given by barycentric coordinates.
-Patch over_sub_simplex(const Patch& patch, const WantedDomain& wanted,
-                       const std::vector<std::size_t>& degrees, const Limits& limits) {
-    const auto& net = std::get<BezierPatch>(patch.map);
-    BezierPatch result = net;
-    if (!wanted.frames.empty()) {
-        const auto& vertices = wanted.frames.front().vertices();
-        for (std::size_t k = 0; k < vertices.size(); ++k) {
-            within("vertices", [&] { within(k, [&] { return engine_arguments(patch, vertices[k], 1); }); });
-        }
-        result = with_frame(net, 0, vertices, limits);
-    }
-    return {within("degree", [&] { return elevated_to(result, degrees, limits); }), false, {}, {}};
-}
-
-std::string degree_place(const Error& error, bool tensor) {
-    return error.code() == ErrorCode::degree_too_low ? (tensor ? "/degrees" : "/degree") : error.field();
-}
-
-Patch over_domain(const Patch& patch, const WantedDomain& wanted, const std::vector<std::size_t>& degrees,
-                  const Limits& limits) {
-    const std::size_t dimension = patch.shape().dimension();
-    const NetShape shape = wanted.tensor ? NetShape::tensor(degrees, limits)
-                                         : NetShape::simplex(dimension, degrees.front(), limits);
-    std::vector<BarycentricFrame> frames = wanted.frames;
-    if (frames.empty()) frames = domain_or_standard(patch);
-    require_numbers(shape.size(), patch.dimension(), limits);
-    try {
-        BezierPatch net = control_net(monomials_in(patch, shape, limits), frames, limits);
-        return {std::move(net), wanted.tensor, std::move(frames), {}};
-    } catch (const Error& error) {
-        throw Error(error.code(), error.message(), degree_place(error, wanted.tensor));
-    }
 }
 
 /// A piece of one factor whose vertices are the combinations of the old ones.
@@ -199,27 +91,6 @@ std::vector<Patch> split_simplex(const Patch& patch, const Json& at, const Limit
 }
 
 }  // namespace
-
-Patch as_net(const Patch& patch, const Limits& limits) {
-    if (!patch.is_polynomial()) return patch;
-    const std::vector<std::size_t> degrees = default_degrees(patch.shape(), patch.tensor);
-    return over_domain(patch, {patch.tensor, {}}, degrees, limits);
-}
-
-Json control_net_of_patch(Fields& request, const Map& map, const Limits& limits) {
-    const Patch& patch = *patch_of(map);
-    const WantedDomain wanted = read_domain(request, patch, limits);
-    const std::vector<std::size_t> degrees = read_degrees(request, patch.shape(), wanted.tensor, limits);
-    request.finish();
-    if (patch.is_barycentric() && wanted.tensor) {
-        throw Error(ErrorCode::wrong_kind, R"(a simplex without "vertices" has no box of parameters)",
-                    "/intervals");
-    }
-    return Json::Object{
-        {"map", map_json(patch.is_barycentric() ? over_sub_simplex(patch, wanted, degrees, limits)
-                                                : over_domain(patch, wanted, degrees, limits),
-                         map)}};
-}
 
 Json subdivide_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch patch = as_net(*patch_of(map), limits);

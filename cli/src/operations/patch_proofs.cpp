@@ -3,10 +3,14 @@
 #include <fmt/format.h>
 #include <blossom/core/patch_contact.hpp>
 #include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/tensor_bspline_contact.hpp>
+
+#include <algorithm>
 
 #include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
 #include "operations/construction_results.hpp"
+#include "operations/map_list.hpp"
 #include "operations/patch_answers.hpp"
 
 namespace blossom::cli {
@@ -78,8 +82,8 @@ Json agree_for_all(const Map& map, const Limits& limits) {
     return result;
 }
 
-const PlacedPatch& required_net(const std::optional<PlacedPatch>& net, std::size_t i) {
-    if (net) return *net;
+PlacedPatch required_net(std::optional<PlacedPatch> net, std::size_t i) {
+    if (net) return std::move(*net);
     throw Error(
         ErrorCode::wrong_kind,
         R"(two tensor or two simplex maps are needed, these with "vertices": their domains say where they meet)",
@@ -90,6 +94,23 @@ std::optional<PlacedPatch> placed(const Map& map) {
     const Patch* patch = patch_of(map);
     if (!patch || patch->is_polynomial() || patch->is_barycentric()) return {};
     return PlacedPatch{std::get<BezierPatch>(patch->map), patch->frames};
+}
+
+/// A contact, of maps that are divided by their weights where the form says so: then the values of the first
+/// difference are points multiplied by weights.
+Json contact_json(const PatchContact& contact, const PointForm& form, bool tensor) {
+    const bool divided = form.separate_weights();
+    const PointForm of_values = divided ? PointForm{.scalar = form.scalar} : form;
+    Json result = Json::Object{
+        {"order", contact.order ? Json(Json::Number{std::to_string(*contact.order)}) : Json("infinite")}};
+    if (const auto& difference = contact.first_difference) {
+        result["first_difference"] =
+            Json::Object{{"arguments", patch_arguments_json(difference->arguments, tensor)},
+                         {"left", to_json(difference->left, of_values)},
+                         {"right", to_json(difference->right, of_values)}};
+    }
+    result["reason"] = divided ? projected_contact_text(contact) : to_string(contact);
+    return result;
 }
 
 }  // namespace
@@ -114,38 +135,56 @@ std::string patch_expansion_text(const Answered& answered) {
                        : "where the first barycentric coordinate of each argument is 1 less the others.\n");
 }
 
-Json continuity_of_patches(Fields& request, const std::vector<Map>& maps, const Limits& limits) {
+Json continuity_of_patches(Fields& request, std::vector<Map> maps, const Limits& limits) {
     request.finish();
     if (maps.size() != 2) {
         throw Error(ErrorCode::wrong_arity,
                     "there are two sides, left and right, not " + std::to_string(maps.size()), "/maps");
     }
-    const std::optional<PlacedPatch> first = placed(maps[0]);
-    const std::optional<PlacedPatch> second = placed(maps[1]);
-    const PlacedPatch& left = required_net(first, 0);
-    const PlacedPatch& right = required_net(second, 1);
+    for (std::size_t i = 0; i < maps.size(); ++i) required_net(placed(maps[i]), i);
+    make_form_common(maps, limits);
+    const PlacedPatch left = required_net(placed(maps[0]), 0);
+    const PlacedPatch right = required_net(placed(maps[1]), 1);
     const PointForm& form = maps[0].form;
-    if (form.separate_weights() || maps[1].form.separate_weights() ||
-        maps[1].form.homogeneous != form.homogeneous) {
-        throw Error(
-            ErrorCode::wrong_kind,
-            R"(the contact of rational patches is decided on their homogeneous coordinates: give both with )"
-            R"("homogeneous": true)",
-            "/maps");
-    }
     return within("maps", [&] {
-        const PatchContact found = contact(left, right, shared_face(left.frames, right.frames), limits);
-        Json result = Json::Object{
-            {"order", found.order ? Json(Json::Number{std::to_string(*found.order)}) : Json("infinite")}};
-        if (const auto& difference = found.first_difference) {
-            result["first_difference"] = Json::Object{
-                {"arguments", patch_arguments_json(difference->arguments, patch_of(maps[0])->tensor)},
-                {"left", to_json(difference->left, form)},
-                {"right", to_json(difference->right, form)}};
-        }
-        result["reason"] = to_string(found);
-        return result;
+        const Face face = shared_face(left.frames, right.frames);
+        const PatchContact found = form.separate_weights() ? projected_contact(left, right, face, limits)
+                                                           : contact(left, right, face, limits);
+        return contact_json(found, form, patch_of(maps[0])->tensor);
     });
+}
+
+Json continuity_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+    const TensorBSpline& spline = *tensor_bspline_of(map);
+    const auto at = request.required("at", [&](const Json& value) {
+        return read_list(value, [&](const Json& element) {
+            return element.is_null() ? std::nullopt : std::optional(read_number(element, limits));
+        });
+    });
+    request.finish();
+    const auto is_given = [](const std::optional<Rational>& entry) { return entry.has_value(); };
+    if (at.size() != spline.directions() || std::ranges::count_if(at, is_given) != 1) {
+        throw Error(
+            ErrorCode::wrong_arity,
+            fmt::format("one entry a direction is needed, {} of them: a number in one and null in the "
+                        "others",
+                        spline.directions()),
+            "/at");
+    }
+    const auto direction = static_cast<std::size_t>(std::ranges::find_if(at, is_given) - at.begin());
+    const bool divided = map.form.separate_weights();
+    const PatchContact found = within("at", [&] {
+        return within(direction, [&] {
+            try {
+                return divided ? projected_contact(spline, direction, *at[direction], limits)
+                               : contact(spline, direction, *at[direction], limits);
+            } catch (const Error& error) {
+                // The engine calls the field "/at", which the request is at already.
+                throw Error(error.code(), error.message());
+            }
+        });
+    });
+    return contact_json(found, map.form, true);
 }
 
 }  // namespace blossom::cli

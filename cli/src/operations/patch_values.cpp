@@ -145,6 +145,22 @@ PatchMap sum_of(const std::vector<std::pair<PatchMap, Integer>>& maps, const Lim
     return std::visit(add, maps.front().first);
 }
 
+PatchMap derivative_map(const Patch& patch, std::span<const PatchPoint> directions, const Limits& limits) {
+    std::vector<std::pair<PatchMap, Integer>> terms;
+    for (const auto& [lists, times] : factor_terms(patch.shape(), directions, limits)) {
+        terms.emplace_back(std::visit(DerivativeMap{lists, limits}, patch.map), times);
+    }
+    return sum_of(terms, limits);
+}
+
+PatchMap divided_derivative_map(const Patch& patch, std::vector<PatchPoint> directions,
+                                const Limits& limits) {
+    if (const auto* net = std::get_if<BezierPatch>(&patch.map))
+        return rational_derivative_patch(*net, directions, limits);
+    for (PatchPoint& direction : directions) direction = without_mass(direction);
+    return rational_derivative_patch(std::get<PolynomialPatch>(patch.map), directions, limits);
+}
+
 }  // namespace
 
 Coordinates derivative_value(const Patch& patch, std::span<const PatchPoint> directions, const PatchPoint& at,
@@ -191,17 +207,9 @@ Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits) 
     request.finish();
     const bool divided = map.form.separate_weights();
     if (!points) {
-        if (divided) {
-            throw Error(ErrorCode::wrong_kind,
-                        R"(the derivative of a rational patch is given at parameters: "at" is missing)",
-                        "/map");
-        }
-        std::vector<std::pair<PatchMap, Integer>> terms;
-        for (const auto& [lists, times] : factor_terms(patch.shape(), directions, limits)) {
-            terms.emplace_back(std::visit(DerivativeMap{lists, limits}, patch.map), times);
-        }
         Patch derived = patch;
-        derived.map = sum_of(terms, limits);
+        derived.map = divided ? divided_derivative_map(patch, directions, limits)
+                              : derivative_map(patch, directions, limits);
         return Json::Object{{"map", to_json(Map{std::move(derived), map.form, map.variable})}};
     }
     std::vector<Coordinates> values;

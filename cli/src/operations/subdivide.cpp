@@ -45,16 +45,6 @@ Json answer(Fields& request, const Limits& limits) {
     return Json::Object{{"maps", std::move(maps)}};
 }
 
-/// "1/2,1/4", "1/2,-" or "midpoints".
-Json place(std::string_view text, const Json&) {
-    if (text == "midpoints") return text;
-    Json parameters = number_list(text);
-    for (Json& parameter : *parameters.array()) {
-        if (*parameter.text() == "-") parameter = Json();
-    }
-    return parameters;
-}
-
 }  // namespace
 
 Operation subdivide_operation() {
@@ -66,7 +56,7 @@ Operation subdivide_operation() {
             "--at", "at", "T",
             "the parameter; for Bezier curves it may lie outside the interval; of a simplex a point or "
             "\"midpoints\", of a tensor product a number or - a direction",
-            plain_text, place)}),
+            plain_text, place_of_division)}),
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,

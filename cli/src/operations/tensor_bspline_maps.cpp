@@ -146,6 +146,16 @@ Json subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& lim
     return Json::Object{{"maps", std::move(maps)}};
 }
 
+Json convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+    const auto to = request.optional("to", [](const Json& value) { return value; });
+    const std::string* word = to ? to->text() : nullptr;
+    if (!request.has("segment") && word && *word == "bspline") {
+        request.finish();
+        return Json::Object{{"map", to_json(map)}};
+    }
+    return convert_patch(request, chosen_segment(request, map, limits), limits);
+}
+
 Json elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     TensorBSpline raised = *tensor_bspline_of(map);
     const auto by = request.required("by", [&](const Json& value) {

@@ -13,7 +13,8 @@ namespace blossom::cli {
 
 namespace {
 
-constexpr std::size_t steps = 16;  ///< along a side of a box
+constexpr std::size_t steps = 16;       ///< along a side of a box
+constexpr std::size_t most_lines = 12;  ///< along a side with several spans
 
 /// One polynomial of what is shown, over its part of the domain.
 struct Piece {
@@ -35,8 +36,8 @@ std::vector<Piece> pieces_of(const TensorBSpline& spline, const Limits& limits) 
     std::vector<BoxSide> sides;
     for (const KnotVector& knots : spline.knots()) {
         const std::size_t spans = knots.spans().size();
-        const std::size_t lines = std::max<std::size_t>(steps / 2 / spans, 1);
-        sides.push_back(spans > steps ? BoxSide{1, 1} : BoxSide{2 * lines, 2});
+        const std::size_t lines = spans == 1 ? steps / 2 : std::max<std::size_t>(most_lines / spans, 1);
+        sides.push_back(spans > 2 * most_lines ? BoxSide{1, 1} : BoxSide{2 * lines, 2});
     }
     std::vector<Piece> pieces;
     for (const auto& spans : boxes_of(spline, limits)) {

@@ -58,7 +58,18 @@ Face shared_face(std::span<const BarycentricFrame> left, std::span<const Barycen
 PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
                      const Limits& limits = {});
 
+/// The contact of the projected maps A/w and B/v, whose weights are the last coordinates, decided by that of
+/// the polynomial maps A v and B w: their difference vanishes on the face to the same order, since neither
+/// weight vanishes everywhere on it. The first difference is one of blossom values of A v and B w.
+///
+/// Cost: the products of nets, and a contact in the sums of the degrees. Errors: `zero_weight` if a weight
+/// vanishes on the whole face; as for `contact`. Source: DeRose, theorem 2 and section 5.
+PatchContact projected_contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
+                               const Limits& limits = {});
+
 /// A contact and its reason as a sentence.
 std::string to_string(const PatchContact& contact);
+/// The same of projected maps.
+std::string projected_contact_text(const PatchContact& contact);
 
 }  // namespace blossom

@@ -1,10 +1,12 @@
 #pragma once
 
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/bezier_patch.hpp>
+#include <blossom/core/polynomial_patch.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <span>
 
 namespace blossom {
 
@@ -17,5 +19,17 @@ namespace blossom {
 Coordinates projected_derivative(std::size_t directions,
                                  const std::function<Coordinates(std::size_t subset)>& derivative,
                                  const Limits& limits = {});
+
+/// The mixed derivative of the projected map in directions of the whole domain as a rational map again: N_k /
+/// w^(k+1) with N_0 = A and N_(k+1) = N_k' w - (k + 1) N_k w', of k + 1 times the degrees of the map; one
+/// argument a factor makes up a direction, barycentric of sum 0 for a net, x_1, ..., x_s for a polynomial.
+///
+/// Cost: k products of nets a coordinate. Errors: `zero_weight` if the weight is 0 everywhere;
+/// `limit_exceeded` for the degrees, and when a product would have more than `limits.numbers` pairs of
+/// coefficients. Source: the quotient rule.
+BezierPatch rational_derivative_patch(const BezierPatch& patch, std::span<const PatchPoint> directions,
+                                      const Limits& limits = {});
+PolynomialPatch rational_derivative_patch(const PolynomialPatch& patch,
+                                          std::span<const PatchPoint> directions, const Limits& limits = {});
 
 }  // namespace blossom
