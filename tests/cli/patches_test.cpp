@@ -133,7 +133,6 @@ TEST_CASE("rational patches are divided by their weights") {
         CHECK(refusal(R"("op": "evaluate", "at": [[1, -2]], )" + map) == "zero_weight /at/0");
         CHECK(refusal(R"("op": "blossom", "arguments": [{"vector": [1, 0]}], )" + map) ==
               "zero_weight /arguments/0");
-        CHECK(refusal(R"("op": "derivative", "direction": [1, 0], )" + map) == "wrong_kind /map");
     }
     CHECK(served_at("/result/map/weights", R"({"op": "control-points", )" + rational + "}") ==
           R"([[[1, 0, 0], "1"], [[0, 1, 0], "2"], [[0, 0, 1], "2"]])");
