@@ -4,11 +4,13 @@
 usage: check_documents.py PROGRAM EXAMPLES   (a line of EXAMPLES: what stands behind "blossom explain", or an exercise)
        check_documents.py --files FILE...
 
-Every relation must hold, every value of a table, a pyramid and a picture must be that of its meaning, and no number may stand
-where nothing says what it is.
+Every relation must hold, and every value of a table, a pyramid and a picture must be that of its meaning. A number that stands
+alone in a table must have a meaning, count the rows, or be an argument of what has one; alone in a sentence it must be a number
+of the given map, or occur in what was checked.
 """
 
 import json
+import re
 import shlex
 import subprocess
 import sys
@@ -17,12 +19,33 @@ from fractions import Fraction
 from evaluate_document import Context, Unknown, added, scaled, total
 
 
+def numbers_in(tree):
+    """All numbers of a formula, or of any other part of a document."""
+    if isinstance(tree, list):
+        return {number for part in tree for number in numbers_in(part)}
+    if isinstance(tree, dict):
+        if tree.get("kind") == "number":
+            return {Fraction(tree["value"])}
+        return {number for key, part in tree.items() if key not in ("text", "latex") for number in numbers_in(part)}
+    if isinstance(tree, int):
+        return {Fraction(tree)}
+    return {Fraction(tree)} if isinstance(tree, str) and re.fullmatch(r"-?\d+(/\d+)?", tree) else set()
+
+
+def is_bare(tree):
+    return tree["kind"] in ("number", "tuple")
+
+
 class Checker:
     def __init__(self, name, document):
         self.name, self.document = name, document
         self.context = Context(document)
         self.checked = 0
         self.problems = []
+        self.known = numbers_in([entry["definition"] for entry in document["maps"]])
+        self.known |= {Fraction(len(entry["definition"].get("coefficients", [0])) - 1) for entry in document["maps"]}
+        self.known |= {Fraction(len(entry["definition"].get("control_points", [0])) - 1) for entry in document["maps"]}
+        self.stated = []
 
     def problem(self, what):
         self.problems.append(f"{self.name}: {what}")
@@ -33,6 +56,7 @@ class Checker:
             self.problem(f"{what}: {left} is not {right}")
 
     def relation(self, tree, text):
+        self.known |= numbers_in(tree)
         if tree["name"] == "≠":
             left, right = (self.context.value(side) for side in tree["parts"])
             self.checked += 1
@@ -70,17 +94,19 @@ class Checker:
             value = added(value, pair)
         return value
 
-    def formula(self, formula, may_be_bare=False):
+    def formula(self, formula):
         tree = formula["tree"]
         if tree["kind"] == "relation":
             self.relation(tree, formula["text"])
-        elif tree["kind"] in ("number", "tuple") and not may_be_bare:
-            self.problem(f"{formula['text']}: a number without meaning")
+        elif is_bare(tree) or tree["kind"] == "interval":
+            self.stated.append(formula)
+        elif tree["kind"] in ("blossom", "call", "derivative"):
+            self.known |= numbers_in(tree)
 
-    def text(self, parts, may_be_bare=True):
+    def text(self, parts):
         for part in parts:
             if isinstance(part, dict):
-                self.formula(part, may_be_bare)
+                self.formula(part)
 
     def display(self, formulas):
         for formula in formulas:
@@ -95,21 +121,32 @@ class Checker:
         for title in table["header"]:
             self.text(title)
         width = len(table["header"])
-        for row in table["rows"]:
+        for number, row in enumerate(table["rows"]):
             if len(row) != width:
                 self.problem(f"{table['caption']}: a row of {len(row)} cells below {width} titles")
+            meanings = [cell["meaning"] for cell in row if "meaning" in cell]
             for cell in row:
-                self.text(cell["shown"])
-                if "meaning" in cell:
-                    (shown,) = cell["shown"]
-                    self.same(
-                        self.context.value(shown["tree"]),
-                        self.context.value(cell["meaning"]),
-                        f"{table['caption']}: {shown['text']}",
-                    )
+                self.cell(cell, number, meanings, table["caption"])
+
+    def cell(self, cell, number, meanings, caption):
+        (shown,) = cell["shown"] or [""]
+        if "meaning" not in cell:
+            counts = shown and not isinstance(shown, str) and shown["tree"] == {"kind": "number", "value": str(number)}
+            if isinstance(shown, str) or counts:
+                return
+            if not is_bare(shown["tree"]):
+                self.formula(shown)
+            elif not any(one.get("parts") == shown["tree"].get("parts") for one in meanings):
+                self.problem(f"{caption}: {shown['text']}: a number without meaning")
+        elif cell["meaning"]["kind"] == "relation":
+            self.relation(cell["meaning"], f"{caption}: {shown}")
+        else:
+            tree, meaning = shown["tree"], cell["meaning"]
+            self.same(self.context.value(tree), self.context.value(meaning), f"{caption}: {shown['text']}")
 
     def pyramid(self, pyramid):
         levels = pyramid["levels"]
+        self.known |= numbers_in(levels)
         for r, level in enumerate(levels):
             for i, node in enumerate(level):
                 value = self.context.value(node["value"])
@@ -125,7 +162,11 @@ class Checker:
         for point in picture["points"]:
             x, y = (Fraction(c) for c in point["place"])
             tree = point["label"]["tree"]
+            if "meaning" in point:
+                self.same((x, y), self.context.value(point["meaning"]), f"{point['label']['text']} in the picture")
+                continue
             if tree["kind"] not in ("blossom", "call"):
+                self.problem(f"{point['label']['text']} in a picture: a place without meaning")
                 continue
             value = self.context.value(tree)
             if "corners" in picture:
@@ -157,6 +198,9 @@ class Checker:
         self.blocks(document["result"])
         check = document.get("check", {"blocks": [], "holds": True})
         self.blocks(check["blocks"])
+        for formula in self.stated:
+            if not numbers_in(formula["tree"]) <= self.known:
+                self.problem(f"{formula['text']}: a number without meaning")
         if not check["holds"]:
             self.problem("its own check does not hold")
         if self.checked < 3 and "check" in document and document["maps"]:

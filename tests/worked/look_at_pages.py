@@ -1,122 +1,141 @@
 #!/usr/bin/env python3
-"""Measures the pages of a folder in headless Chromium.
+"""Measures the pages of a folder in headless Chromium, light and dark, at the widths of a desk and of a phone.
 
 usage: look_at_pages.py GALLERY WORK [PICTURES]   (WORK: a folder for files in between; PICTURES receives screenshots)
+
+Before that it breaks a page in every way that it looks for, and each must be found.
 """
 
 import html
 import json
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 
 WIDTHS = {"desk": 1100, "phone": 390}
+SCHEMES = {"light": 1, "dark": 0}
+MEASURE = pathlib.Path(__file__).with_name("measure_page.js")
+# Errors of a page are caught before anything of it runs.
+CATCH = "<head><script>window.pageErrors=[];addEventListener('error',e=>pageErrors.push('error: '+e.message),true)</script>"
+# At most this part of the labels may have a line behind them.
+MOST_CROSSED = 0.1
 
-# Runs in a copy of the page and leaves what it measured in an element that --dump-dom prints.
-MEASURE = """
-window.addEventListener('load', () => {
-  const problems = [...window.measuredErrors];
-  const box = (node) => node.getBoundingClientRect();
-  const width = document.documentElement.clientWidth;
-  if (document.documentElement.scrollWidth > width + 1) problems.push('the page is ' + document.documentElement.scrollWidth + ' wide');
-  for (const math of document.querySelectorAll('math')) {
-    if (math.closest('details')) continue;
-    const {width: w, height: h} = box(math);
-    if (w < 2 || h < 5) problems.push('a formula is not laid out: ' + math.textContent);
-  }
-  for (const fraction of document.querySelectorAll('mfrac')) {
-    if (fraction.closest('details')) continue;
-    const [above, below] = [...fraction.children].map(box);
-    if (above.top >= below.top) problems.push('a fraction lies on its side: ' + fraction.textContent);
-  }
-  for (const svg of document.querySelectorAll('svg')) {
-    const labels = [...svg.querySelectorAll('text')];
-    const paper = box(svg);
-    labels.forEach((label, i) => {
-      const a = box(label);
-      if (a.left < paper.left - 1 || a.right > paper.right + 1 || a.top < paper.top - 1 || a.bottom > paper.bottom + 1) {
-        problems.push('a label leaves its picture: ' + label.textContent);
-      }
-      for (const other of labels.slice(i + 1)) {
-        const b = box(other);
-        // The boxes of letters have some room above and below.
-        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left);
-        const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-        if (across > 1 && down > 0.3 * Math.min(a.height, b.height)) {
-          problems.push('labels on each other: ' + label.textContent + ' and ' + other.textContent);
-        }
-      }
-    });
-  }
-  for (const node of document.querySelectorAll('svg[role=img]')) {
-    if (!node.querySelector('title')?.textContent) problems.push('a picture without title');
-  }
-  const result = {problems, formulas: document.querySelectorAll('math').length, pictures: document.querySelectorAll('svg').length};
-  document.body.innerHTML = '';
-  document.body.appendChild(Object.assign(document.createElement('pre'), {id: 'measured', textContent: JSON.stringify(result)}));
-});
-"""
-CATCH = "<script>window.measuredErrors=[];window.addEventListener('error',e=>measuredErrors.push(String(e.message)))</script>"
+BROKEN = {
+    "error: ": ("</body>", "<script>undefinedFunction()</script></body>"),
+    "the page is": ("</h1>", '</h1><div style="width:3000px">wide</div>'),
+    "a formula does not fit": ('<div class="formula">', '<div class="formula" style="width:9px">'),
+    "a formula is not laid out": ("<math", '<math style="display:none"'),
+    "a fraction lies on its side": ("<mfrac>", '<mfrac style="display:inline-flex">'),
+    "a power is not raised": ("<msup>", '<msup style="display:inline-block;max-width:5px">'),
+    "not one heading": ("<h1>", "<h1>again</h1><h1>"),
+    "no language": (' lang="en"', ""),
+    "a picture without title": ('role="img"', ""),
+    "without scope": (' scope="col"', ""),
+    "contrast": ("--ink:#1b1b1b", "--ink:#c0c0c0"),
+    "labels on each other": ('<text x="', '<text x="200" y="50">over</text><text x="200" y="50">over</text><text x="'),
+    "a label leaves its picture": ('<text x="', '<text x="-90" y="5">outside</text><text x="'),
+    "a label on a point": ('<circle cx="', '<text x="99" y="99">on</text><circle cx="99" cy="99" r="5"/><circle cx="'),
+    "a node is too small": ('class="name">', 'class="name">very long and longer and longer '),
+    "scrolls, but not by keys": ('tabindex="0"', ""),
+}
 
 
-def chromium(width, *arguments):
-    command = ["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"]
-    command += [f"--window-size={width},2400", *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
+def chromium(*arguments):
+    command = ["chromium", "--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--enable-logging=stderr"]
+    answer = subprocess.run([*command, *arguments], capture_output=True, text=True, timeout=300, check=True)
+    return answer.stdout, [line for line in answer.stderr.splitlines() if ":CONSOLE" in line]
 
 
-def measured(page, width, work):
-    # Chromium has a least window width, so that a narrow page stands in a frame of its own.
-    text = page.read_text(encoding="utf-8").replace("<head>", "<head>" + CATCH, 1)
-    inner = work / "inner.html"
-    inner.write_text(text.replace("</body>", f"<script>{MEASURE}</script></body>"), encoding="utf-8")
-    outer = work / "outer.html"
-    outer.write_text(
-        f'<iframe id="page" src="inner.html" style="width:{width}px;height:2000px;border:0"></iframe><script>'
-        "window.addEventListener('load',()=>setTimeout(()=>{document.body.innerHTML="
-        "document.getElementById('page').contentDocument.getElementById('measured').outerHTML},100))</script>",
-        encoding="utf-8",
-    )
-    dump = chromium(1200, "--allow-file-access-from-files", "--virtual-time-budget=3000", "--dump-dom", f"file://{outer}")
-    return json.loads(html.unescape(re.search(r'<pre id="measured">(.*?)</pre>', dump, re.S).group(1)))
+def measured(pages, work, scheme):
+    """What each page has at each width, and the lines of the console."""
+    folder = work / "measured"
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    for name, text in pages.items():
+        (folder / name).write_text(text.replace("<head>", CATCH, 1), encoding="utf-8")
+    outer = folder / "all.html"
+    call = f"run({json.dumps(list(pages))}, {json.dumps(WIDTHS)})"
+    outer.write_text(f"<body><script>{MEASURE.read_text(encoding='utf-8')}\n{call}</script>", encoding="utf-8")
+    options = ["--allow-file-access-from-files", f"--blink-settings=preferredColorScheme={SCHEMES[scheme]}"]
+    dump, console = chromium(*options, "--window-size=1200,2000", "--virtual-time-budget=60000", "--dump-dom", f"file://{outer}")
+    found = re.search(r'<pre id="measured">(.*?)</pre>', dump, re.S)
+    if not found:
+        sys.exit(f"the pages were not measured: {dump[-500:]} {console}")
+    return json.loads(html.unescape(found.group(1))), console
 
 
-def broken_links(page):
-    targets = re.findall(r'href="([^"]*)"', page.read_text(encoding="utf-8"))
+def broken_links(page, text):
+    targets = re.findall(r'(?:href|src)="([^"#]*)"', text)
     return [f"a link to {target} leads nowhere" for target in targets if not (page.parent / target).is_file()]
 
 
-def picture(page, name, width, work, folder):
-    frame = work / "frame.html"
-    frame.write_text(
-        f'<body style="margin:0"><iframe src="file://{page}" style="width:{width}px;height:2400px;border:0"></iframe>',
-        encoding="utf-8",
-    )
-    chromium(max(width, 500), f"--screenshot={folder}/{page.stem}-{name}.png", f"file://{frame}")
+def what_is_not_found(pages, work):
+    """Breaks pages on purpose; the names of what was not noticed."""
+    broken = {}
+    for i, (problem, (old, new)) in enumerate(BROKEN.items()):
+        text = next((text for text in pages.values() if old in text and "<circle" in text and "<mfrac>" in text), None)
+        if text is None:
+            return [f"no page has {old}"]
+        broken[f"{i}.html"] = text.replace(old, new) if problem in ("contrast", "a formula is not laid out") else text.replace(old, new, 1)
+    results, _ = measured(broken, work, "light")
+    missed = []
+    for i, problem in enumerate(BROKEN):
+        found = [one for at in results[f"{i}.html"].values() for one in at["problems"]]
+        if not any(one.startswith(problem) or problem in one for one in found):
+            missed.append(f"not noticed: {problem}")
+    if not broken_links(pathlib.Path(work) / "page.html", '<a href="nowhere.html">'):
+        missed.append("not noticed: a broken link")
+    return missed
+
+
+def take_pictures(path, heights, work, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    for scheme in SCHEMES:
+        for name, width in WIDTHS.items():
+            height = min(heights[name], 8000)
+            frame = work / "frame.html"
+            frame.write_text(
+                f'<body style="margin:0"><iframe src="file://{path}" style="width:{width}px;height:{height}px;border:0"></iframe>',
+                encoding="utf-8",
+            )
+            setting = f"--blink-settings=preferredColorScheme={SCHEMES[scheme]}"
+            # Chromium has a least window width.
+            size = f"--window-size={max(width, 500)},{height}"
+            chromium(setting, size, f"--screenshot={folder}/{path.stem}-{name}-{scheme}.png", f"file://{frame}")
+    chromium(f"--print-to-pdf={folder}/{path.stem}-printed.pdf", "--no-pdf-header-footer", f"file://{path}")
 
 
 def main(gallery, work, pictures=None):
-    pages = sorted(pathlib.Path(gallery).glob("*.html"))
+    paths = sorted(pathlib.Path(gallery).glob("*.html"))
     work = pathlib.Path(work)
-    failures = 0
-    formulas = 0
-    for page in pages:
-        problems = broken_links(page)
-        if "<script" in page.read_text(encoding="utf-8"):
-            problems.append("there is a script")
-        for name, width in WIDTHS.items():
-            result = measured(page, width, work)
-            problems += [f"{name}: {problem}" for problem in result["problems"]]
-            formulas += result["formulas"]
-            if pictures:
-                pathlib.Path(pictures).mkdir(parents=True, exist_ok=True)
-                picture(page, name, width, work, pictures)
-        for problem in problems:
-            print(f"{page.name}: {problem}")
-        failures += len(problems)
-    print(f"{len(pages)} pages at {len(WIDTHS)} widths, {formulas} formulas, {failures} problems")
-    return 1 if failures or not pages or not formulas else 0
+    pages = {path.name: path.read_text(encoding="utf-8") for path in paths}
+    problems = what_is_not_found(pages, work)
+    formulas = labels = 0
+    crossed = []
+    for path in paths:
+        problems += [f"{path.name}: {problem}" for problem in broken_links(path, pages[path.name])]
+        if "<script" in pages[path.name]:
+            problems.append(f"{path.name}: there is a script")
+    for scheme in SCHEMES:
+        results, console = measured(pages, work, scheme)
+        problems += console
+        for page, widths in results.items():
+            for name, result in widths.items():
+                problems += [f"{page}, {scheme}, {name}: {problem}" for problem in result["problems"]]
+                formulas += result["formulas"]
+                labels += result["labels"]
+                crossed += [f"{page}: {label}" for label in result["crossed"]]
+        if pictures and scheme == "light":
+            for path in paths:
+                take_pictures(path, {name: result["height"] for name, result in results[path.name].items()}, work, pathlib.Path(pictures))
+    if len(crossed) > MOST_CROSSED * labels:
+        problems.append(f"{len(crossed)} of {labels} labels have a line behind them: {sorted(set(crossed))}")
+    print("\n".join(problems))
+    print(f"{len(pages)} pages, {len(WIDTHS)} widths, {len(SCHEMES)} schemes: {formulas} formulas, {labels} labels, {len(crossed)} of them on a line")
+    print(f"{len(problems)} problems")
+    return 1 if problems or not pages or not formulas or not labels else 0
 
 
 if __name__ == "__main__":

@@ -78,6 +78,10 @@ Formula tuple(std::vector<Formula> parts) { return node(FormulaKind::tuple, std:
 
 Formula set_of(std::vector<Formula> parts) { return node(FormulaKind::set, std::move(parts)); }
 
+Formula interval_of(Formula begin, Formula end) {
+    return node(FormulaKind::interval, {std::move(begin), std::move(end)});
+}
+
 Formula summation(Formula below, Formula of) {
     return node(FormulaKind::summation, {std::move(below), std::move(of)});
 }

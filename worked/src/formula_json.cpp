@@ -40,6 +40,8 @@ std::string_view kind_name(FormulaKind kind) {
             return "tuple";
         case FormulaKind::set:
             return "set";
+        case FormulaKind::interval:
+            return "interval";
         case FormulaKind::summation:
             return "summation";
         case FormulaKind::relation:

@@ -1,5 +1,6 @@
 #include <blossom/worked/render.hpp>
 
+#include <algorithm>
 #include <string>
 
 #include "html_page.hpp"
@@ -55,13 +56,26 @@ private:
     }
 
     void text(pugi::xml_node node, const Text& text) const {
-        for (const Text::Part& part : text.parts()) {
-            std::visit(
-                Overloaded{[&](const std::string& words) {
-                               node.append_child(pugi::node_pcdata).set_value(words.c_str());
-                           },
-                           [&](const Formula& formula) { append_math(node, layout_of(formula, notation_)); }},
-                part);
+        const std::vector<Text::Part>& parts = text.parts();
+        std::size_t begun = 0;  ///< the bytes of the next words that stand behind a formula already
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            if (const auto* words = std::get_if<std::string>(&parts[i])) {
+                node.append_child(pugi::node_pcdata).set_value(words->c_str() + begun);
+                begun = 0;
+                continue;
+            }
+            const Layout layout = layout_of(std::get<Formula>(parts[i]), notation_);
+            const auto* next = i + 1 < parts.size() ? std::get_if<std::string>(&parts[i + 1]) : nullptr;
+            begun = next ? std::min(next->find_first_not_of(".,;:?)"), next->size()) : 0;
+            if (begun == 0) {
+                append_math(node, layout);
+                continue;
+            }
+            // A line does not begin with what ends a formula.
+            pugi::xml_node together = node.append_child("span");
+            together.append_attribute("class") = "together";
+            append_math(together, layout);
+            together.append_child(pugi::node_pcdata).set_value(next->substr(0, begun).c_str());
         }
     }
 
@@ -85,8 +99,9 @@ private:
     }
 
     void table(pugi::xml_node parent, const Table& table) const {
-        pugi::xml_node node = scroller(parent, table.caption).append_child("table");
-        append_words(node, "caption", table.caption);
+        pugi::xml_node figure = parent.append_child("figure");
+        append_words(figure, "figcaption", table.caption);
+        pugi::xml_node node = scroller(figure, table.caption).append_child("table");
         pugi::xml_node row = node.append_child("thead").append_child("tr");
         for (const Text& title : table.header) {
             pugi::xml_node cell = row.append_child("th");

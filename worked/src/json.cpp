@@ -157,6 +157,7 @@ private:
             json["points"].push_back({{"role", role_name(point.role)},
                                       {"place", coordinates(point.place)},
                                       {"label", formula(point.label)}});
+            if (point.meaning) json["points"].back()["meaning"] = to_json(*point.meaning);
         }
         return {{"picture", std::move(json)}};
     }

@@ -53,6 +53,8 @@ public:
                 return fenced("()", listed(parts));
             case FormulaKind::set:
                 return fenced("{}", listed(parts));
+            case FormulaKind::interval:
+                return fenced("[]", listed(parts));
             case FormulaKind::summation:
                 return row({{Kind::under, "", {{Kind::sign, "∑", {}}, build(parts[0])}},
                             bound(parts[1], Binding::product)});

@@ -27,6 +27,8 @@ void append_operator(pugi::xml_node parent, std::string_view text, const char* s
     pugi::xml_node node = parent.append_child("mo");
     node.text().set(std::string(text).c_str());
     if (space) {
+        // At the beginning of a line a sign is not one in front of a number.
+        node.append_attribute("form") = "infix";
         node.append_attribute("lspace") = space;
         node.append_attribute("rspace") = space;
     }
@@ -82,7 +84,7 @@ void append(pugi::xml_node parent, const Layout& layout) {
             append_operator(parent, layout.text, "0.25em");
             break;
         case Kind::sign:
-            append_operator(parent, layout.text, "0");
+            append_fence(parent, layout.text);
             break;
         case Kind::times:
             append_operator(parent, "\u2062");

@@ -60,7 +60,10 @@ public:
     }
 
     void apply(Picture& picture) const {
-        for (PicturePoint& point : picture.points) apply(point.label);
+        for (PicturePoint& point : picture.points) {
+            apply(point.label);
+            if (point.meaning) apply(*point.meaning);
+        }
     }
 
 private:

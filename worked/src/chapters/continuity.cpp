@@ -18,10 +18,14 @@ std::vector<Cell> row(const BSplineCurve& curve, std::size_t left, std::size_t r
         with_copies(with_copies({}, curve.degree() - k, Parameter(knot)), k, Parameter(knot + Rational(1)));
     const Coordinates before = segment_blossom(curve, left, arguments, limits);
     const Coordinates after = segment_blossom(curve, right, arguments, limits);
-    return {number(k), tuple(argument_formulas(arguments)),
-            Cell(point_formula(before), spline_value(arguments, left)),
-            Cell(point_formula(after), spline_value(arguments, right)),
-            before == after ? "equal" : "different"};
+    return {
+        number(k), tuple(argument_formulas(arguments)),
+        Cell(point_formula(before), spline_value(arguments, left)),
+        Cell(point_formula(after), spline_value(arguments, right)),
+        before == after
+            ? Cell("equal", relation("=", {spline_value(arguments, left), spline_value(arguments, right)}))
+            : Cell("different",
+                   relation("≠", {spline_value(arguments, left), spline_value(arguments, right)}))};
 }
 
 }  // namespace

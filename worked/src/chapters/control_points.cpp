@@ -70,8 +70,9 @@ Picture polygon_picture(const PlaneMap& plane, const BezierCurve& polygon, const
 /// b, and then those at a, have all of them.
 Step two_subdivisions(const BezierCurve& given, const Interval& interval, const Limits& limits) {
     StepBuilder step("From the given polygon");
-    step.say({"Each value is the apex of a pyramid over [", number(given.interval().a()), ", ",
-              number(given.interval().b()), "]. This is the one of the last but one control point:"});
+    step.say({"Each value is the apex of a pyramid over ",
+              interval_of(number(given.interval().a()), number(given.interval().b())),
+              ". This is the one of the last but one control point:"});
     const std::size_t n = given.degree();
     const auto arguments = end_arguments(interval.a(), interval.b(), n, n > 0 ? n - 1 : 0);
     step.add(casteljau_triangle(given, arguments, "One value as the apex of a pyramid.", limits));
@@ -83,13 +84,14 @@ Step two_subdivisions(const BezierCurve& given, const Interval& interval, const 
 Document control_points_over(const GivenMap& given, const Interval& interval, const Limits& limits) {
     Document document =
         begun(given, "Control points over an interval", "Goldman, theorem 4: the dual functional property");
-    document.statement.emplace_back(Paragraph{{"Wanted are the Bezier control points over [",
-                                               number(interval.a()), ", ", number(interval.b()), "]."}});
+    document.statement.emplace_back(
+        Paragraph{{"Wanted are the Bézier control points over ",
+                   interval_of(number(interval.a()), number(interval.b())), "."}});
     const BezierCurve polygon =
         std::visit([&](const auto& curve) { return control_points(curve, interval, limits); }, given.map);
     document.steps.push_back(
         StepBuilder("Which values they are")
-            .say({"Control point k is the value of the blossom at ",
+            .say({"Control point ", symbol("k"), " is the value of the blossom at ",
                   sum({number(polygon.degree()), product({number(-1), symbol("k")})}), " copies of ",
                   number(interval.a()), " and ", symbol("k"), " copies of ", number(interval.b()), "."})
             .done());

@@ -41,7 +41,7 @@ Check de_boor_check(const BSplineCurve& curve, std::size_t span, const Parameter
         points.push_back(
             equation({spline_value(arguments, span), point_formula(bezier.control_points()[k])}));
     }
-    return {{Paragraph{"The segment as a Bezier curve has the control points"}, Display{std::move(points)},
+    return {{Paragraph{"The segment as a Bézier curve has the control points"}, Display{std::move(points)},
              Paragraph{"and de Casteljau's algorithm gives the same value:"},
              Display{{equation({call("F", {number(t.value)}), point_formula(direct)})}}},
             direct == value};

@@ -34,14 +34,13 @@ std::string raised_name(std::size_t step) {
 Formula mean_formula(std::size_t m, const std::string& old_name, const std::string& new_name) {
     std::vector<Formula> all;
     for (std::size_t i = 1; i <= m; ++i) all.push_back(symbol("u" + std::to_string(i)));
-    std::vector<Formula> terms;
+    std::vector<std::pair<Rational, Formula>> terms;
     for (std::size_t left_out = m; left_out-- > 0;) {
         std::vector<Formula> rest = all;
         rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(left_out));
-        terms.push_back(blossom_of(old_name, std::move(rest)));
+        terms.emplace_back(Rational(1) / Rational(m), blossom_of(old_name, std::move(rest)));
     }
-    return equation(
-        {blossom_of(new_name, all), product({number(Rational(1) / Rational(m)), sum(std::move(terms))})});
+    return equation({blossom_of(new_name, all), combination(terms)});
 }
 
 std::optional<Picture> raised_picture(const PolynomialMap& map, const BezierCurve& before,

@@ -64,9 +64,10 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
                                  .done());
     document.steps.push_back(
         StepBuilder("The triangle")
-            .say({"Over the interval [", number(bezier.interval().a()), ", ", number(bezier.interval().b()),
-                  "] the vector ", symbol("delta"), " has the coordinates ", number(Rational(-1) / length),
-                  " and ", number(Rational(1) / length), ": on its level", order == 1 ? "" : "s",
+            .say({"Over the interval ",
+                  interval_of(number(bezier.interval().a()), number(bezier.interval().b())), " the vector ",
+                  symbol("delta"), " has the coordinates ", number(Rational(-1) / length), " and ",
+                  number(Rational(1) / length), ": on its level", order == 1 ? "" : "s",
                   " the triangle takes differences; on the others it is de Casteljau's."})
             .add(
                 casteljau_triangle(bezier, arguments, "The triangle with delta on its first levels.", limits))

@@ -14,8 +14,11 @@ Formula written_out(const PolynomialCurve& curve, const Rational& t) {
         const Coordinates coefficient = curve.coefficients()[k];
         if (coefficient == Coordinates(coefficient.size())) continue;
         std::vector<Formula> factors;
-        if (k == 0 || coefficient != Coordinates{1}) factors.push_back(point_formula(coefficient));
         if (k > 0) factors.push_back(power(number(t), number(k)));
+        // A number stands in front of a point.
+        const Formula value = point_formula(coefficient);
+        if (k == 0 || coefficient != Coordinates{1})
+            factors.insert(coefficient.size() == 1 ? factors.begin() : factors.end(), value);
         terms.push_back(product(std::move(factors)));
     }
     return sum(std::move(terms));
@@ -35,12 +38,19 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
 
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
-    document.steps.push_back(
-        StepBuilder("The value is a diagonal value of the blossom")
+    StepBuilder diagonal_value("The value is a diagonal value of the blossom");
+    if (std::holds_alternative<BezierCurve>(given.map)) {
+        diagonal_value.say(
+            {"When all arguments agree, the blossom is the map: ", equation({wanted, diagonal}),
+             ". The way there begins at the control points, the values at the ends ", number(a), " and ",
+             number(b), " of the interval."});
+    } else {
+        diagonal_value
             .say({"When all arguments agree, the blossom is the map: ", equation({wanted, diagonal}),
                   ". The control points are the values at the ends of the interval:"})
-            .show(control_point_equations(bezier))
-            .done());
+            .show(control_point_equations(bezier));
+    }
+    document.steps.push_back(diagonal_value.done());
     document.steps.push_back(
         StepBuilder("One argument a level becomes the parameter")
             .say({"The parameter is a combination of the ends, ",

@@ -114,10 +114,16 @@ Table monomials(std::size_t n, const std::string& variable) {
             blossom += SparsePolynomial::term(weight, exponents);
         }
         const std::vector<Formula> tw{symbol(variable), symbol("w")};
+        const SparsePolynomial form = SparsePolynomial::term(1, std::vector<std::size_t>{k, n - k});
+        const auto mean_of = [&](const std::vector<Formula>& arguments) {
+            return fraction(elementary(k, arguments), binomial_of(number(n), number(k)));
+        };
+        const Formula power_of_variable = power(tw[0], number(k));
         table.rows.push_back(
-            {k == 0 ? number(1) : power(tw[0], number(k)), parameters_first(blossom, symbols),
-             parameters_first(SparsePolynomial::term(1, std::vector<std::size_t>{k, n - k}), tw),
-             parameters_first(homogenised(blossom, n), symbols)});
+            {Cell(k == 0 ? number(1) : power_of_variable, power_of_variable),
+             Cell(parameters_first(blossom, symbols), mean_of(numbered_symbols("u", n))),
+             Cell(parameters_first(form, tw), product({power_of_variable, power(tw[1], number(n - k))})),
+             Cell(parameters_first(homogenised(blossom, n), symbols), mean_of(pairs(n)))});
     }
     return table;
 }
@@ -148,7 +154,10 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
             .say("The blossom of the map, one argument in place of each parameter:")
             .show({equation(
                 {blossom_of("p", numbered_symbols("u", n)), coordinates_formula(blossom, symbols)})})
-            .say("Each argument becomes a pair (u, v); a term gets the v of every argument whose u it lacks:")
+            .say({"Each argument becomes a pair ", tuple({symbol("u"), symbol("v")}), ": with ", symbol("v"),
+                  " = 1 it is the point ", symbol("u"), ", with ", symbol("v"),
+                  " = 0 a vector. A term gets the ", symbol("v"), " of every argument whose ", symbol("u"),
+                  " it lacks:"})
             .show({equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})})
             .done());
     document.steps.push_back(

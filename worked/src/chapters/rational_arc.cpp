@@ -13,6 +13,33 @@ constexpr std::size_t steps_of_arc = 96;
 
 Place projected_place(const Coordinates& homogeneous) { return place_of(projected(homogeneous)); }
 
+/// The coordinates one by one, as scalar maps that only meanings name: x1, x2, ... and the weight w.
+std::string coordinate_name(std::size_t j, std::size_t dimension) {
+    return j + 1 == dimension ? "w" : "x" + std::to_string(j + 1);
+}
+
+void name_coordinates(Document& document, const BezierCurve& curve) {
+    for (std::size_t j = 0; j < curve.dimension(); ++j) {
+        std::vector<Coordinates> points;
+        for (const Coordinates& point : curve.control_points().to_points()) points.push_back({point[j]});
+        const std::string name = coordinate_name(j, curve.dimension());
+        std::string map = name;
+        map.front() = j + 1 == curve.dimension() ? 'W' : 'X';
+        document.maps.push_back({map, name, "t", PolynomialMap(BezierCurve(points, curve.interval()))});
+    }
+}
+
+/// The value at the arguments divided by its weight, in these names.
+Formula divided(const BezierCurve& curve, std::span<const Argument> arguments) {
+    std::vector<Formula> coordinates;
+    const Formula weight = value_of_blossom(arguments, "w");
+    for (std::size_t j = 0; j + 1 < curve.dimension(); ++j) {
+        coordinates.push_back(
+            fraction(value_of_blossom(arguments, coordinate_name(j, curve.dimension())), weight));
+    }
+    return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
+}
+
 /// The points P_k = (w P, w) as they stand in the plane, with their weights.
 Table weight_table(const BezierCurve& curve) {
     Table table{
@@ -23,8 +50,10 @@ Table weight_table(const BezierCurve& curve) {
         const Coordinates point = curve.control_points()[k];
         const Rational& weight = point.back();
         const Formula name = value_of_blossom(arguments);
-        std::vector<Cell> row{name, Cell(point_formula(point), name), number(weight)};
-        row.emplace_back(weight.is_zero() ? Cell("at infinity") : Cell(point_formula(projected(point))));
+        std::vector<Cell> row{name, Cell(point_formula(point), name),
+                              Cell(number(weight), value_of_blossom(arguments, "w"))};
+        row.emplace_back(weight.is_zero() ? Cell("at infinity")
+                                          : Cell(point_formula(projected(point)), divided(curve, arguments)));
         table.rows.push_back(std::move(row));
     }
     return table;
@@ -41,7 +70,9 @@ std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t,
         if (point.back().is_zero()) return std::nullopt;
         const Place place = projected_place(point);
         polygon.places.push_back(place);
-        picture.points.push_back({place, index(symbol("P"), number(k)), Role::control});
+        const auto arguments = end_arguments(curve.interval().a(), curve.interval().b(), curve.degree(), k);
+        picture.points.push_back(
+            {place, index(symbol("P"), number(k)), Role::control, divided(curve, arguments)});
     }
     picture.lines.push_back(std::move(polygon));
     PictureCurve arc{{}, false, Role::control};
@@ -53,15 +84,17 @@ std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t,
         arc.places.push_back(projected_place(point));
     }
     picture.curves.push_back(std::move(arc));
-    picture.points.push_back({projected_place(evaluate(curve, t, limits)), symbol("C"), Role::result});
+    picture.points.push_back({projected_place(evaluate(curve, t, limits)), symbol("C"), Role::result,
+                              divided(curve, with_copies({}, curve.degree(), t))});
     return picture;
 }
 
 }  // namespace
 
 Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& limits) {
-    Document document = begun(given, "A rational arc", "Fernandez-Jambrina, section 5; Goldman, section 4");
+    Document document = begun(given, "A rational arc", "Fernández-Jambrina, section 5; Goldman, section 4");
     const BezierCurve bezier = bezier_form(given.map, limits);
+    name_coordinates(document, bezier);
     const Coordinates homogeneous = evaluate(bezier, t, limits);
     const Coordinates point = projected(homogeneous);
     const Formula at = call("P", {number(t.value)});

@@ -35,7 +35,7 @@ Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve
         equations.push_back(combined(curve, span, wanted, bezier.control_points()[k], limits));
     }
     return StepBuilder("The segment on " + interval_text(interval))
-        .say({"Its Bezier control points are the values of its blossom at ", number(interval.a()), " and ",
+        .say({"Its Bézier control points are the values of its blossom at ", number(interval.a()), " and ",
               number(interval.b()),
               (". De Boor's triangle makes each from the control points of the spline; this is its last "
                "level:")})
@@ -47,7 +47,7 @@ Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve
 
 Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
     Picture picture =
-        spline_picture(plane, "The B-spline polygon and the Bezier polygons of its segments.", limits);
+        spline_picture(plane, "The B-spline polygon and the Bézier polygons of its segments.", limits);
     std::size_t index = 0;
     for (const std::size_t span : plane.curve.knots().spans()) {
         const BezierCurve bezier = sablonniere(plane.curve, span, limits);
@@ -68,9 +68,9 @@ Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
 }  // namespace
 
 Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
-    Document document = begun(curve, "From a B-spline to Bezier curves",
+    Document document = begun(curve, "From a B-spline to Bézier curves",
                               "Hart, Boehm blossoms; DeRose, section 4.6 and figure 9");
-    document.statement.emplace_back(Paragraph{"Wanted are the Bezier control points of all its segments."});
+    document.statement.emplace_back(Paragraph{"Wanted are the Bézier control points of all its segments."});
     const std::vector<std::size_t> spans = curve.knots().spans();
     std::vector<BezierCurve> segments;
     for (const std::size_t span : spans) {
@@ -97,7 +97,7 @@ Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
     }
     document.check = {
         {Paragraph{segments.size() == 1
-                       ? "There is one segment, and the spline is this Bezier curve."
+                       ? "There is one segment, and the spline is this Bézier curve."
                        : "Neighbouring segments meet at each knot at least as smoothly as its "
                          "multiplicity promises: with order n - m at a knot of multiplicity m."}},
         holds};

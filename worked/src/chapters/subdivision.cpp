@@ -37,8 +37,8 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
     const Rational& b = bezier.interval().b();
     const auto [left, right] = subdivide(bezier, t, limits);
     document.statement.emplace_back(
-        Paragraph{{"Wanted are its control points over [", number(a), ", ", number(t.value), "] and over [",
-                   number(t.value), ", ", number(b), "]."}});
+        Paragraph{{"Wanted are its control points over ", interval_of(number(a), number(t.value)),
+                   " and over ", interval_of(number(t.value), number(b)), "."}});
     TrianglePyramid pyramid = casteljau_triangle(
         bezier, with_copies({}, bezier.degree(), t),
         "The pyramid: the upper edge has the left polygon, the lower edge the right one.", limits);

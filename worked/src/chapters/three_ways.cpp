@@ -56,8 +56,11 @@ Step symmetric_step(const GivenMap& given, std::span<const Argument> arguments, 
     step.blocks.emplace_back(Paragraph{
         {"Each power ", power(symbol(given.variable), symbol("k")), " of the polynomial is replaced by ",
          fraction(index(symbol("e"), symbol("k")), binomial_of(number(n), symbol("k"))), ", where ",
-         index(symbol("e"), symbol("k")),
-         " is the sum of all products of k arguments (a vector counts 0 where it is left out, a point 1):"}});
+         index(symbol("e"), symbol("k")), " is the sum of all products of ", symbol("k"),
+         all_points(arguments)
+             ? " arguments:"
+             : " arguments, each times the masses of the arguments that are left out (1 for "
+               "a point, 0 for a vector):"}});
     Display sums;
     std::vector<Formula> general;
     std::vector<Formula> written;
@@ -98,7 +101,8 @@ struct SubsetRow {
     std::vector<Argument> members;
     Rational u;
     Rational mass;
-    Rational weight;  ///< the sign times the number of subsets that look like this one
+    Rational weight;                  ///< the sign times the number of subsets that look like this one
+    std::vector<Formula> alike = {};  ///< this number, as binomial coefficients
 };
 
 std::vector<SubsetRow> subset_rows(std::span<const Argument> arguments) {
@@ -112,9 +116,11 @@ std::vector<SubsetRow> subset_rows(std::span<const Argument> arguments) {
             for (std::size_t j = times + 1; j-- > 0;) {
                 const Rational count(j);
                 const Rational sign = (times - j) % 2 == 0 ? 1 : -1;
-                longer.push_back({with_copies(row.members, j, argument), row.u + count * pair.u,
-                                  row.mass + count * pair.mass,
-                                  row.weight * sign * Rational(binomial(times, j))});
+                SubsetRow& next = longer.emplace_back(
+                    SubsetRow{with_copies(row.members, j, argument), row.u + count * pair.u,
+                              row.mass + count * pair.mass, row.weight * sign * Rational(binomial(times, j)),
+                              row.alike});
+                next.alike.push_back(binomial_of(number(times), number(j)));
             }
         }
         rows = std::move(longer);
@@ -122,6 +128,24 @@ std::vector<SubsetRow> subset_rows(std::span<const Argument> arguments) {
     std::erase_if(rows, [](const SubsetRow& row) { return row.members.empty(); });
     std::ranges::stable_sort(rows, {}, [](const SubsetRow& row) { return row.members.size(); });
     return rows;
+}
+
+/// The sum of the arguments as pairs.
+Formula sum_of_pairs(std::span<const Argument> arguments) {
+    std::vector<Formula> pairs;
+    for (const Argument& argument : arguments) {
+        pairs.push_back(tuple({number(argument.u), number(argument.mass)}));
+    }
+    return sum(std::move(pairs));
+}
+
+/// (-1)^(n-N), times N^n where values at means are added, times the number of subsets that look alike.
+Formula factor_formula(const SubsetRow& row, std::size_t n, bool points) {
+    const std::size_t size = row.members.size();
+    std::vector<Formula> factors{power(tuple({number(-1)}), number(n - size))};
+    if (points) factors.push_back(power(number(size), number(n)));
+    factors.insert(factors.end(), row.alike.begin(), row.alike.end());
+    return product(std::move(factors));
 }
 
 Table polarization_table(const PolynomialCurve& curve, std::span<const SubsetRow> rows, bool points) {
@@ -142,9 +166,10 @@ Table polarization_table(const PolynomialCurve& curve, std::span<const SubsetRow
         const Formula place = points ? number(at) : tuple({number(row.u), number(row.mass)});
         const Formula meaning = points ? call("P", {place}) : blossom_of("p", std::vector<Formula>(n, place));
         const Formula mean = fraction(sum(argument_formulas(row.members)), number(size));
-        table.rows.push_back({set_of(argument_formulas(row.members)),
-                              points ? Cell(place, mean) : Cell(place), Cell(point_formula(value), meaning),
-                              number(factor), Cell(point_formula(term), product({number(factor), meaning}))});
+        table.rows.push_back(
+            {set_of(argument_formulas(row.members)), Cell(place, points ? mean : sum_of_pairs(row.members)),
+             Cell(point_formula(value), meaning), Cell(number(factor), factor_formula(row, n, points)),
+             Cell(point_formula(term), product({number(factor), meaning}))});
     }
     return table;
 }
@@ -162,13 +187,13 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
     const std::vector<SubsetRow> rows = subset_rows(arguments);
     step.blocks.emplace_back(Paragraph{
         points
-            ? Text{"Only values of the map are used. Every subset of N arguments contributes the value at "
-                   "its mean with the factor ",
+            ? Text{"Only values of the map are used. Every subset of some ", symbol("N"),
+                   " arguments contributes the value at its mean with the factor ",
                    product({power(tuple({number(-1)}), sum({number(n), product({number(-1), symbol("N")})})),
                             power(symbol("N"), number(n))}),
                    "; subsets that look alike are counted together."}
-            : Text{"The map becomes the form F(u, v) of degree ", number(n),
-                   ", and every subset of N arguments contributes the form at its sum with the sign ",
+            : Text{"The map becomes the form F(u, v) of degree ", number(n), ", and every subset of some ",
+                   symbol("N"), " arguments contributes the form at its sum with the sign ",
                    power(tuple({number(-1)}), sum({number(n), product({number(-1), symbol("N")})})),
                    "; subsets that look alike are counted together."}});
     if (rows.size() > rows_written) {
@@ -179,7 +204,9 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
     }
     Coordinates total = value;
     for (Rational& coordinate : total) coordinate *= Rational(factorial(n));
-    step.blocks.emplace_back(Paragraph{{"The terms add up to ", point_formula(total), ", and so"}});
+    const Formula times{product({factorial_of(number(n)), value_of_blossom(arguments)})};
+    step.blocks.emplace_back(
+        Paragraph{{"The terms add up to ", equation({times, point_formula(total)}), ", and so"}});
     step.blocks.emplace_back(
         Display{{equation({value_of_blossom(arguments),
                            product({fraction(number(1), factorial_of(number(n))), point_formula(total)}),
@@ -191,10 +218,10 @@ Step casteljau_step(const GivenMap& given, std::span<const Argument> arguments, 
     const BezierCurve bezier = bezier_form(given.map, limits);
     Step step{"By de Casteljau's algorithm, one argument a level", {}};
     step.blocks.emplace_back(Paragraph{
-        {"Level r replaces one end of the interval [", number(bezier.interval().a()), ", ",
-         number(bezier.interval().b()),
-         ("] by the r-th argument. On its arrows stand the coordinates of this argument in the interval: the "
-          "weights with which the two neighbours are combined.")}});
+        {"Each level replaces one end of the interval ",
+         interval_of(number(bezier.interval().a()), number(bezier.interval().b())),
+         " by the next argument. On its arrows stand the coordinates of this argument in the interval: the "
+         "weights with which the two neighbours are combined."}});
     step.blocks.emplace_back(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits));
     auto picture = construction_picture(given.map, arguments, "The construction in the plane.", limits);
     if (picture) step.blocks.emplace_back(std::move(*picture));
@@ -222,7 +249,7 @@ Check agreement_check(const Agreement<Coordinates>& values, const Formula& left)
 Document three_ways(const GivenMap& given, std::span<const Argument> arguments, const Limits& limits) {
     Document document =
         begun(given, "A blossom value in three ways",
-              "Goldman, proposition 1 and figure 3; Fernandez-Jambrina, corollary 1; DeRose, figure 6");
+              "Goldman, proposition 1 and figure 3; Fernández-Jambrina, corollary 1; DeRose, figure 6");
     const Agreement<Coordinates> values = agreement(given.map, arguments, limits);
     const Coordinates value = *values.results.front().value;
     const Formula left = value_of_blossom(arguments);

@@ -47,7 +47,7 @@ struct Display {
 };
 
 /// A cell of a table. What is `shown` may stand for the value of `meaning`, which is not repeated in each
-/// row.
+/// row; words may say that the relation `meaning` holds.
 struct Cell {
     Text shown;
     std::optional<Formula> meaning;
@@ -55,6 +55,7 @@ struct Cell {
     Cell(Text text) : shown(std::move(text)) {}           // NOLINT(google-explicit-constructor)
     Cell(Formula formula) : shown(std::move(formula)) {}  // NOLINT(google-explicit-constructor)
     Cell(const char* words) : shown(words) {}             // NOLINT(google-explicit-constructor)
+    Cell(const char* words, Formula means) : shown(words), meaning(std::move(means)) {}
     Cell(Formula formula, Formula means) : shown(std::move(formula)), meaning(std::move(means)) {}
 };
 

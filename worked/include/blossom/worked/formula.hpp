@@ -27,6 +27,7 @@ enum class FormulaKind {
     factorial,   ///< parts[0]!
     tuple,       ///< (parts)
     set,         ///< {parts}
+    interval,    ///< [parts[0], parts[1]]
     summation,   ///< the sum over parts[0] of parts[1]
     relation,    ///< parts connected by `name`, for instance "="
 };
@@ -62,6 +63,7 @@ Formula binomial_of(Formula n, Formula k);
 Formula factorial_of(Formula n);
 Formula tuple(std::vector<Formula> parts);
 Formula set_of(std::vector<Formula> parts);
+Formula interval_of(Formula begin, Formula end);
 Formula summation(Formula below, Formula of);
 /// sides[0] = sides[1] = ...; of one side that side.
 Formula equation(std::vector<Formula> sides);

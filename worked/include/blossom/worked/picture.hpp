@@ -4,6 +4,7 @@
 #include <blossom/rational/rational.hpp>
 #include <blossom/worked/formula.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,8 @@ struct PicturePoint {
     Place place;
     Formula label;
     Role role = Role::construction;
+    /// What the place is where it is not the value of the label.
+    std::optional<Formula> meaning = {};
 };
 
 struct PictureLine {
