@@ -54,20 +54,6 @@ GivenTriangle space_triangle() {
     return {BezierPatch(NetShape::simplex(2, 2), net), BarycentricFrame({{0, 0}, {4, 0}, {0, 4}}), {}, false};
 }
 
-const Picture* first_picture(const Document& document) {
-    const auto in = [](const std::vector<Block>& blocks) {
-        const Picture* found = nullptr;
-        for (const Block& block : blocks) {
-            if (!found) found = std::get_if<Picture>(&block);
-        }
-        return found;
-    };
-    for (const Step& step : document.steps) {
-        if (const Picture* picture = in(step.blocks)) return picture;
-    }
-    return in(document.result);
-}
-
 std::string index_page(const std::vector<GalleryPage>& pages) {
     HtmlPage page("Worked examples of blossoming");
     append_words(page.main(), "h1", "Worked examples of blossoming");
@@ -140,12 +126,15 @@ std::vector<SiteFile> gallery_files() {
     std::vector<SiteFile> files{{"index.html", index_page(pages)}};
     for (std::size_t i = 0; i < pages.size(); ++i) {
         const auto& [name, document] = pages[i];
-        files.push_back({name + ".html", render_html(document, {}, links_of(pages, i))});
-        files.push_back({name + ".tex", render_latex(document)});
-        files.push_back({name + ".md", render_markdown(document)});
-        files.push_back({name + ".json", render_json(document)});
-        if (const Picture* picture = first_picture(document)) {
-            files.push_back({"pictures/" + name + ".svg", render_svg(*picture)});
+        const Notation notation{document.style};
+        const std::string picture = "pictures/" + name;
+        files.push_back({name + ".html", render_html(document, notation, links_of(pages, i))});
+        files.push_back({name + ".tex", render_latex(document, notation)});
+        files.push_back({name + ".md", render_markdown(document, notation, picture)});
+        files.push_back({name + ".json", render_json(document, notation)});
+        const std::vector<std::string> pictures = render_pictures(document, notation);
+        for (std::size_t k = 0; k < pictures.size(); ++k) {
+            files.push_back({picture + "-" + std::to_string(k + 1) + ".svg", pictures[k]});
         }
     }
     return files;

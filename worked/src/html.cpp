@@ -4,6 +4,7 @@
 #include <string>
 
 #include "html_page.hpp"
+#include "letters.hpp"
 #include "mathml.hpp"
 #include "overloaded.hpp"
 #include "pyramid_text.hpp"
@@ -12,6 +13,9 @@
 namespace blossom::worked {
 
 namespace {
+
+/// The letters of a left side from which on, on a phone, the others stand below it.
+constexpr std::size_t widest_left = 17;
 
 class HtmlWriter {
 public:
@@ -83,7 +87,10 @@ private:
     void formulas(pugi::xml_node parent, const std::vector<Formula>& list) const {
         for (const Formula& formula : list) {
             pugi::xml_node chain = parent.append_child("div");
-            chain.append_attribute("class") = "formula";
+            const bool chained = formula.kind == FormulaKind::relation;
+            const bool long_left =
+                chained && columns(to_text(formula.parts.front(), notation_)) > widest_left;
+            chain.append_attribute("class") = long_left ? "formula long" : "formula";
             pugi::xml_node side;
             for (const Piece& piece : pieces_of(formula, notation_)) {
                 if (!side || piece.begins_side) {

@@ -40,7 +40,7 @@ constexpr const char* page_style =
     ".holds::before{content:'✓ ';color:var(--second)}.fails::before{content:'✗ ';color:var(--result)}"
     "footer{max-width:46rem;margin:2.5rem auto 2rem;padding:0 1rem;color:var(--soft);font-size:.9rem}"
     "@media (max-width:40rem){body{font-size:1rem}.formula{margin-left:.3rem}"
-    ".formula.long{display:block}th,td{padding:.35rem .5rem}}"
+    ".formula.long{display:block}.formula.long .right{padding-left:2.8em}th,td{padding:.35rem .5rem}}"
     "@media print{:root{--ink:#000;--paper:#fff;--soft:#333;--faint:#777;--tint:#f4f4f4;--curve:#0b5394;"
     "--result:#a3241d;--second:#1c6b34}nav{display:none}body{font-size:10.5pt}.wide,.formula{overflow:"
     "visible}"

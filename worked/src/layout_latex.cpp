@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string_view>
 
 #include "layout.hpp"
@@ -16,6 +17,10 @@ std::string fenced_latex(const Layout& layout) {
     const std::string open = braces ? "\\{" : layout.text.substr(0, 1);
     const std::string close = braces ? "\\}" : layout.text.substr(1);
     return open + inside + close;
+}
+
+bool are_numbers(const std::vector<Layout>& parts) {
+    return std::ranges::all_of(parts, [](const Layout& part) { return part.kind == Kind::number; });
 }
 
 std::string braced(const Layout& layout) { return "{" + latex_of(layout) + "}"; }
@@ -43,7 +48,8 @@ std::string latex_of(const Layout& layout) {
         case Kind::comma:
             return ", ";
         case Kind::fraction:
-            return "\\tfrac" + braced(parts[0]) + braced(parts[1]);
+            // Numbers are small, also in a display; what has signs in it is not.
+            return (are_numbers(parts) ? "\\tfrac" : "\\frac") + braced(parts[0]) + braced(parts[1]);
         case Kind::superscript:
             return braced(parts[0]) + "^" + braced(parts[1]);
         case Kind::subscript:

@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "base64.hpp"
 #include "overloaded.hpp"
 #include "pyramid_text.hpp"
 
@@ -15,9 +14,10 @@ constexpr std::size_t drawn_width = 100;
 
 class MarkdownWriter {
 public:
-    explicit MarkdownWriter(const Notation& notation) : notation_(notation) {}
+    MarkdownWriter(const Notation& notation, const std::string& pictures)
+        : notation_(notation), pictures_(pictures) {}
 
-    std::string write(const Document& document) const {
+    std::string write(const Document& document) {
         std::string text = "# " + escaped(document.title) + "\n\n" + blocks(document.statement);
         if (!document.source.empty()) text += "Source: " + escaped(document.source) + "\n\n";
         for (std::size_t i = 0; i < document.steps.size(); ++i) {
@@ -40,7 +40,7 @@ private:
         return text;
     }
 
-    std::string blocks(const std::vector<Block>& list) const {
+    std::string blocks(const std::vector<Block>& list) {
         std::string text;
         for (const Block& block : list) {
             text += std::visit([&](const auto& content) { return this->block(content); }, block) + "\n";
@@ -77,9 +77,19 @@ private:
                "```\n";
     }
 
-    std::string block(const Picture& picture) const {
-        return "![" + escaped(picture.description) + "](data:image/svg+xml;base64," +
-               base64(render_svg(picture, notation_)) + ")\n\n" + escaped(picture.caption) + "\n";
+    std::string block(const Picture& picture) {
+        if (!pictures_.empty()) {
+            return "![" + escaped(picture.description) + "](" + pictures_ + "-" + std::to_string(++shown_) +
+                   ".svg)\n\n" + escaped(picture.caption) + "\n";
+        }
+        std::string text = escaped(picture.caption + " " + picture.description) + "\n";
+        if (!picture.corners.empty()) return text;
+        text += "\n| point | place |\n| --- | --- |\n";
+        for (const PicturePoint& point : picture.points) {
+            const Formula place = tuple({number(point.place.x), number(point.place.y)});
+            text += "| $" + to_latex(point.label, notation_) + "$ | $" + to_latex(place, notation_) + "$ |\n";
+        }
+        return text;
     }
 
     std::string words(const Text& text) const {
@@ -94,12 +104,30 @@ private:
     }
 
     const Notation& notation_;
+    const std::string& pictures_;
+    std::size_t shown_ = 0;
 };
 
 }  // namespace
 
-std::string render_markdown(const Document& document, const Notation& notation) {
-    return MarkdownWriter(notation).write(document);
+std::string render_markdown(const Document& document, const Notation& notation, const std::string& pictures) {
+    return MarkdownWriter(notation, pictures).write(document);
+}
+
+std::vector<std::string> render_pictures(const Document& document, const Notation& notation) {
+    std::vector<std::string> pictures;
+    const auto add = [&](const std::vector<Block>& blocks) {
+        for (const Block& block : blocks) {
+            if (const auto* picture = std::get_if<Picture>(&block)) {
+                pictures.push_back(render_svg(*picture, notation));
+            }
+        }
+    };
+    add(document.statement);
+    for (const Step& step : document.steps) add(step.blocks);
+    add(document.result);
+    if (document.check) add(document.check->blocks);
+    return pictures;
 }
 
 }  // namespace blossom::worked

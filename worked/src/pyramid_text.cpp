@@ -1,6 +1,7 @@
 #include "pyramid_text.hpp"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "letters.hpp"
@@ -87,10 +88,15 @@ Formula node_equation(const TrianglePyramid& pyramid, std::size_t level, std::si
     const PyramidNode& node = pyramid.levels[level][i];
     if (level == 0 || !node.left_weight || !node.right_weight) return equation({node.label, node.value});
     const std::vector<PyramidNode>& before = pyramid.levels[level - 1];
-    return equation({node.label,
-                     sum({weighted(*node.left_weight, before[i].label),
-                          weighted(*node.right_weight, before[i + 1].label)}),
-                     node.value});
+    std::vector<Formula> terms;
+    for (const auto& [weight, label] : {std::pair(*node.left_weight, before[i].label),
+                                        std::pair(*node.right_weight, before[i + 1].label)}) {
+        if (weight != number(0)) terms.push_back(weighted(weight, label));
+    }
+    Formula made = sum(std::move(terms));
+    // With weights 0 and 1 a node is a neighbour.
+    if (made == node.label) return equation({node.label, node.value});
+    return equation({node.label, std::move(made), node.value});
 }
 
 std::string pyramid_text(const TrianglePyramid& pyramid, const Notation& notation, std::size_t width) {

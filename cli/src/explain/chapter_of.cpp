@@ -14,6 +14,7 @@
 #include "answer.hpp"
 #include "maps/serve.hpp"
 #include "operations/blossom_arguments.hpp"
+#include "operations/table.hpp"
 
 namespace blossom::cli {
 
@@ -184,6 +185,22 @@ Document proof_chapter(const Asked& asked) {
     return worked::claim_decided(*asked.find("statement")->text(), asked.limits);
 }
 
+/// Says of a rational curve what its points mean, unless its page says so itself.
+Document with_weights(Document document, const Json& request, const Limits& limits) {
+    const Json* given = request.find("map");
+    if (!given) return document;
+    const Map map = read_map(*given, limits);
+    const bool said = std::holds_alternative<Patch>(map.value) ||
+                      (*request.find("op")->text() == evaluate_operation().name &&
+                       !std::holds_alternative<BSplineCurve>(map.value));
+    if (!map.form.rational || (said && !map.form.homogeneous)) return document;
+    document.statement.emplace_back(worked::Paragraph{
+        "The curve is rational, and all its values here are homogeneous: the last coordinate is a weight, "
+        "and "
+        "a point of the curve has the others divided by it. All that is said is of the homogeneous curve."});
+    return document;
+}
+
 struct Chapter {
     std::string_view operation;
     Document (*make)(const Asked& asked);
@@ -213,7 +230,8 @@ Document chapter_of(const Json& request, const Limits& limits) {
     const std::string& name = *request.find("op")->text();
     std::string known;
     for (const Chapter& chapter : chapters) {
-        if (chapter.operation == name) return chapter.make(Asked(request, limits));
+        if (chapter.operation == name)
+            return with_weights(chapter.make(Asked(request, limits)), request, limits);
         known += (known.empty() ? "" : ", ") + std::string(chapter.operation);
     }
     throw Error(ErrorCode::unknown_op,

@@ -38,24 +38,25 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     document.statement.emplace_back(
         Paragraph{{"Wanted is how smoothly the segments on both sides of ", number(knot), " meet."}});
     Table table{"Both blossoms at the knot and beside it.",
-                {"k", "arguments", "segment before", "segment after", ""},
+                {symbol("k"), "arguments", "segment before", "segment after", "values"},
                 {}};
     const std::size_t last = joint.order ? static_cast<std::size_t>(*joint.order + 1) : curve.degree();
     for (std::size_t k = 0; k <= std::min(last, curve.degree()); ++k) {
         table.rows.push_back(row(curve, left, right, knot, k, limits));
     }
     document.steps.push_back(StepBuilder("Compare the blossoms")
-                                 .say({"Two maps meet with order k exactly when their blossoms agree "
-                                       "wherever all but k arguments are "
-                                       "the knot. As they are affine in each argument, it is enough to put ",
-                                       number(knot + Rational(1)), " for these k."})
+                                 .say({"Two maps meet with order ", symbol("k"),
+                                       " exactly when their blossoms agree wherever all but ", symbol("k"),
+                                       " arguments are the knot. As they are affine in each argument, it is "
+                                       "enough to put ",
+                                       number(knot + Rational(1)), " for these ", symbol("k"), "."})
                                  .add(std::move(table))
                                  .done());
     const std::size_t multiplicity = curve.knots().multiplicity(knot);
     document.result.emplace_back(
         joint.is_infinite() ? Paragraph{"All values agree: both segments are one polynomial, and the curve "
                                         "has all derivatives here."}
-                            : Paragraph{{"The values agree up to k = ",
+                            : Paragraph{{"The values agree up to ", symbol("k"), " = ",
                                          number(Rational(Integer(static_cast<std::int64_t>(*joint.order)))),
                                          " and not beyond: the curve meets with this order."}});
     if (const auto plane = plane_spline(curve)) {
@@ -64,9 +65,10 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     const auto promised =
         static_cast<std::ptrdiff_t>(curve.degree()) - static_cast<std::ptrdiff_t>(multiplicity);
     document.check = {
-        {Paragraph{{"A knot of multiplicity m in a spline of degree n promises order n - m; here m is ",
-                    number(multiplicity), " and n is ", number(curve.degree()),
-                    ", and the order found is at least that."}}},
+        {Paragraph{{"A knot of multiplicity ", symbol("m"), " in a spline of degree ", symbol("n"),
+                    " promises order ", sum({symbol("n"), product({number(-1), symbol("m")})}), "; here ",
+                    symbol("m"), " is ", number(multiplicity), " and ", symbol("n"), " is ",
+                    number(curve.degree()), ", and the order found is at least that."}}},
         joint.is_infinite() || *joint.order >= promised};
     return document;
 }

@@ -154,10 +154,10 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
             .say("The blossom of the map, one argument in place of each parameter:")
             .show({equation(
                 {blossom_of("p", numbered_symbols("u", n)), coordinates_formula(blossom, symbols)})})
-            .say({"Each argument becomes a pair ", tuple({symbol("u"), symbol("v")}), ": with ", symbol("v"),
-                  " = 1 it is the point ", symbol("u"), ", with ", symbol("v"),
-                  " = 0 a vector. A term gets the ", symbol("v"), " of every argument whose ", symbol("u"),
-                  " it lacks:"})
+            .say({"Each argument becomes a pair ", tuple({symbol("u"), symbol("v")}), "; a mass ",
+                  symbol("v"), " of 1 makes it the point ", symbol("u"),
+                  ", a mass of 0 a vector. A term gets the ", symbol("v"), " of every argument whose ",
+                  symbol("u"), " it lacks:"})
             .show({equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})})
             .done());
     document.steps.push_back(

@@ -8,19 +8,6 @@ namespace blossom::worked {
 
 namespace {
 
-/// A line of the construction: the value, the combination that gives it, its number.
-Formula combined(const BSplineCurve& curve, std::size_t span, const std::vector<Argument>& wanted,
-                 const Coordinates& value, const Limits& limits) {
-    const TrianglePyramid triangle = de_boor_triangle(curve, span, wanted, "", limits);
-    const PyramidNode& apex = triangle.levels.back().front();
-    if (triangle.levels.size() < 2) return equation({spline_value(wanted, span), point_formula(value)});
-    const auto& before = triangle.levels[triangle.levels.size() - 2];
-    return equation({spline_value(wanted, span),
-                     combination({{apex.left_weight->value, before[0].label},
-                                  {apex.right_weight->value, before[1].label}}),
-                     point_formula(value)});
-}
-
 std::string interval_text(const Interval& interval) {
     return "[" + to_string(interval.a()) + ", " + to_string(interval.b()) + "]";
 }
@@ -29,19 +16,13 @@ Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve
                   const Limits& limits) {
     const Interval& interval = bezier.interval();
     const std::size_t n = bezier.degree();
-    std::vector<Formula> equations;
-    for (std::size_t k = 0; k <= n; ++k) {
-        const auto wanted = end_arguments(interval.a(), interval.b(), n, k);
-        equations.push_back(combined(curve, span, wanted, bezier.control_points()[k], limits));
-    }
     return StepBuilder("The segment on " + interval_text(interval))
         .say({"Its Bézier control points are the values of its blossom at ", number(interval.a()), " and ",
               number(interval.b()),
-              (". De Boor's triangle makes each from the control points of the spline; this is its last "
-               "level:")})
-        .show(std::move(equations))
+              ". De Boor's triangle replaces the knots of the control points of the spline by these, one a "
+              "level. This is the triangle of one of them; its lower levels have others too:"})
         .add(de_boor_triangle(curve, span, end_arguments(interval.a(), interval.b(), n, n / 2),
-                              "The triangle of one of them.", limits))
+                              "De Boor's triangle.", limits))
         .done();
 }
 
@@ -97,9 +78,12 @@ Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
     }
     document.check = {
         {Paragraph{segments.size() == 1
-                       ? "There is one segment, and the spline is this Bézier curve."
-                       : "Neighbouring segments meet at each knot at least as smoothly as its "
-                         "multiplicity promises: with order n - m at a knot of multiplicity m."}},
+                       ? Text{"There is one segment, and the spline is this Bézier curve."}
+                       : Text{"Neighbouring segments meet at each knot at least as smoothly as its "
+                              "multiplicity promises: with order ",
+                              sum({symbol("n"), product({number(-1), symbol("m")})}),
+                              " at a knot of multiplicity ", symbol("m"), " in a spline of degree ",
+                              symbol("n"), "."}}},
         holds};
     return document;
 }

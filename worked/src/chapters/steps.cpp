@@ -18,11 +18,8 @@ Formula polynomial_equation(const PolynomialMap& map, const std::string& variabl
 }
 
 Formula division(const Coordinates& homogeneous) {
-    std::vector<Formula> coordinates;
-    for (std::size_t j = 0; j + 1 < homogeneous.size(); ++j) {
-        coordinates.push_back(fraction(number(homogeneous[j]), number(homogeneous.back())));
-    }
-    return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
+    const Coordinates others(homogeneous.begin(), homogeneous.end() - 1);
+    return product({number(Rational(1) / homogeneous.back()), point_formula(others)});
 }
 
 }  // namespace blossom::worked

@@ -45,7 +45,7 @@ std::vector<Formula> control_point_equations(const BezierCurve& curve, const std
 /// The equation of the map by its coefficients, for a check: P(t) = ....
 Formula polynomial_equation(const PolynomialMap& map, const std::string& variable, const Limits& limits);
 
-/// The division of the first coordinates by the last, as a formula.
+/// The division of the first coordinates by the last: its inverse times a point.
 Formula division(const Coordinates& homogeneous);
 
 }  // namespace blossom::worked

@@ -23,7 +23,7 @@ struct SiteFile {
 };
 
 /// A small site: index.html, a page for each chapter with links to its neighbours, each also as LaTeX,
-/// Markdown and JSON, and its first picture as pictures/NAME.svg.
+/// Markdown and JSON, and its pictures as pictures/NAME-1.svg, ....
 std::vector<SiteFile> gallery_files();
 
 }  // namespace blossom::worked

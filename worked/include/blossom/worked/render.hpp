@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace blossom::worked {
 
@@ -13,9 +14,14 @@ namespace blossom::worked {
 /// are given by their points.
 std::string render_text(const Document& document, const Notation& notation = {}, std::size_t width = 79);
 
-/// Markdown with formulas in LaTeX between dollar signs; pyramids are drawn as text, pictures are images with
-/// their own data.
-std::string render_markdown(const Document& document, const Notation& notation = {});
+/// Markdown with formulas in LaTeX between dollar signs; pyramids are drawn as text. Picture number k,
+/// counted from 1, is the image PICTURES-k.svg, which `render_pictures` makes; without a path the points of a
+/// picture stand in a table in its place.
+std::string render_markdown(const Document& document, const Notation& notation = {},
+                            const std::string& pictures = "");
+
+/// The pictures of a document in their order, each as an SVG file of its own.
+std::vector<std::string> render_pictures(const Document& document, const Notation& notation = {});
 
 /// LaTeX: a complete document, or the fragment that an own one takes in with \input after the preamble of
 /// `latex_preamble`.
