@@ -67,9 +67,10 @@ class Checker:
             # What is only asked: whether two sides are equal.
             return
         sides = tree["parts"]
-        if sides[0]["kind"] == "symbol" and sides[0]["name"] not in (*self.context.symbols, "delta"):
+        name = sides[0]["name"] if sides[0]["kind"] == "symbol" else self.context.indexed_name(sides[0])
+        if name is not None and name not in (*self.context.symbols, "delta"):
             # The first time a name stands alone on the left it is defined.
-            self.context.symbols[sides[0]["name"]] = self.context.value(sides[1])
+            self.context.symbols[name] = self.context.value(sides[1])
         try:
             values = [self.context.value(side) for side in sides]
         except Unknown:

@@ -6,6 +6,7 @@ document says it is about.
 
 import itertools
 import random
+import re
 from fractions import Fraction
 from math import comb, factorial, prod
 
@@ -177,7 +178,11 @@ class Context:
             self.maps[entry["map"]] = defined
             self.blossoms[entry["blossom"]] = defined
         self.symbols = {"delta": None}
-        self.points = {name: tuple(map(Fraction, place)) for name, place in document["points"].items()}
+        # "u12" is the letter u with an index.
+        self.points = {
+            re.sub(r"^([a-z])(\d+)$", r"\1_\2", name): tuple(map(Fraction, place))
+            for name, place in document["points"].items()
+        }
         for name, place in self.points.items():
             for vertices in (d.vertices for d in self.maps.values() if d.vertices):
                 # As a value a point is a place; as an argument it has barycentric coordinates.
@@ -201,11 +206,20 @@ class Context:
             self.symbols[name] = Fraction(self.random.randrange(-9, 10), self.random.randrange(1, 6))
         return self.symbols[name]
 
-    def value_index(self, tree):
+    @staticmethod
+    def indexed_name(tree):
+        """ "t_1" for a letter with a number as index, otherwise None."""
+        if tree["kind"] != "index":
+            return None
         base, subscript = tree["parts"]
-        if base["kind"] != "symbol" or subscript["kind"] != "number":
+        fits = base["kind"] == "symbol" and subscript["kind"] == "number"
+        return base["name"] + "_" + subscript["value"] if fits else None
+
+    def value_index(self, tree):
+        name = self.indexed_name(tree)
+        if name is None:
             raise Unknown("an index that varies")
-        return self.value_symbol({"name": base["name"] + "_" + subscript["value"]})
+        return self.value_symbol({"name": name})
 
     def value_words(self, tree):
         raise Unknown("words")
@@ -244,8 +258,9 @@ class Context:
 
     def pair(self, tree):
         """An argument as (u, mass), or of a triangle as three coordinates."""
-        if tree["kind"] == "symbol" and tree["name"] in self.points:
-            return self.points[tree["name"]]
+        name = tree["name"] if tree["kind"] == "symbol" else self.indexed_name(tree)
+        if name in self.points:
+            return self.points[name]
         if tree["kind"] == "symbol" and tree["name"] == "delta":
             return Fraction(1), Fraction(0)
         if tree["kind"] == "product" and tree["parts"][-1] == {"kind": "symbol", "name": "delta"}:

@@ -59,6 +59,56 @@ TEST_CASE("a sheet has as many problems as asked for, each with its solution and
     }
 }
 
+namespace {
+
+/// Twice the area of a triangle in the plane.
+Rational area(const Coordinates& p, const Coordinates& q, const Coordinates& r) {
+    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
+}
+
+/// In the plane, after a division by the weight where there is one.
+Coordinates in_plane(const Coordinates& point) {
+    if (point.size() == 2) return point;
+    return {point[0] / point[2], point[1] / point[2]};
+}
+
+bool bends(const std::vector<Coordinates>& points) {
+    for (std::size_t i = 0; i + 2 < points.size(); ++i) {
+        if (area(in_plane(points[i]), in_plane(points[i + 1]), in_plane(points[i + 2])).is_zero())
+            return false;
+    }
+    return true;
+}
+
+/// Whether there is something to do: no leading coefficient is zero, no polygon lies on a line.
+struct HasWork {
+    bool operator()(const PolynomialCurve& curve) const {
+        return !curve.coordinate(0)[curve.degree()].is_zero();
+    }
+    bool operator()(const BezierCurve& curve) const { return bends(curve.control_points().to_points()); }
+    bool operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
+    bool operator()(const BSplineCurve& curve) const { return bends(curve.control_points()); }
+    bool operator()(const TriangleMap& map) const {
+        const auto net = map.net.control_net().to_points();
+        const std::size_t n = map.net.shape()[0].degree;
+        return !area(net.front(), net[net.size() - n - 1], net.back()).is_zero();
+    }
+    bool operator()(const SymbolicMap&) const { return true; }
+};
+
+}  // namespace
+
+TEST_CASE("no problem of many sheets is degenerate") {
+    for (const std::string_view topic : exercise_topics()) {
+        for (std::uint64_t seed = 0; seed < 40; ++seed) {
+            CAPTURE(topic, seed);
+            const Sheet sheet = exercise_sheet(request(topic, seed, 1 + seed % 3, 3));
+            REQUIRE(sheet.problems.maps.size() == 3);
+            for (const NamedMap& map : sheet.problems.maps) CHECK(std::visit(HasWork(), map.definition));
+        }
+    }
+}
+
 TEST_CASE("sheets that cannot be made are refused") {
     CHECK(failure_code([] { exercise_sheet(request("algebra", 1, 1, 1)); }) == ErrorCode::unknown_op);
     CHECK(failure_code([] { exercise_sheet(request("blossom", 1, 4, 1)); }) == ErrorCode::wrong_arity);

@@ -2,6 +2,7 @@
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/exercise.hpp>
+#include <blossom/worked/triangle_chapters.hpp>
 
 #include <algorithm>
 #include <array>
@@ -61,16 +62,48 @@ Document insertion_problem(ProblemNumbers& numbers) {
     return knots_inserted(curve, std::array{numbers.inside(curve.knots().domain())});
 }
 
-constexpr std::array<Topic, 9> topics{
+Document homogenisation_problem(ProblemNumbers& numbers) { return homogenisation({numbers.polynomial()}); }
+
+Document coefficients_problem(ProblemNumbers& numbers) {
+    return control_points_to_coefficients({numbers.polygon()});
+}
+
+Document segments_problem(ProblemNumbers& numbers) { return spline_to_bezier(numbers.spline()); }
+
+Document continuity_problem(ProblemNumbers& numbers) { return continuity_at(numbers.joint(), 1); }
+
+Document rational_problem(ProblemNumbers& numbers) {
+    const BezierCurve curve = numbers.weighted_polygon();
+    return rational_arc({curve}, numbers.inside(curve.interval()));
+}
+
+Document triangle_problem(ProblemNumbers& numbers) {
+    const BezierPatch net = numbers.triangle();
+    return triangle_evaluation({net, {}, {}, false}, numbers.inside_triangle());
+}
+
+Document triangle_subdivision_problem(ProblemNumbers& numbers) {
+    const BezierPatch net = numbers.triangle();
+    return triangle_subdivision({net, {}, {}, false}, numbers.inside_triangle());
+}
+
+constexpr std::array<Topic, 16> topics{
     {{"blossom", "Blossom values in three ways", blossom_problem},
+     {"homogenisation", "Blossoming and homogenising", homogenisation_problem},
      {"evaluation", "De Casteljau's algorithm", evaluation_problem},
      {"derivative", "Derivatives by delta", derivative_problem},
      {"control-points", "Control points over an interval", control_points_problem},
      {"subdivision", "Subdivision", subdivision_problem},
      {"degree-raising", "Degree raising", raising_problem},
      {"conversion", "From coefficients to control points", conversion_problem},
+     {"coefficients", "From control points to coefficients", coefficients_problem},
+     {"spline-to-bezier", "From B-splines to Bézier curves", segments_problem},
      {"de-boor", "De Boor's algorithm", de_boor_problem},
-     {"knot-insertion", "Knot insertion", insertion_problem}}};
+     {"knot-insertion", "Knot insertion", insertion_problem},
+     {"continuity", "Continuity at a knot", continuity_problem},
+     {"rational-arc", "Rational arcs", rational_problem},
+     {"triangle", "De Casteljau's algorithm on a triangle", triangle_problem},
+     {"triangle-subdivision", "Subdivision of a triangle", triangle_subdivision_problem}}};
 
 const Topic& find_topic(const std::string& name) {
     const auto found = std::ranges::find(topics, name, &Topic::name);
@@ -146,6 +179,7 @@ Sheet exercise_sheet(const SheetRequest& request) {
             const auto& maps = problem.maps;
             const auto end = document == &sheet.problems ? maps.begin() + 1 : maps.end();
             document->maps.insert(document->maps.end(), maps.begin(), end);
+            document->points.insert(document->points.end(), problem.points.begin(), problem.points.end());
         }
     }
     return sheet;

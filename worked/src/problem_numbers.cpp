@@ -68,6 +68,53 @@ BSplineCurve ProblemNumbers::spline() {
     return {n, std::move(knots), plane_points(count)};
 }
 
+BSplineCurve ProblemNumbers::joint() {
+    const std::size_t n = degree();
+    const auto multiplicity = static_cast<std::size_t>(between(1, static_cast<std::int64_t>(n)));
+    std::vector<Rational> knots(n, 0);
+    knots.insert(knots.end(), multiplicity, 1);
+    knots.insert(knots.end(), n, 2);
+    return {n, std::move(knots), plane_points(n + 1 + multiplicity)};
+}
+
+BezierCurve ProblemNumbers::weighted_polygon() {
+    std::vector<Coordinates> points = plane_points(degree() + 1);
+    const Rational first(between(1, 3));
+    bool differ = false;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        Rational weight = k == 0 ? first : Rational(between(1, 3));
+        if (k + 1 == points.size() && !differ && weight == first) weight += Rational(1);
+        differ = differ || weight != first;
+        for (Rational& coordinate : points[k]) coordinate *= weight;
+        points[k].push_back(weight);
+    }
+    return BezierCurve(points);
+}
+
+BezierPatch ProblemNumbers::triangle() {
+    const std::size_t n = level_ == 3 ? 3 : 2;
+    const NetShape shape = NetShape::simplex(2, n);
+    std::vector<Coordinates> net;
+    do {
+        net.clear();
+        for (const MultiIndex& index : multi_indices(2, n)) {
+            // Not far from a net without bends.
+            const auto x = static_cast<std::int64_t>(2 * index[1]) + between(-1, 1);
+            const auto y = static_cast<std::int64_t>(2 * index[2]) + between(-1, 1);
+            net.push_back({Rational(x), Rational(y)});
+        }
+    } while (area(net.front(), net[net.size() - n - 1], net.back()).is_zero());
+    return {shape, net};
+}
+
+Coordinates ProblemNumbers::inside_triangle() {
+    const std::int64_t parts = level_ == 1 ? 4 : between(3, 6);
+    const std::int64_t a = between(1, parts - 2);
+    const std::int64_t b = between(1, parts - a - 1);
+    const Rational whole(parts);
+    return {Rational(a) / whole, Rational(b) / whole, Rational(parts - a - b) / whole};
+}
+
 std::vector<Argument> ProblemNumbers::arguments(std::size_t n) {
     std::vector<Rational> numbers;
     while (numbers.size() < n) {

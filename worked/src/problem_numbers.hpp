@@ -2,6 +2,7 @@
 
 #include <blossom/core/argument.hpp>
 #include <blossom/core/bezier_curve.hpp>
+#include <blossom/core/bezier_patch.hpp>
 #include <blossom/core/bspline_curve.hpp>
 #include <blossom/core/polynomial_curve.hpp>
 
@@ -25,6 +26,14 @@ public:
     BezierCurve polygon();
     /// In the plane, over uniform knots.
     BSplineCurve spline();
+    /// In the plane, two segments that meet at 1 with one of the possible multiplicities.
+    BSplineCurve joint();
+    /// A polygon with positive weights as homogeneous coordinates; not all weights are equal.
+    BezierCurve weighted_polygon();
+    /// A net in the plane whose corners make a triangle.
+    BezierPatch triangle();
+    /// Barycentric coordinates, all positive.
+    Coordinates inside_triangle();
     /// Distinct parameters.
     std::vector<Argument> arguments(std::size_t n);
     /// A parameter between the ends, which are integers, and none itself.

@@ -13,6 +13,20 @@ public:
             names_.push_back(map.map);
             names_.push_back(map.blossom);
         }
+        symbols_ = document.symbols;
+        for (const NamedPoint& point : document.points) {
+            if (!is_vertex(point)) symbols_.push_back(point.name);
+        }
+    }
+
+    /// Vertices are called the same in every problem.
+    static bool is_vertex(const NamedPoint& point) {
+        return std::ranges::count(point.barycentric, Rational(1)) == 1 &&
+               std::ranges::count(point.barycentric, Rational(0)) == 2;
+    }
+
+    void apply(NamedPoint& point) const {
+        if (!is_vertex(point)) point.name += index_;
     }
 
     void apply(std::string& name) const {
@@ -20,6 +34,11 @@ public:
     }
 
     void apply(Formula& formula) const {
+        const bool named = std::ranges::find(symbols_, formula.name) != symbols_.end();
+        if (formula.kind == FormulaKind::symbol && named) {
+            formula = symbol(formula.name + index_);
+            return;
+        }
         if (formula.kind != FormulaKind::symbol && formula.kind != FormulaKind::words) apply(formula.name);
         for (Formula& part : formula.parts) apply(part);
     }
@@ -68,6 +87,7 @@ public:
 
 private:
     std::vector<std::string> names_;
+    std::vector<std::string> symbols_;
     std::string index_;
 };
 
@@ -79,6 +99,7 @@ Document renamed(Document document, const std::string& index) {
         renaming.apply(map.map);
         renaming.apply(map.blossom);
     }
+    for (NamedPoint& point : document.points) renaming.apply(point);
     renaming.apply(document.statement);
     for (Step& step : document.steps) renaming.apply(step.blocks);
     renaming.apply(document.result);

@@ -17,7 +17,7 @@ public:
     Printer(const Notation& notation, std::size_t width) : notation_(notation), width_(width) {}
 
     std::string print(const Document& document) const {
-        std::string text = document.title + "\n" + std::string(columns(document.title), '=') + "\n\n";
+        std::string text = underlined(document.title, '=');
         text += blocks(document.statement);
         if (!document.source.empty()) text += wrapped("Source: " + document.source, width_) + "\n\n";
         for (std::size_t i = 0; i < document.steps.size(); ++i) {
@@ -29,8 +29,11 @@ public:
     }
 
 private:
-    static std::string heading(const std::string& title) {
-        return title + "\n" + std::string(columns(title), '-') + "\n\n";
+    std::string heading(const std::string& title) const { return underlined(title, '-'); }
+
+    std::string underlined(const std::string& title, char mark) const {
+        const std::string lines = wrapped(title, width_);
+        return lines + "\n" + std::string(std::min(columns(title), width_), mark) + "\n\n";
     }
 
     std::string blocks(const std::vector<Block>& list) const {
@@ -40,17 +43,19 @@ private:
     }
 
     std::string block(const Block& block) const {
-        return std::visit(
-            Overloaded{
-                [&](const Paragraph& paragraph) { return wrapped(line(paragraph.text), width_) + "\n"; },
-                [&](const Display& display) { return formulas(display.formulas); },
-                [&](const Table& table) { return table.caption + "\n\n" + table_text(table); },
-                [&](const TrianglePyramid& pyramid) {
-                    return wrapped(pyramid.caption, width_) + "\n\n" +
-                           pyramid_text(pyramid, notation_, width_);
-                },
-                [&](const Picture& picture) { return picture_text(picture); }},
-            block);
+        return std::visit(Overloaded{[&](const Paragraph& paragraph) {
+                                         return wrapped(line(paragraph.text), width_) + "\n";
+                                     },
+                                     [&](const Display& display) { return formulas(display.formulas); },
+                                     [&](const Table& table) {
+                                         return wrapped(table.caption, width_) + "\n\n" + table_text(table);
+                                     },
+                                     [&](const TrianglePyramid& pyramid) {
+                                         return wrapped(pyramid.caption, width_) + "\n\n" +
+                                                pyramid_text(pyramid, notation_, width_);
+                                     },
+                                     [&](const Picture& picture) { return picture_text(picture); }},
+                          block);
     }
 
     std::string line(const Text& text) const {
@@ -98,7 +103,22 @@ private:
             std::vector<std::string>& row = rows.emplace_back();
             for (const Cell& cell : cells) row.push_back(line(cell.shown));
         }
-        return text_table(rows);
+        return fitting(rows);
+    }
+
+    /// Rows below each other, or where they are too wide each cell on a line of its own behind its title.
+    std::string fitting(const std::vector<std::vector<std::string>>& rows) const {
+        std::string text = text_table(rows);
+        if (widest_line(text) <= width_) return text;
+        text.clear();
+        for (std::size_t i = 1; i < rows.size(); ++i) {
+            for (std::size_t j = 0; j < rows[i].size(); ++j) {
+                const std::string& title = rows.front()[j];
+                const std::string entry = title.empty() ? rows[i][j] : title + ": " + rows[i][j];
+                text += (j == 0 ? "  " : "    ") + wrapped(entry, width_ - 4, 6) + "\n";
+            }
+        }
+        return text;
     }
 
     std::string picture_text(const Picture& picture) const {
@@ -111,7 +131,7 @@ private:
             rows.push_back({to_text(point.label, notation_), to_text(number(point.place.x)),
                             to_text(number(point.place.y))});
         }
-        return text + text_table(rows);
+        return text + fitting(rows);
     }
 
     std::string check(const Check& check) const { return blocks(check.blocks) + said_of(check) + "\n"; }

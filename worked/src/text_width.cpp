@@ -40,6 +40,16 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
     return wrapped(pieces, width, indent);
 }
 
+std::size_t widest_line(std::string_view text) {
+    std::size_t widest = 0;
+    while (!text.empty()) {
+        const std::size_t length = std::min(text.find('\n'), text.size());
+        widest = std::max(widest, columns(text.substr(0, length)));
+        text.remove_prefix(std::min(length + 1, text.size()));
+    }
+    return widest;
+}
+
 std::string text_table(const std::vector<std::vector<std::string>>& rows) {
     std::vector<std::size_t> widths;
     for (const auto& row : rows) {

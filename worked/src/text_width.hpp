@@ -16,6 +16,9 @@ std::string wrapped(const std::vector<std::string>& pieces, std::size_t width, s
 /// `text` with spaces behind it, at least `width` columns.
 std::string padded(std::string text, std::size_t width);
 
+/// The columns of the longest line.
+std::size_t widest_line(std::string_view text);
+
 /// The lines of a table with its header, columns set apart by two spaces.
 std::string text_table(const std::vector<std::vector<std::string>>& rows);
 

@@ -94,15 +94,15 @@ std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t,
 Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& limits) {
     Document document = begun(given, "A rational arc", "Fernández-Jambrina, section 5; Goldman, section 4");
     const BezierCurve bezier = bezier_form(given.map, limits);
+    document.symbols = {"C"};
     name_coordinates(document, bezier);
     const Coordinates homogeneous = evaluate(bezier, t, limits);
     const Coordinates point = projected(homogeneous);
     const Formula at = call("P", {number(t.value)});
     document.statement.emplace_back(
-        Paragraph{{"Its last coordinate is a weight: a point of the rational curve C is the others divided "
-                   "by it. Wanted is "
-                   "the point C of the curve at ",
-                   number(t.value), "."}});
+        Paragraph{{"The last coordinate is a weight: a point of the rational curve has the others divided by "
+                   "it. Wanted is the point ",
+                   symbol("C"), " of the rational curve at ", number(t.value), "."}});
     document.steps.push_back(StepBuilder("Control points with weights")
                                  .say("The blossom works on all coordinates alike.")
                                  .add(weight_table(bezier))

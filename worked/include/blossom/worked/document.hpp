@@ -130,6 +130,7 @@ struct Document {
     std::string source;  ///< where the literature has it
     std::vector<NamedMap> maps;
     std::vector<NamedPoint> points;
+    std::vector<std::string> symbols;  ///< letters that its formulas define
     std::vector<Block> statement;
     std::vector<Step> steps;
     std::vector<Block> result;
