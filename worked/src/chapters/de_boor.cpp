@@ -56,16 +56,15 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
     const std::vector<Argument> arguments = with_copies({}, curve.degree(), t);
     const Formula wanted = call("F", {number(t.value)});
     document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, "."}});
-    std::vector<Formula> used;
+    Text used{"The parameter lies between the knots ", number(curve.knots()[span]), " and ",
+              number(curve.knots()[span + 1]),
+              ". Only those control points count whose knots reach this span: "};
     for (std::size_t i = 0; i <= curve.degree(); ++i) {
-        used.push_back(spline_value(window_arguments(curve.knots(), curve.knots().first_point(span) + i)));
+        if (i > 0) used.append(std::string(i == curve.degree() ? " and " : ", "));
+        used.append(spline_value(window_arguments(curve.knots(), curve.knots().first_point(span) + i)));
     }
-    document.steps.push_back(StepBuilder("The segment")
-                                 .say({"The parameter lies between the knots ", number(curve.knots()[span]),
-                                       " and ", number(curve.knots()[span + 1]),
-                                       ". Only those control points count whose knots reach this span: ",
-                                       set_of(std::move(used)), "."})
-                                 .done());
+    used.append(std::string("."));
+    document.steps.push_back(StepBuilder("The segment").say(std::move(used)).done());
     StepBuilder triangle("Knots are replaced by the parameter, one a level");
     triangle
         .say(

@@ -39,15 +39,14 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
     StepBuilder diagonal_value("The value is a diagonal value of the blossom");
+    diagonal_value.say("When all arguments agree, the blossom is the map:")
+        .show({equation({wanted, diagonal})});
     if (std::holds_alternative<BezierCurve>(given.map)) {
-        diagonal_value.say(
-            {"When all arguments agree, the blossom is the map: ", equation({wanted, diagonal}),
-             ". The way there begins at the control points, the values at the ends ", number(a), " and ",
-             number(b), " of the interval."});
+        diagonal_value.say({"The way there begins at the control points, the values at the ends ", number(a),
+                            " and ", number(b), " of the interval."});
     } else {
         diagonal_value
-            .say({"When all arguments agree, the blossom is the map: ", equation({wanted, diagonal}),
-                  ". The control points are the values at the ends of the interval:"})
+            .say("The way there begins at the control points, the values at the ends of the interval:")
             .show(control_point_equations(bezier));
     }
     document.steps.push_back(diagonal_value.done());
