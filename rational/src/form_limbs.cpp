@@ -3,6 +3,8 @@
 #include <blossom/rational/rational_vector.hpp>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "backend.hpp"
 #include "wide.hpp"
@@ -61,69 +63,129 @@ bool take_magnitude(std::span<std::uint64_t> number) {
     return true;
 }
 
+constexpr unsigned digit_bits = 62;
+constexpr std::uint64_t digit_mask = (std::uint64_t{1} << digit_bits) - 1;
+constexpr std::size_t most_digits = 64 * FormLimbs::most_coefficient_words / digit_bits + 1;
+/// The bits of the products of powers that are summed up, and how many of them.
+constexpr std::size_t most_weight_bits = 58;
+constexpr std::size_t most_block = 16;
+
 /// base^0, ..., base^count, all of which are words.
-template <std::size_t size>
-void set_powers(std::uint64_t (&powers)[size], std::uint64_t base, std::size_t count) {
+void set_powers(std::uint64_t (&powers)[most_block + 1], std::uint64_t base, std::size_t count) {
     powers[0] = 1;
     for (std::size_t i = 0; i < count; ++i) powers[i + 1] = powers[i] * base;
+}
+
+/// sums[i] = sum_k digits[k width + i] weights[k]
+template <std::size_t width>
+void add_digits(const std::int64_t* digits, std::span<const std::int64_t> weights, SignedWide* sums) {
+    SignedWide here[width] = {};
+    for (const std::int64_t weight : weights) {
+        for (std::size_t i = 0; i < width; ++i) here[i] += SignedWide{digits[i]} * weight;
+        digits += width;
+    }
+    std::copy_n(here, width, sums);
+}
+
+/// For each width from 1.
+constexpr auto add_digits_of_width = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{&add_digits<i + 1>...};
+}(std::make_index_sequence<most_digits>());
+
+/// The two's complement of a sum of digits, which it has room for.
+void gather(std::span<const SignedWide> digits, std::span<std::uint64_t> words) {
+    SignedWide carry = 0;
+    Wide gathered = 0;
+    unsigned filled = 0;
+    std::size_t next = 0;
+    for (std::uint64_t& word : words) {
+        while (filled < 64) {
+            carry += next < digits.size() ? digits[next] : 0;
+            ++next;
+            gathered |= Wide{static_cast<std::uint64_t>(carry) & digit_mask} << filled;
+            carry >>= digit_bits;
+            filled += digit_bits;
+        }
+        word = static_cast<std::uint64_t>(gathered);
+        gathered >>= 64;
+        filled -= 64;
+    }
 }
 
 }  // namespace
 
 FormLimbs::FormLimbs(std::span<const Integer> coefficients)
-    : width_(greatest_bit_length(coefficients) / 64 + 1) {
-    magnitudes_.resize(width_ * coefficients.size());
-    for (std::size_t k = 0; k < coefficients.size(); ++k) {
-        const std::span<std::uint64_t> words = std::span(magnitudes_).subspan(k * width_, width_);
-        IntegerAccess::to_twos_complement(abs(coefficients[k]), words);
-        negative_.push_back(coefficients[k].sign() < 0);
-        std::size_t size = width_;
-        while (size > 0 && words[size - 1] == 0) --size;
-        sizes_.push_back(size);
+    : bits_(greatest_bit_length(coefficients)), width_(bits_ / digit_bits + 1) {
+    digits_.reserve(width_ * coefficients.size());
+    std::vector<std::uint64_t> words(bits_ / 64 + 2);
+    for (const Integer& coefficient : coefficients) {
+        IntegerAccess::to_twos_complement(abs(coefficient), words);
+        for (std::size_t i = 0; i < width_; ++i) {
+            const std::size_t bit = i * digit_bits;
+            const Wide pair =
+                Wide{bit / 64 + 1 < words.size() ? words[bit / 64 + 1] : 0} << 64 | words[bit / 64];
+            const auto digit =
+                static_cast<std::int64_t>(static_cast<std::uint64_t>(pair >> (bit % 64)) & digit_mask);
+            digits_.push_back(coefficient.sign() < 0 ? -digit : digit);
+        }
     }
 }
 
 bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t> value) const {
-    const std::size_t count = sizes_.size();
+    const std::size_t count = digits_.size() / width_;
     const std::uint64_t top = magnitude(u);
     const auto bottom = static_cast<std::uint64_t>(v);
-    constexpr std::size_t most_block = 32;
     const auto bits = static_cast<std::size_t>(std::bit_width(top | bottom));
-    const std::size_t block = std::clamp(std::size_t{63} / bits, std::size_t{1}, most_block);
+    const std::size_t block = std::min({63 / bits, most_weight_bits / bits + 1, most_block});
     std::uint64_t powers_of_top[most_block + 1];
     std::uint64_t powers_of_bottom[most_block + 1];
     set_powers(powers_of_top, top, block);
     set_powers(powers_of_bottom, bottom, block);
 
-    // The sum of a block is a word longer than its coefficients.
-    std::uint64_t words[most_coefficient_words + 2];
-    const std::span<std::uint64_t> sum = std::span(words).first(width_ + 1);
+    std::uint64_t sum_words[most_coefficient_words + 3];
     std::uint64_t power_words[most_words];
-    const std::span<std::uint64_t> power = std::span(power_words).first(value.size());
-    std::ranges::fill(power, 0);
-    power[0] = 1;
+    power_words[0] = 1;
     std::size_t power_size = 1;
-    std::ranges::fill(value, 0);
-
+    std::size_t used = 0;  // words of the value so far
     for (std::size_t end = count; end > 0;) {
         // The blocks end at the lowest coefficient, and the first may be shorter.
         const std::size_t size = end % block == 0 ? block : end % block;
         const std::size_t begin = end - size;
-        std::ranges::fill(sum, 0);
+        std::int64_t weights[most_block];
         for (std::size_t k = begin; k < end; ++k) {
-            const bool subtract = negative_[k] != (u < 0 && k % 2 == 1);
-            add_multiple(sum, std::span(magnitudes_).subspan(k * width_, sizes_[k]),
-                         powers_of_top[k - begin] * powers_of_bottom[end - 1 - k], subtract);
+            const auto weight =
+                static_cast<std::int64_t>(powers_of_top[k - begin] * powers_of_bottom[end - 1 - k]);
+            weights[k - begin] = u < 0 && k % 2 == 1 ? -weight : weight;
         }
-        if (end != count) multiply(value, powers_of_top[size]);
+        SignedWide digit_sums[most_digits];
+        add_digits_of_width[width_ - 1](digits_.data() + begin * width_, std::span(weights).first(size),
+                                        digit_sums);
+        const std::size_t sum_bits =
+            bits_ + bits * (size - 1) + static_cast<std::size_t>(std::bit_width(size));
+        const std::span<std::uint64_t> sum = std::span(sum_words).first(sum_bits / 64 + 1);
+        gather(std::span(digit_sums).first(width_), sum);
+
+        const std::size_t value_bits =
+            bits_ + bits * (count - begin - 1) + static_cast<std::size_t>(std::bit_width(count - begin));
+        const std::size_t size_now = std::min(value_bits / 64 + 1, value.size());
+        const bool below_zero = used > 0 && static_cast<std::int64_t>(value[used - 1]) < 0;
+        for (; used < size_now; ++used) value[used] = below_zero ? ~std::uint64_t{0} : 0;
+        const std::span<std::uint64_t> now = value.first(used);
+        if (end != count) multiply(now, powers_of_top[size]);
         const bool negative = take_magnitude(sum);
-        for (std::size_t i = 0; i < sum.size() && i < value.size(); ++i) {
-            if (sum[i] != 0) add_multiple(value.subspan(i), power.first(power_size), sum[i], negative);
+        for (std::size_t i = 0; i < sum.size() && i < used; ++i) {
+            if (sum[i] != 0)
+                add_multiple(now.subspan(i), std::span(power_words).first(power_size), sum[i], negative);
         }
-        multiply(power.first(std::min(power_size + 1, power.size())), powers_of_bottom[size]);
-        if (power_size < power.size() && power[power_size] != 0) ++power_size;
+        if (begin > 0) {
+            if (power_size < most_words) power_words[power_size++] = 0;
+            multiply(std::span(power_words).first(power_size), powers_of_bottom[size]);
+            if (power_words[power_size - 1] == 0) --power_size;
+        }
         end = begin;
     }
+    for (const bool negative = static_cast<std::int64_t>(value[used - 1]) < 0; used < value.size(); ++used)
+        value[used] = negative ? ~std::uint64_t{0} : 0;
     return take_magnitude(value);
 }
 

@@ -68,8 +68,13 @@ std::uint64_t set_denominators(const Prepared& form, const FormRow& row, const W
     const std::uint64_t suspected = suspected_part(t.v, row.greatest);
     if (suspected != 1) {
         const bool all = row.greatest.rest_meets(t.v);
-        for (std::size_t k = 0; k < form.degree; ++k)
-            denominators.multiply(suspected, all ? small_primes::any_primes : row.greatest.primes);
+        const small_primes::Set primes = all ? small_primes::any_primes : row.greatest.primes;
+        for (std::size_t left = form.degree; left > 0;) {
+            std::uint64_t power = 1;
+            for (std::uint64_t next = 1; left > 0 && !__builtin_mul_overflow(power, suspected, &next); --left)
+                power = next;
+            denominators.multiply(power, primes);
+        }
     }
     return t.v / suspected;
 }
@@ -80,18 +85,15 @@ bool has_room(const Prepared& form, const WordParameter& t) {
     return form.denominators.size() + words_of_power <= DenominatorWords::most_words;
 }
 
-Rational over_rest(Rational value, std::uint64_t rest, std::size_t n) {
-    if (rest == 1 || value.is_zero()) return value;
-    return RationalAccess::from_lowest_terms(value.numerator(), value.denominator() * pow(Integer(rest), n));
-}
-
-Rational reduced(const Prepared& form, const FormRow& row, const WordParameter& t,
-                 std::span<std::uint64_t> magnitude, bool negative) {
+void set_reduced(const Prepared& form, const FormRow& row, const WordParameter& t,
+                 std::span<std::uint64_t> magnitude, bool negative, Rational& value) {
     DenominatorWords denominators;
     const std::uint64_t rest = set_denominators(form, row, t, denominators);
     std::size_t used = magnitude.size();
     while (used > 1 && magnitude[used - 1] == 0) --used;
-    return over_rest(reduced_quotient(magnitude.first(used), negative, denominators, 1), rest, form.degree);
+    value = reduced_quotient(magnitude.first(used), negative, denominators, 1);
+    if (rest != 1 && !value.is_zero())
+        RationalAccess::multiply_denominator(value, pow(Integer(rest), form.degree));
 }
 
 bool set_in_limbs(const Prepared& form, const FormRow& row, const WordParameter& t, Rational& value) {
@@ -102,14 +104,14 @@ bool set_in_limbs(const Prepared& form, const FormRow& row, const WordParameter&
         const auto sum = static_cast<SignedWide>(form_in(row.words, t, power));
         const Wide size = magnitude(sum);
         std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-        value = reduced(form, row, t, words, sum < 0);
+        set_reduced(form, row, t, words, sum < 0, value);
         return true;
     }
     if (row.limbs.empty() || bits > 64 * FormLimbs::most_words) return false;
     std::uint64_t words[FormLimbs::most_words];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits / 64 + 1);
     const bool negative = row.limbs.evaluate(t.u, static_cast<std::int64_t>(t.v), numerator);
-    value = reduced(form, row, t, numerator, negative);
+    set_reduced(form, row, t, numerator, negative, value);
     return true;
 }
 

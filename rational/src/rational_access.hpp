@@ -13,6 +13,8 @@ struct RationalAccess {
     static Rational from_lowest_terms(Integer numerator, Integer denominator) {
         return {std::move(numerator), std::move(denominator), Rational::Reduced{}};
     }
+    /// By a factor > 0 that has no prime in common with the numerator, which is not 0.
+    static void multiply_denominator(Rational& value, const Integer& factor) { value.denominator_ *= factor; }
     static void set_words(Rational& value, std::int64_t numerator, std::int64_t denominator) {
         value.numerator_ = numerator;
         value.denominator_ = denominator;

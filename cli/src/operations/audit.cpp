@@ -101,8 +101,8 @@ Json answer(Fields& request, const Limits& limits) {
     request.finish();
     Json exact = to_json(whole_document ? as_textbook_spline(map, limits) : map);
     if (parameters) {
-        exact["values"] =
-            values_at(value_evaluator(map, limits), *parameters, map.form, dimension_of(map), limits);
+        exact["values"] = values_at(value_evaluator(map, parameters->size(), limits), *parameters, map.form,
+                                    dimension_of(map), limits);
     }
     Errors errors;
     Json differences;

@@ -22,8 +22,8 @@ Json answer(Fields& request, const Limits& limits) {
     request.finish();
 
     const std::size_t dimension = dimension_of(map);
-    Json result = Json::Object{
-        {"values", values_at(value_evaluator(map, limits), parameters, map.form, dimension, limits)}};
+    Json result = Json::Object{{"values", values_at(value_evaluator(map, parameters.size(), limits),
+                                                    parameters, map.form, dimension, limits)}};
     if (pyramid) add_pyramids(result, map, parameters, limits);
     return result;
 }

@@ -1,5 +1,6 @@
 #include "operations/evaluator.hpp"
 
+#include <blossom/core/curve_values.hpp>
 #include <blossom/core/de_boor.hpp>
 #include <blossom/core/derivative.hpp>
 #include <blossom/core/evaluation.hpp>
@@ -10,13 +11,22 @@
 
 namespace blossom::cli {
 
-Evaluator value_evaluator(const Map& map, const Limits& limits) {
+Evaluator value_evaluator(const Map& map, std::size_t parameters, const Limits& limits) {
+    constexpr std::size_t least_prepared = 8;
+    const bool prepares = parameters >= least_prepared;
+    const auto prepared = [](auto values) -> Evaluator {
+        return [values = std::move(values)](const Rational& t) { return values(t); };
+    };
     const auto of_polynomial = [&](const OnePolynomial auto& curve) -> Evaluator {
-        return [&limits, converted = polynomial_map(curve, limits)](const Rational& t) {
+        auto converted = polynomial_map(curve, limits);
+        if (prepares)
+            return std::visit([&](const auto& one) { return prepared(CurveValues(one, limits)); }, converted);
+        return [&limits, converted = std::move(converted)](const Rational& t) {
             return std::visit([&](const auto& one) { return evaluate(one, t, limits); }, converted);
         };
     };
     const auto of_spline = [&](const BSplineCurve& curve) -> Evaluator {
+        if (prepares) return prepared(SplineValues(curve, limits));
         return [&](const Rational& t) { return evaluate(curve, t, limits); };
     };
     return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});

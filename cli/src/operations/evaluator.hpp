@@ -13,8 +13,8 @@ namespace blossom::cli {
 /// is made of.
 using Evaluator = std::function<Coordinates(const Rational& t)>;
 
-/// The map itself. Errors: `wrong_kind`.
-Evaluator value_evaluator(const Map& map, const Limits& limits);
+/// The map itself, prepared if it will be asked at many parameters. Errors: `wrong_kind`.
+Evaluator value_evaluator(const Map& map, std::size_t parameters, const Limits& limits);
 /// Its derivative; of a rational map whose weights stand apart, that of the divided map, divided.
 /// Errors: `wrong_kind`.
 Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& limits);
