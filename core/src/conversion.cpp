@@ -16,12 +16,9 @@ void require_size(const PointArray& points, std::size_t bits_a_degree, const Lim
 }  // namespace
 
 BezierCurve control_points(const PolynomialCurve& curve, const Interval& interval, const Limits& limits) {
-    const auto [a, b, q] = cleared(interval);
     require_size(curve.coefficients(), cleared(interval).bits(), limits);
     std::vector<Quotients<Integer>> rows;
-    for (const auto row : curve.coefficients().rows()) {
-        rows.push_back(bernstein_from_monomial(row, a, b, q));
-    }
+    for (const auto row : curve.coefficients().rows()) rows.push_back(bernstein_from_monomial(row, interval));
     return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
 }
 
@@ -30,12 +27,12 @@ BezierCurve control_points(const PolynomialCurve& curve, const Interval& interva
 BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits) {
     const Rational& a = curve.interval().a();
     const Rational length = curve.interval().b() - a;
-    const ClearedInterval local = cleared(Interval((interval.a() - a) / length, (interval.b() - a) / length));
-    require_size(curve.control_points(), local.bits(), limits);
+    const Interval local((interval.a() - a) / length, (interval.b() - a) / length);
+    require_size(curve.control_points(), cleared(local).bits(), limits);
     std::vector<Quotients<Integer>> rows;
     for (const auto row : curve.control_points().rows()) {
         const std::vector<Integer> coefficients = constructions::local_monomial_from_bernstein(row);
-        rows.push_back(bernstein_from_monomial(coefficients, local.a, local.b, local.q));
+        rows.push_back(bernstein_from_monomial(coefficients, local));
     }
     return {point_array(std::move(rows), curve.control_points().denominator()), interval};
 }

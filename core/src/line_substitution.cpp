@@ -8,44 +8,76 @@
 
 namespace blossom {
 
-std::vector<Integer> powers(const Integer& base, std::size_t n) {
-    std::vector<Integer> result{1};
-    result.reserve(n + 1);
-    for (std::size_t k = 0; k < n; ++k) result.push_back(result.back() * base);
-    return result;
-}
+namespace {
 
-// With X = (a / d) Y the line is a (1 + Y): shift c_k a^k q^(n-k) by one, and undo the scaling.
-std::vector<Integer> substitute_line(std::span<const Integer> coefficients, const Integer& a,
-                                     const Integer& d, const Integer& q) {
-    const std::size_t n = coefficients.size() - 1;
-    std::vector<Integer> result(coefficients.begin(), coefficients.end());
-    const auto scale = [&](const std::vector<Integer>& factors, bool reversed) {
-        for (std::size_t k = 0; k <= n; ++k) result[k] *= factors[reversed ? n - k : k];
-    };
-    if (!q.is_one()) scale(powers(q, n), true);
-    if (!a.is_zero()) {
-        const std::vector<Integer> powers_of_a = powers(a, a.is_one() ? 0 : n);
-        if (!a.is_one()) scale(powers_of_a, false);
-        result = shifted_by_one(result);
-        if (!a.is_one()) {
-            for (std::size_t k = 1; k <= n; ++k) result[k] = divide_exactly(result[k], powers_of_a[k]);
-        }
+using Row = std::vector<Integer>;
+
+/// row[k] *= base^k
+void scale_by_powers(Row& row, const Integer& base) {
+    if (base.is_one()) return;
+    Integer power = base;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+        row[k] *= power;
+        if (k + 1 < row.size()) power *= base;
     }
-    if (!d.is_one()) scale(powers(d, n), false);
-    return result;
 }
 
-Quotients<Integer> bernstein_from_monomial(std::span<const Integer> coefficients, const Integer& a,
-                                           const Integer& b, const Integer& q) {
+/// row[k] *= base^(n - k)
+void scale_by_falling_powers(Row& row, const Integer& base) {
+    if (base.is_one()) return;
+    Integer power = base;
+    for (std::size_t k = row.size() - 1; k-- > 0;) {
+        row[k] *= power;
+        if (k > 0) power *= base;
+    }
+}
+
+void divide_by_powers(Row& row, const Integer& base) {
+    if (base.is_one()) return;
+    Integer power = base;
+    for (std::size_t k = 1; k < row.size(); ++k) {
+        row[k] = divide_exactly(row[k], power);
+        if (k + 1 < row.size()) power *= base;
+    }
+}
+
+/// m_k q^n with m_k from below without its factor q^k; center = p/q.
+Row unscaled_taylor_coefficients(std::span<const Integer> coefficients, const Rational& center) {
+    const Integer& p = center.numerator();
+    Row row(coefficients.begin(), coefficients.end());
+    scale_by_falling_powers(row, center.denominator());
+    if (p.is_zero()) return row;
+    // With t = p/q s, t - p/q = p/q (s - 1).
+    scale_by_powers(row, p);
+    row = shifted_by_one(row);
+    divide_by_powers(row, p);
+    return row;
+}
+
+}  // namespace
+
+Quotients<Integer> taylor_coefficients(std::span<const Integer> coefficients, const Rational& center) {
+    Row row = unscaled_taylor_coefficients(coefficients, center);
+    scale_by_powers(row, center.denominator());
+    return {std::move(row), pow(center.denominator(), coefficients.size() - 1)};
+}
+
+Quotients<Integer> bernstein_from_monomial(std::span<const Integer> coefficients, const Interval& interval) {
     const std::size_t n = coefficients.size() - 1;
-    std::vector<Integer> form = substitute_line(coefficients, a, b - a, q);
-    std::ranges::reverse(form);
-    form = shifted_by_one(form);
-    std::ranges::reverse(form);
+    Row row = unscaled_taylor_coefficients(coefficients, interval.a());
+    // t - a = length s; what the denominators of a and of the length share cancels.
+    const Rational length = interval.b() - interval.a();
+    const Integer& q = interval.a().denominator();
+    const Integer common = gcd(q, length.denominator());
+    const Integer rest = divide_exactly(length.denominator(), common);
+    scale_by_powers(row, length.numerator() * divide_exactly(q, common));
+    scale_by_falling_powers(row, rest);
+    std::ranges::reverse(row);
+    row = shifted_by_one(row);
+    std::ranges::reverse(row);
     const auto weights = binomial_weights(n);
-    for (std::size_t k = 0; k <= n; ++k) form[k] *= weights->numerators[k];
-    return {std::move(form), weights->denominator * pow(q, n)};
+    for (std::size_t k = 0; k <= n; ++k) row[k] *= weights->numerators[k];
+    return {std::move(row), weights->denominator * pow(q * rest, n)};
 }
 
 }  // namespace blossom

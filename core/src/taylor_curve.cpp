@@ -15,9 +15,7 @@ PointArray shifted(const PointArray& coefficients, const Rational& shift, const 
                             n * (shift.numerator().bit_length() + q.bit_length() + 1),
                         limits, coefficients.numbers().size());
     std::vector<Quotients<Integer>> rows;
-    for (const auto row : coefficients.rows()) {
-        rows.push_back({substitute_line(row, shift.numerator(), q, q), pow(q, n)});
-    }
+    for (const auto row : coefficients.rows()) rows.push_back(taylor_coefficients(row, shift));
     return point_array(std::move(rows), coefficients.denominator());
 }
 

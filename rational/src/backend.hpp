@@ -55,6 +55,25 @@ inline Number divide_exactly(const Number& a, const Number& b) {
     return quotient;
 }
 
+inline Number divide_exactly(const Number& a, std::int64_t b) {
+    Number quotient;
+    mpz_divexact_ui(quotient.backend().data(), a.backend().data(),
+                    b < 0 ? 0 - static_cast<std::uint64_t>(b) : static_cast<std::uint64_t>(b));
+    if (b < 0) mpz_neg(quotient.backend().data(), quotient.backend().data());
+    return quotient;
+}
+
+inline Number gcd(const Number& a, const Number& b) {
+    Number common;
+    mpz_gcd(common.backend().data(), a.backend().data(), b.backend().data());
+    return common;
+}
+
+/// |a| modulo b > 0.
+inline std::uint64_t remainder(const Number& a, std::uint64_t b) {
+    return mpz_tdiv_ui(a.backend().data(), b);
+}
+
 inline void negate(Number& value) { mpz_neg(value.backend().data(), value.backend().data()); }
 
 /// The value, if it is below 2^63 in magnitude or -2^63.
@@ -96,6 +115,14 @@ inline void add_product(Number& sum, const Number& a, const Number& b) { sum += 
 inline void add_product(Number& sum, const Number& a, std::int64_t b) { sum += a * b; }
 
 inline Number divide_exactly(const Number& a, const Number& b) { return a / b; }
+inline Number divide_exactly(const Number& a, std::int64_t b) { return a / b; }
+
+inline Number gcd(const Number& a, const Number& b) { return boost::multiprecision::gcd(a, b); }
+
+/// |a| modulo b > 0.
+inline std::uint64_t remainder(const Number& a, std::uint64_t b) {
+    return static_cast<std::uint64_t>(Number(boost::multiprecision::abs(a) % b));
+}
 
 inline void negate(Number& value) { value = -value; }
 
@@ -134,6 +161,9 @@ struct IntegerAccess {
     static backend::Number to_number(const Integer& value) {
         return value.large_ ? value.large_->value : backend::Number(value.small_);
     }
+
+    /// Of a value beyond 64 bits.
+    static const backend::Number& large(const Integer& value) { return value.large_->value; }
 
     /// Calls operation(n) with the backend number or the 64-bit value, whichever holds `value`. The least
     /// 64-bit value comes as a backend number: Boost negates 64-bit operands.

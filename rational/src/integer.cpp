@@ -224,8 +224,12 @@ Integer gcd(const Integer& a, const Integer& b) {
     const auto x = a.to_int64();
     const auto y = b.to_int64();
     if (x && y) return *y == 0 ? magnitude(*x) : gcd_of_words(magnitude(*x), magnitude(*y));
-    return IntegerAccess::from_number(
-        boost::multiprecision::gcd(IntegerAccess::to_number(a), IntegerAccess::to_number(b)));
+    if (!x && !y)
+        return IntegerAccess::from_number(backend::gcd(IntegerAccess::large(a), IntegerAccess::large(b)));
+    const Integer& large = x ? b : a;
+    const std::uint64_t word = magnitude(x ? *x : *y);
+    if (word == 0) return abs(large);
+    return gcd_of_words(backend::remainder(IntegerAccess::large(large), word), word);
 }
 
 Integer lcm(const Integer& a, const Integer& b) {
@@ -246,8 +250,9 @@ Integer pow(const Integer& base, std::size_t exponent) {
 Integer divide_exactly(const Integer& a, const Integer& b) {
     if (a.to_int64()) return a / b;
     require_divisor(b);
-    return IntegerAccess::from_number(
-        backend::divide_exactly(IntegerAccess::to_number(a), IntegerAccess::to_number(b)));
+    return IntegerAccess::visit(b, [&](const auto& divisor) {
+        return IntegerAccess::from_number(backend::divide_exactly(IntegerAccess::large(a), divisor));
+    });
 }
 
 Integer dot(std::span<const Integer> a, std::span<const Integer> b) {
