@@ -5,6 +5,7 @@
 #include "boost_numbers.hpp"
 #include "cases.hpp"
 #include "families.hpp"
+#include "gray_code.hpp"
 
 namespace {
 
@@ -41,6 +42,19 @@ void compare_polarization(const Report& report, const Case& given) {
                          [&] { return textbook::polarization(boost_coefficients, boost_arguments); });
 }
 
+/// Every subset beside the loop of the Gray code.
+void compare_gray_code(const Report& report, const Case& given) {
+    const PolynomialCurve curve = curve_of(given);
+    const std::vector<Argument> arguments = arguments_of(given);
+    Rational value;
+    GrayCodePolarization gray_code(curve.coefficients().numbers(), RationalVector(given.arguments));
+    report.compare(
+        "constructions", "polarization", given.degree, given.bits,
+        {{"engine", [&] { value = blossom_value(curve, arguments, Construction::polarization)[0]; },
+          [&] { return to_string(value); }},
+         {"GMP Gray code", [&] { gray_code.run(); }, [&] { return gray_code.text(); }}});
+}
+
 }  // namespace
 
 void measure_constructions(const Report& report) {
@@ -53,5 +67,10 @@ void measure_constructions(const Report& report) {
             if (degree <= 10 && report.wants("polarization", degree, bits))
                 compare_polarization(report, given);
         }
+    }
+    for (const std::size_t degree : {10U, 15U, 20U}) {
+        const std::size_t bits = 4;
+        if (degree > 10 && report.quick()) continue;
+        if (report.wants("polarization", degree, bits)) compare_gray_code(report, make_case(degree, bits));
     }
 }

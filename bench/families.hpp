@@ -8,3 +8,4 @@ void measure_constructions(const Report& report);
 void measure_operations(const Report& report);
 void measure_evaluation(const Report& report);
 void measure_splines(const Report& report);
+void measure_threads(const Report& report);

@@ -64,9 +64,43 @@ public:
         return value_;
     }
 
+    /// The same without coefficients over one denominator: the sum of c_k E_k / C(n, k) by binary splitting
+    /// of fractions, where E_k / prod d_i are the elementary symmetric functions.
+    const fmpq* value_by_splitting(const Arguments& arguments) {
+        const slong n = arguments.size();
+        _fmpz_poly_product_roots_fmpq_vec(product_.data(), arguments.data(), n);
+        sum_by_splitting(fmpq_numref(value_), fmpq_denref(value_), 0, n + 1);
+        fmpz_mul(fmpq_denref(value_), fmpq_denref(value_), product_.at(n));
+        fmpz_mul(fmpq_denref(value_), fmpq_denref(value_), given_denominator_);
+        fmpq_canonicalise(value_);
+        return value_;
+    }
+
     std::string text() const { return text_of(value_); }
 
 private:
+    void sum_by_splitting(fmpz_t numerator, fmpz_t denominator, slong begin, slong end) {
+        if (end - begin == 1) {
+            const slong n = given_.size() - 1;
+            fmpz_mul(numerator, given_.at(begin), product_.at(n - begin));
+            if (begin % 2 == 1) fmpz_neg(numerator, numerator);
+            fmpz_bin_uiui(denominator, static_cast<ulong>(n), static_cast<ulong>(begin));
+            return;
+        }
+        const slong middle = begin + (end - begin) / 2;
+        fmpz_t upper;
+        fmpz_t upper_denominator;
+        fmpz_init(upper);
+        fmpz_init(upper_denominator);
+        sum_by_splitting(numerator, denominator, begin, middle);
+        sum_by_splitting(upper, upper_denominator, middle, end);
+        fmpz_mul(numerator, numerator, upper_denominator);
+        fmpz_addmul(numerator, upper, denominator);
+        fmpz_mul(denominator, denominator, upper_denominator);
+        fmpz_clear(upper);
+        fmpz_clear(upper_denominator);
+    }
+
     Integers given_;
     Integers prepared_;
     Integers product_;

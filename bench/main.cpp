@@ -74,5 +74,6 @@ int main(int argc, char** argv) {
     measure_operations(report);
     measure_evaluation(report);
     measure_splines(report);
+    measure_threads(report);
     return 0;
 }

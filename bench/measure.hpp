@@ -19,15 +19,28 @@ inline double cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
+/// Seconds since some time.
+inline double wall_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+enum class Clock { cpu, wall };
+
 struct Effort {
     int rounds = 21;
     double seconds_a_round = 0.002;
+    double seconds = 2;  ///< for all rounds: three at least, and fewer than `rounds` of what takes long
+    Clock clock = Clock::cpu;
 };
 
-inline double seconds_of(const std::function<void()>& run, std::size_t repetitions) {
-    const double start = cpu_seconds();
+inline double seconds_of(const std::function<void()>& run, std::size_t repetitions,
+                         Clock clock = Clock::cpu) {
+    const auto now = clock == Clock::cpu ? cpu_seconds : wall_seconds;
+    const double start = now();
     for (std::size_t i = 0; i < repetitions; ++i) run();
-    return (cpu_seconds() - start) / static_cast<double>(repetitions);
+    return (now() - start) / static_cast<double>(repetitions);
 }
 
 /// As many repetitions as take about one round.
@@ -63,8 +76,12 @@ inline Comparison compare(const std::vector<std::function<void()>>& sides, const
     std::vector<std::size_t> counts;
     for (const auto& side : sides) counts.push_back(repetitions(side, effort.seconds_a_round));
     std::vector<std::vector<double>> times(sides.size());
-    for (int round = 0; round < effort.rounds; ++round) {
-        for (std::size_t i = 0; i < sides.size(); ++i) times[i].push_back(seconds_of(sides[i], counts[i]));
+    double taken = 0;
+    for (int round = 0; round < effort.rounds && (round < 3 || taken < effort.seconds); ++round) {
+        for (std::size_t i = 0; i < sides.size(); ++i) {
+            times[i].push_back(seconds_of(sides[i], counts[i], effort.clock));
+            taken += times[i].back() * static_cast<double>(counts[i]);
+        }
     }
     Comparison result;
     for (const auto& side : times) result.seconds.push_back(median(side));

@@ -25,7 +25,7 @@ bool Report::wants(std::string_view work, std::size_t degree, std::size_t bits) 
 }
 
 void Report::compare(const char* family, const char* work, std::size_t degree, std::size_t bits,
-                     const std::vector<Side>& sides) const {
+                     const std::vector<Side>& sides, measure::Clock clock) const {
     std::vector<std::function<void()>> runs;
     std::string expected;
     for (const Side& side : sides) {
@@ -39,7 +39,9 @@ void Report::compare(const char* family, const char* work, std::size_t degree, s
         }
         runs.push_back(side.run);
     }
-    const measure::Comparison comparison = measure::compare(runs, effort_);
+    measure::Effort effort = effort_;
+    effort.clock = clock;
+    const measure::Comparison comparison = measure::compare(runs, effort);
     for (std::size_t i = 1; i < sides.size(); ++i) {
         const measure::Ratio& ratio = comparison.ratios[i - 1];
         std::printf("%s,%s,%zu,%zu,%.1f,%s,%.1f,%.2f,%.2f,%.2f,%ld\n", family, work, degree, bits,

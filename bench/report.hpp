@@ -40,7 +40,7 @@ public:
     /// Checks that all sides give the same and times them in turns, the engine first. Ends the program if one
     /// differs.
     void compare(const char* family, const char* work, std::size_t degree, std::size_t bits,
-                 const std::vector<Side>& sides) const;
+                 const std::vector<Side>& sides, measure::Clock clock = measure::Clock::cpu) const;
 
 private:
     Selection selection_;

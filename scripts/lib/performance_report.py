@@ -51,23 +51,31 @@ def process_table():
     return lines
 
 
-def exponents():
-    lines = ["| bits | degrees | engine | FLINT |", "| ---: | --- | ---: | ---: |"]
-    for bits in sorted({int(v["bits"]) for v in values}):
-        rows = [v for v in values if v["work"] == "prepared" and v["peer"] == "FLINT" and int(v["bits"]) == bits]
-        for a, b in zip(rows, rows[1:]):
-            step = math.log(int(b["degree"]) / int(a["degree"]))
-            ours, theirs = (math.log(float(b[key]) / float(a[key])) / step for key in ("engine_ns", "peer_ns"))
-            lines.append(f"| {bits} | {a['degree']} to {b['degree']} | {ours:.2f} | {theirs:.2f} |")
+def exponent(a, b, key, times):
+    return math.log(float(b[times]) / float(a[times])) / math.log(int(b[key]) / int(a[key]))
+
+
+def exponents(key, other):
+    """Growth of every work beside FLINT between neighbours in `key`, with `other` fixed."""
+    lines = [f"| work | {other} | {key} | engine | FLINT |", "| --- | ---: | --- | ---: | ---: |"]
+    rows = [v for v in values if v["peer"] == "FLINT"]
+    for work in dict.fromkeys(v["work"] for v in rows):
+        for fixed in sorted({int(v[other]) for v in rows if v["work"] == work}):
+            series = sorted((v for v in rows if v["work"] == work and int(v[other]) == fixed), key=lambda v: int(v[key]))
+            for a, b in zip(series, series[1:]):
+                ours, theirs = (exponent(a, b, key, times) for times in ("engine_ns", "peer_ns"))
+                lines.append(f"| {work} | {fixed} | {a[key]} to {b[key]} | {ours:.2f} | {theirs:.2f} |")
     return lines
 
 
-def plot(bits):
+def plot(work, bits, title, name):
     series = {}
     for v in values:
-        if v["work"] == "prepared" and int(v["bits"]) == bits and v["peer"] in colours:
+        if v["work"] == work and int(v["bits"]) == bits and v["peer"] in colours:
             series.setdefault("engine", {})[int(v["degree"])] = float(v["engine_ns"])
             series.setdefault(v["peer"], {})[int(v["degree"])] = float(v["peer_ns"])
+    if len(series.get("engine", {})) < 2:
+        return
     degrees = sorted(series["engine"])
     low = math.floor(math.log10(min(t for s in series.values() for t in s.values())))
     high = math.ceil(math.log10(max(t for s in series.values() for t in s.values())))
@@ -82,7 +90,7 @@ def plot(bits):
 
     out = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" font-family="sans-serif" font-size="12">']
     out.append(f'<rect width="{width}" height="{height}" fill="white"/>')
-    out.append(f'<text x="{left}" y="18">One value of a prepared blossom, numbers of {bits} bits</text>')
+    out.append(f'<text x="{left}" y="18">{title}</text>')
     for power in range(low, high + 1):
         out.append(f'<path d="M{left} {y(10**power):.1f}H{width - 110}" stroke="#ddd"/>')
         out.append(f'<text x="{left - 8}" y="{y(10**power) + 4:.1f}" text-anchor="end">{duration(10.0**power)}</text>')
@@ -94,14 +102,26 @@ def plot(bits):
         out.append(f'<polyline points="{line}" fill="none" stroke="{colours[name]}" stroke-width="2"/>')
         out.append(f'<text x="{x(last) + 6:.1f}" y="{y(points[last]) + 4:.1f}" fill="{colours[name]}">{name}</text>')
     out.append(f'<text x="{(left + width - 110) / 2}" y="{height - 6}" text-anchor="middle">degree</text></svg>')
-    (folder / f"values-{bits}.svg").write_text("\n".join(out) + "\n")
+    (folder / f"{name}.svg").write_text("\n".join(out) + "\n")
 
 
+headings = {
+    "values": "Values of a blossom",
+    "constructions": "Constructions",
+    "operations": "Whole polynomials",
+    "splines": "Splines",
+    "threads": "Two threads",
+}
 lines = [f"Measured on {machine()}, one thread.", ""]
-lines += ["## Values", ""] + table(values)
-lines += ["", "## Processes", ""] + process_table()
-lines += ["", "## Growth", "", "The exponent e of degree^e between two degrees, prepared:", ""] + exponents()
+for family in dict.fromkeys(v["family"] for v in values):
+    lines += [f"## {headings.get(family, family)}", ""] + table([v for v in values if v["family"] == family]) + [""]
+lines += ["## Processes", ""] + process_table()
+lines += ["", "## Growth", "", "The exponent e of degree^e between two degrees, and of bits^e between two sizes:", ""]
+lines += exponents("degree", "bits") + [""] + exponents("bits", "degree")
 lines += ["", f"Peak memory of the measuring process: {max(int(v['peak_memory_kib']) for v in values) // 1024} MiB."]
 (folder / "values.md").write_text("# Measured\n\n" + "\n".join(lines) + "\n")
 for size in sorted({int(v["bits"]) for v in values}):
-    plot(size)
+    plot("prepared", size, f"One value of a prepared blossom, numbers of {size} bits", f"values-{size}")
+    plot("evaluation", size, f"A thousand values of a polynomial, numbers of {size} bits", f"evaluation-{size}")
+plot("Taylor shift", 64, "Taylor shift by 1, coefficients of 64 bits", "taylor-shift")
+plot("control points", 7, "All control points over [a, b], ends of 7 bits", "control-points")

@@ -1,0 +1,53 @@
+// Two threads beside one, by the clock on the wall: batches of values of a blossom and of a curve.
+
+#include <blossom/core/blossom.hpp>
+#include <blossom/core/curve_values.hpp>
+
+#include "cases.hpp"
+#include "families.hpp"
+
+namespace {
+
+using namespace blossom;
+
+constexpr std::size_t degree = 20;
+constexpr std::size_t bits = 7;
+
+std::string text_of(std::span<const Rational> values) {
+    std::string text;
+    for (const Rational& value : values) text += to_string(value) + " ";
+    return text;
+}
+
+/// `values(jobs)` with two jobs and with one.
+template <class Values>
+void compare_threads(const Report& report, const char* work, const Values& values) {
+    std::vector<Rational> results[2];
+    const auto side = [&](const char* name, std::size_t jobs) {
+        return Side{name, [&results, &values, jobs] { results[jobs - 1] = values(jobs); },
+                    [&results, jobs] { return text_of(results[jobs - 1]); }};
+    };
+    report.compare("threads", work, degree, bits, {side("engine", 2), side("one thread", 1)},
+                   measure::Clock::wall);
+}
+
+}  // namespace
+
+void measure_threads(const Report& report) {
+    const std::size_t count = report.quick() ? 100 : 4000;
+    const Case given = make_case(degree, bits);
+    if (report.wants("blossom batch", degree, bits)) {
+        const Blossom blossom(curve_of(given));
+        const std::vector<std::vector<Argument>> tuples(count, arguments_of(given));
+        compare_threads(report, "blossom batch",
+                        [&](std::size_t jobs) { return blossom.values(tuples, jobs); });
+    }
+    if (report.wants("evaluation batch", degree, bits)) {
+        const CurveValues curve(curve_of(given));
+        std::mt19937_64 random(degree);
+        std::vector<Rational> parameters;
+        for (std::size_t i = 0; i < count; ++i) parameters.push_back(number(random, bits));
+        compare_threads(report, "evaluation batch",
+                        [&](std::size_t jobs) { return curve.at(parameters, jobs); });
+    }
+}
