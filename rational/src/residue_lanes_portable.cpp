@@ -11,9 +11,9 @@ namespace {
 struct TwoLanes {
     typedef std::uint64_t Vector __attribute__((vector_size(16)));  // NOLINT(modernize-use-using)
 
+    // NOLINTBEGIN(portability-simd-intrinsics): compilers do not see that halves suffice
     static Vector product(Vector a, Vector b) {
 #if defined(__SSE2__)
-        // NOLINTNEXTLINE(portability-simd-intrinsics): compilers do not see that halves suffice
         return reinterpret_cast<Vector>(
             _mm_mul_epu32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
 #else
@@ -21,6 +21,7 @@ struct TwoLanes {
         return (a & low_half) * (b & low_half);
 #endif
     }
+    // NOLINTEND(portability-simd-intrinsics)
 };
 
 }  // namespace

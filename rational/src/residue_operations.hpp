@@ -22,7 +22,7 @@ struct OperationsOf {
 
     static Octet dot(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count) {
         constexpr std::size_t chains = 4;
-        Octet result;
+        Octet result{};
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             Total total = {};
@@ -41,7 +41,7 @@ struct OperationsOf {
                 for (; k < end; ++k)
                     Level::add_product(rest_of_terms, Level::load(a[k], part), Level::load(b[k], part));
 #pragma GCC unroll 4
-                for (std::size_t i = 0; i < chains; ++i) Level::collect(total, sums[i]);
+                for (const Sum& sum : sums) Level::collect(total, sum);
             }
             Level::collect(total, rest_of_terms);
             Level::store(result, part, Level::reduced(constants, total));

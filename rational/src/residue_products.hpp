@@ -16,7 +16,9 @@ class Buffer {
 public:
     explicit Buffer(std::size_t size);
     Buffer(const Buffer&) = delete;
+    Buffer(Buffer&&) = delete;
     Buffer& operator=(const Buffer&) = delete;
+    Buffer& operator=(Buffer&&) = delete;
     ~Buffer();
     Octet* data() const { return memory_.octets.get(); }
 

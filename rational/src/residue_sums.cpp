@@ -103,13 +103,13 @@ std::size_t width(const Moduli& group, std::size_t size) {
 /// Writes what `ResidueRows` has of rows of `size` numbers.
 void read_rows(const Digits& numbers, std::size_t size, const Moduli& group, Octet* rows) {
     const std::vector<Octet> powers = plain_powers(group, numbers.most_digits());
-    const std::size_t length = width(group, size);
-    if (length == size) return numbers.residues(group, powers.data(), rows);
+    const std::size_t kept_size = width(group, size);
+    if (kept_size == size) return numbers.residues(group, powers.data(), rows);
     const residues::Buffer residues(numbers.size());
     numbers.residues(group, powers.data(), residues.data());
-    const residues::Roots roots(group, length);
-    for (std::size_t k = 0; k < numbers.size(); k += size, rows += length)
-        transform_numbers(group, roots, residues.data() + k, size, length, rows);
+    const residues::Roots roots(group, kept_size);
+    for (std::size_t k = 0; k < numbers.size(); k += size, rows += kept_size)
+        transform_numbers(group, roots, residues.data() + k, size, kept_size, rows);
 }
 
 /// The product of all factors in the form that goes with `ResidueRows`.

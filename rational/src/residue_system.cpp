@@ -137,7 +137,7 @@ std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& 
     std::vector<Octet> result(std::max(count, std::size_t{1}));
     result[0] = first;
     // 2^(b done) times the radix
-    Octet step;
+    Octet step{};
     operations().scale(moduli, &moduli.square, moduli.delta, 1, &step);
     for (std::size_t done = 1; done < result.size(); done *= 2) {
         operations().scale(moduli, result.data(), step, std::min(done, result.size() - done),
@@ -375,7 +375,7 @@ void Digits::residues(const Moduli& moduli, const Octet* powers, Octet* residues
             residues[i] = Octet{};
             for (std::size_t begin = begins_[i]; begin < begins_[i + 1]; begin += most_terms) {
                 const std::size_t piece[] = {begin, std::min(begin + most_terms, begins_[i + 1])};
-                Octet part;
+                Octet part{};
                 run.residues_of_digits(moduli, digits_.data(), piece, 1, powers + (begin - begins_[i]),
                                        &part);
                 run.add(moduli, &residues[i], &part, 1, &residues[i]);

@@ -15,7 +15,7 @@ constexpr std::size_t shortest_leaf = 32;
 
 /// 1 / 2^k times the radix.
 Octet inverse_power_of_two(const Moduli& moduli, std::size_t k) {
-    Octet result;
+    Octet result{};
     for (std::size_t i = 0; i < lanes; ++i) {
         std::uint64_t value = moduli.radix.lane[i];
         for (std::size_t step = 0; step < k; ++step) {
@@ -83,16 +83,16 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
         const Octet factor = are_coefficients ? moduli.radix : inverse_power_of_two(moduli, k);
         run.scale(moduli, roots.data() + size, factor, size, twists.data());
         for (std::size_t i = 0; i < count; ++i) {
-            Octet* const own = values + i * size;
+            Octet* const polynomial = values + i * size;
             Octet* const first = room.data() + 2 * i * size;
             Octet* const second = first + size;
-            std::copy(own, own + size, first);
+            std::copy(polynomial, polynomial + size, first);
             if (are_coefficients) {
                 run.transform(moduli, roots.data(), first, size);
             } else {
-                run.inverse_transform(moduli, roots.data(), own, size);
+                run.inverse_transform(moduli, roots.data(), polynomial, size);
             }
-            run.multiply_each(moduli, own, twists.data(), size, second);
+            run.multiply_each(moduli, polynomial, twists.data(), size, second);
             run.transform(moduli, roots.data(), second, size);
         }
         for (std::size_t i = 0; i < count; i += 2) {
