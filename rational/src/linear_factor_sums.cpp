@@ -8,6 +8,7 @@
 #include "limb_arithmetic.hpp"
 #include "limb_sums.hpp"
 #include "machine_sums.hpp"
+#include "numerator_bounds.hpp"
 #include "prepared_rows.hpp"
 #include "quotient_reduction.hpp"
 
@@ -17,36 +18,10 @@ namespace {
 
 using Prepared = LinearFactorSums::Prepared;
 
-/// Bounds in bits on the coefficients of the product and on the numerators of the sums.
-struct Bounds {
-    std::size_t product;
-    std::size_t sum;
-};
-
-Bounds bounds(const Prepared& rows, std::span<const WordFactor> factors) {
-    fixed_width::BitBound product(1);
-    fixed_width::BitBound sum(rows.bits);
-    for (const WordFactor& factor : factors) {
-        product.multiply(size_of(factor));
-        sum.multiply(size_of(factor));
-    }
-    return {product.bits(), sum.bits()};
-}
-
 /// The numbers of factors for which residues are used: by measurement, and by what one sum
 /// may take.
 constexpr std::size_t least_residue_factors = 16;
 constexpr std::size_t most_residue_factors = residues::most_terms - 1;
-
-/// A bound in bits on the numerators of the sums.
-std::size_t sum_bits(const Prepared& rows, std::span<const WordFactor> factors) {
-    return bounds(rows, factors).sum;
-}
-std::size_t sum_bits(const Prepared& rows, std::span<const IntegerFactor> factors) {
-    std::size_t bits = rows.bits;
-    for (const IntegerFactor& factor : factors) bits += bits_of(factor);
-    return bits;
-}
 
 template <class R>
 SumKernel kernel_without_limbs(const Prepared& rows, std::span<const LinearFactor<R>> factors) {
@@ -168,7 +143,7 @@ void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> fa
                        std::span<Rational> sums) {
     const std::vector<Integer> numerators = residue_sums(
         rows.numbers.numerators(), rows.use == LinearFactorSums::Use::many ? &rows.residues : nullptr,
-        blocks_of(factors), sum_bits(rows, factors), first_row, sums.size());
+        blocks_of(factors), closer_sum_bits(rows, factors), first_row, sums.size());
     const auto [denominators, negative] = denominator_factors(rows, factors);
     for (std::size_t j = 0; j < sums.size(); ++j)
         sums[j] = reduced_quotient(negative ? -numerators[j] : numerators[j], denominators);

@@ -317,15 +317,23 @@ TEST_CASE("sums by residues of factors beyond words and of negative denominators
 
 // Their magnitudes straddle those that one more group of primes is taken for, and half the product of primes.
 TEST_CASE("sums by residues at the limits of a number of primes", "[linear_factor_sums]") {
-    for (std::size_t bits = 970; bits <= 1230; ++bits) {
-        for (const int sign : {-1, 1}) {
-            const std::size_t rest = bits - 16 * 60;
-            Case given = power_case(16, std::int64_t{1} << 60, ((Integer(1) << rest) - 1) * sign);
-            const LinearFactorSums sums(RationalVector(given.numbers), 1);
-            REQUIRE(sums.kernel(given.factors) == SumKernel::residues);
-            Rational value;
-            sums.evaluate(given.factors, 0, {&value, 1});
-            CHECK(value == Rational(given.numbers.back().numerator() << 960));
+    for (const std::size_t n : {std::size_t{16}, std::size_t{80}}) {
+        for (std::size_t rest = 10; rest <= 460; rest += n == 16 ? 1 : 3) {
+            for (const int sign : {-1, 1}) {
+                Case given = power_case(n, std::int64_t{1} << 60, ((Integer(1) << rest) - 1) * sign);
+                const Rational expected(given.numbers.back().numerator() << (60 * n));
+                for (const bool opposite : {false, true}) {
+                    if (opposite) {
+                        std::swap(given.numbers.front(), given.numbers.back());
+                        for (WordFactor& factor : given.factors) std::swap(factor.constant, factor.slope);
+                    }
+                    const LinearFactorSums sums(RationalVector(given.numbers), 1);
+                    REQUIRE(sums.kernel(given.factors) == SumKernel::residues);
+                    Rational value;
+                    sums.evaluate(given.factors, 0, {&value, 1});
+                    CHECK(value == expected);
+                }
+            }
         }
     }
 }
