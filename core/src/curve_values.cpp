@@ -106,6 +106,7 @@ public:
             const auto word = knot.to_int64();
             if (!word) return;
             words_.push_back(*word);
+            greatest_ = std::max(greatest_, *word < 0 ? ~*word : *word);
         }
         if (const auto word = knots_.denominator().to_int64()) denominator_ = *word;
     }
@@ -157,17 +158,34 @@ private:
 
     /// As KnotVector::span_at, by products of words, for t = numerator / denominator.
     std::size_t span_of(const Rational& t, std::int64_t numerator, std::int64_t denominator) const {
-        const KnotVector& knots = curve_.knots();
         const SignedWide place = SignedWide{numerator} * denominator_;
-        const auto is_above = [&](std::size_t i) { return place < SignedWide{words_[i]} * denominator; };
-        std::size_t begin = knots.begin_index();
-        std::size_t end = knots.end_index();
-        if (is_above(begin) || !is_above(end)) return knots.span_at(t);
-        while (end - begin > 1) {
-            const std::size_t middle = begin + (end - begin) / 2;
-            (is_above(middle) ? end : begin) = middle;
+        // 128 bits in words of 64 where they suffice.
+        constexpr std::int64_t most = std::int64_t{1} << 31;
+        const bool small = greatest_ < most && denominator < most &&
+                           place == static_cast<SignedWide>(static_cast<std::int64_t>(place));
+        const std::size_t span = small ? span_of(static_cast<std::int64_t>(place), denominator)
+                                       : span_of(place, SignedWide{denominator});
+        return span == 0 ? curve_.knots().span_at(t) : span;
+    }
+
+    /// The last span whose beginning is not above place / denominator, and 0 outside of the domain and at its
+    /// end. A bisection whose steps do not depend on what is found, so that none is mispredicted; of the last
+    /// few knots those below are counted, which need not wait for each other.
+    template <class Word>
+    std::size_t span_of(Word place, Word denominator) const {
+        const auto is_above = [&](std::size_t i) { return place < Word{words_[i]} * denominator; };
+        std::size_t begin = curve_.knots().begin_index();
+        std::size_t size = curve_.knots().end_index() - begin;
+        if (is_above(begin) || !is_above(begin + size)) return 0;
+        constexpr std::size_t most_counted = 12;
+        while (size > most_counted) {
+            const std::size_t half = size / 2;
+            begin += is_above(begin + half) ? 0 : half;
+            size -= half;
         }
-        return begin;
+        std::size_t below = 0;
+        for (std::size_t i = 1; i < size; ++i) below += is_above(begin + i) ? 0U : 1U;
+        return begin + below;
     }
 
     BSplineCurve curve_;
@@ -175,6 +193,7 @@ private:
     std::unique_ptr<Segment[]> segments_;
     RationalVector knots_;
     std::vector<std::int64_t> words_;  ///< the knots over `denominator_`
+    std::int64_t greatest_ = 0;        ///< bounds their magnitudes, up to one
     std::int64_t denominator_ = 0;     ///< 0 unless all are words
 };
 

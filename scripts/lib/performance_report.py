@@ -68,7 +68,7 @@ def exponents(key, other):
     return lines
 
 
-def plot(work, bits, title, name):
+def plot(work, bits, title, stem):
     series = {}
     for v in values:
         if v["work"] == work and int(v["bits"]) == bits and v["peer"] in colours:
@@ -102,7 +102,7 @@ def plot(work, bits, title, name):
         out.append(f'<polyline points="{line}" fill="none" stroke="{colours[name]}" stroke-width="2"/>')
         out.append(f'<text x="{x(last) + 6:.1f}" y="{y(points[last]) + 4:.1f}" fill="{colours[name]}">{name}</text>')
     out.append(f'<text x="{(left + width - 110) / 2}" y="{height - 6}" text-anchor="middle">degree</text></svg>')
-    (folder / f"{name}.svg").write_text("\n".join(out) + "\n")
+    (folder / f"{stem}.svg").write_text("\n".join(out) + "\n")
 
 
 headings = {
