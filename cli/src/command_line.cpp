@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "completion.hpp"
+#include "explain/chapter_of.hpp"
 #include "explain/explain_options.hpp"
 #include "explain/write_gallery.hpp"
 #include "limit_table.hpp"
@@ -317,6 +318,10 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
     });
     std::ranges::reverse(reversed);
     try {
+        const bool explains = arguments.size() > 1 && arguments.front() == explain_operation().name;
+        if (explains && !arguments[1].starts_with('-') && !has_chapter(arguments[1])) {
+            throw UsageError(no_chapter(arguments[1]));
+        }
         app.parse(std::move(reversed));
         return chosen(commands).action(streams);
     } catch (const CLI::CallForHelp&) {

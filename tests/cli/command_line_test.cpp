@@ -104,6 +104,17 @@ TEST_CASE("arguments may be points, vectors, delta and pairs") {
     CHECK(contains(run({"blossom", "t", "--at", "pair:1"}).errors, "a homogeneous argument is a pair"));
 }
 
+TEST_CASE("explain says which chapters there are, and takes statements") {
+    const Run unknown = run({"explain", "roots", "t^2 - 1"});
+    CHECK(unknown.status == 2);
+    CHECK(contains(unknown.errors, "there is no chapter for the operation \"roots\"; there is for agree"));
+    const Run proof = run({"explain", "prove", "-e", "p(t) == q[t]", "--degree", "p=1", "--degree", "q=1"});
+    CHECK(proof.status == 0);
+    CHECK(contains(proof.output, "p(t) ≟ q[t]"));
+    CHECK(contains(proof.output, "The claim is refuted."));
+    CHECK(run({"explain", "evaluate", "-t^2", "--at", "-1"}).status == 0);
+}
+
 TEST_CASE("negative numbers and polynomials are no options") {
     CHECK(contains(run({"evaluate", "-t^2", "--at", "-1/2,3"}).output, "P(-1/2) = -1/4\n"));
     CHECK(contains(run({"evaluate", "--at", "-1/2", "-t^2"}).output, "P(-1/2) = -1/4\n"));

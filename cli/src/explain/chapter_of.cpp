@@ -225,17 +225,20 @@ bool has_chapter(std::string_view operation) {
     return std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
 }
 
+std::string no_chapter(std::string_view operation) {
+    std::string known;
+    for (const Chapter& chapter : chapters) {
+        known += (known.empty() ? "" : ", ") + std::string(chapter.operation);
+    }
+    return "there is no chapter for the operation " + quoted(operation) + "; there is for " + known;
+}
+
 Document chapter_of(const Json& request, const Limits& limits) {
     static_cast<void>(result_of(request, limits));
     const std::string& name = *request.find("op")->text();
-    std::string known;
-    for (const Chapter& chapter : chapters) {
-        if (chapter.operation == name)
-            return with_weights(chapter.make(Asked(request, limits)), request, limits);
-        known += (known.empty() ? "" : ", ") + std::string(chapter.operation);
-    }
-    throw Error(ErrorCode::unknown_op,
-                "there is no chapter for the operation " + quoted(name) + "; there is for " + known, "/op");
+    const auto* chapter = std::ranges::find(chapters, name, &Chapter::operation);
+    if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(name), "/op");
+    return with_weights(chapter->make(Asked(request, limits)), request, limits);
 }
 
 }  // namespace blossom::cli

@@ -3,6 +3,7 @@
 #include <blossom/rational/limits.hpp>
 #include <blossom/worked/document.hpp>
 
+#include <string>
 #include <string_view>
 
 #include "json.hpp"
@@ -15,5 +16,8 @@ worked::Document chapter_of(const Json& request, const Limits& limits);
 
 /// Whether there is one for the operation of this name.
 bool has_chapter(std::string_view operation);
+
+/// What is said where there is none.
+std::string no_chapter(std::string_view operation);
 
 }  // namespace blossom::cli
