@@ -44,7 +44,8 @@ constexpr const char* page_style =
     "@media print{:root{--ink:#000;--paper:#fff;--soft:#333;--faint:#777;--tint:#f4f4f4;--curve:#0b5394;"
     "--result:#a3241d;--second:#1c6b34}nav{display:none}body{font-size:10.5pt}.wide,.formula{overflow:"
     "visible}"
-    "h2{break-after:avoid}figure,tr,.formula{break-inside:avoid}details{display:none}"
+    "h2{break-after:avoid}.holds,.fails{break-before:avoid}figure,tr,.formula{break-inside:avoid}details{"
+    "display:none}"
     "svg.pyramid{max-width:100%;height:auto}}";
 
 }  // namespace

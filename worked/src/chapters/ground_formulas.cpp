@@ -100,6 +100,7 @@ Formula GroundFormulas::argument(const proofs::NodeArgument& argument) {
 Formula GroundFormulas::application(const proofs::Application& application) {
     const std::string& name = block_.maps[application.map].name;
     std::vector<Formula> arguments;
+    arguments.reserve(application.arguments.front().size());
     for (const proofs::NodeArgument& one : application.arguments.front()) arguments.push_back(argument(one));
     if (application.polar) return blossom_of(name, std::move(arguments));
     const std::size_t order = application.orders.empty() ? 0 : application.orders.front();
@@ -112,12 +113,14 @@ Formula GroundFormulas::application(const proofs::Application& application) {
 Formula GroundFormulas::expanded(const proofs::Fraction& fraction_of,
                                  const std::vector<SparsePolynomial>& factors) const {
     std::vector<Formula> symbols;
+    symbols.reserve(block_.symbols.size());
     for (std::size_t i = 0; i < block_.symbols.size(); ++i) symbols.push_back(symbol_formula(i));
     const auto written = [&](const SparsePolynomial& polynomial) {
         return sparse_formula(polynomial, symbols, symbols.size());
     };
     if (fraction_of.denominator.empty()) return written(fraction_of.numerator);
     std::vector<Formula> divisors;
+    divisors.reserve(fraction_of.denominator.size());
     for (const auto& [factor, exponent] : fraction_of.denominator) {
         divisors.push_back(power(written(factors[factor]), number(exponent)));
     }

@@ -48,7 +48,7 @@ proofs::Block only_block(std::string_view statement, const Limits& limits) {
     }
     if (claims == 1) return *found;
     throw Error(ErrorCode::wrong_arity,
-                "a worked example is made of a statement with one line \"claim\" or \"refute\", not with " +
+                R"(a worked example is made of a statement with one line "claim" or "refute", not with )" +
                     std::to_string(claims),
                 "/statement");
 }
@@ -116,6 +116,7 @@ void append_expansions(Document& document, const WrittenCase& written, const Lim
     const std::vector<proofs::NodeId> applications = applications_of(written);
     if (!applications.empty()) {
         std::vector<Formula> values;
+        values.reserve(applications.size());
         for (const proofs::NodeId node : applications) values.push_back(expansion(node));
         document.steps.push_back(
             StepBuilder("Every value by coefficients")

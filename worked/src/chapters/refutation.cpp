@@ -68,6 +68,7 @@ void append_side(StepBuilder& step, const WrittenCase& written, std::span<const 
         const proofs::Application& application = written.block.applications[written.block.nodes[node].index];
         const proofs::GroundMap& map = written.block.maps[application.map];
         std::vector<Rational> coefficients;
+        coefficients.reserve(map.coefficients.size());
         for (const proofs::NodeId coefficient : map.coefficients) {
             coefficients.push_back(evaluate(coefficient));
         }

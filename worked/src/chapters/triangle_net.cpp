@@ -60,6 +60,7 @@ void require_point(const Coordinates& u) {
 /// x = ... for each coordinate of the polynomial.
 Formula polynomial_formula(const PolynomialPatch& patch, std::span<const Formula> variables) {
     std::vector<Formula> coordinates;
+    coordinates.reserve(patch.dimension());
     for (std::size_t j = 0; j < patch.dimension(); ++j) {
         coordinates.push_back(sparse_formula(patch.coordinate(j), variables, variables.size()));
     }
@@ -139,6 +140,7 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
     const Formula degree = number(net.degree());
     if (const auto* polynomial = std::get_if<PolynomialPatch>(&given.map)) {
         std::vector<Formula> variables;
+        variables.reserve(given.variables.size());
         for (const std::string& variable : given.variables) variables.push_back(symbol(variable));
         document.statement.emplace_back(
             Paragraph{{"Given is the polynomial map of formal total degree ", degree, " in the plane:"}});

@@ -1,6 +1,8 @@
 #include <blossom/core/bezier_curve.hpp>
 #include <blossom/core/patch_blossom.hpp>
 
+#include <numeric>
+
 #include "chapters/triangle_net.hpp"
 
 namespace blossom::worked {
@@ -38,9 +40,7 @@ TrianglePicture::TrianglePicture(const GivenTriangle& given, const TriangleNet& 
 Place TrianglePicture::shown(const Coordinates& value) const {
     if (picture_.projection.empty()) return place_of(value);
     const auto row = [&](const Coordinates& weights) {
-        Rational sum;
-        for (std::size_t j = 0; j < value.size(); ++j) sum += weights[j] * value[j];
-        return sum;
+        return std::inner_product(value.begin(), value.end(), weights.begin(), Rational(0));
     };
     return {row(picture_.projection[0]), row(picture_.projection[1])};
 }
