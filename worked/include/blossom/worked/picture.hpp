@@ -35,7 +35,7 @@ struct PicturePoint {
     Formula label;
     Role role = Role::construction;
     /// What the place is where it is not the value of the label.
-    std::optional<Formula> meaning;
+    std::optional<Formula> meaning = {};  // NOLINT(readability-redundant-member-init): may be left out
 };
 
 struct PictureLine {
@@ -59,10 +59,10 @@ struct Picture {
     std::vector<PicturePoint> points;
     bool graph = false;  ///< of a function: both axes are drawn, each with its own scale
     /// Of points in space: two rows that make a place of a point.
-    std::vector<Coordinates> projection;
+    std::vector<Coordinates> projection = {};  // NOLINT(readability-redundant-member-init): may be left out
     /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
     /// arguments of its name.
-    std::vector<Place> corners;
+    std::vector<Place> corners = {};  // NOLINT(readability-redundant-member-init): may be left out
 };
 
 }  // namespace blossom::worked
