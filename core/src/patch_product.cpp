@@ -14,6 +14,7 @@ Form form_of_rows(const NetShape& shape, const PointArray& coefficients) {
 
 NetShape sum_of(const NetShape& a, const NetShape& b, const Limits& limits) {
     std::vector<SimplexFactor> factors;
+    factors.reserve(a.factors());
     for (std::size_t f = 0; f < a.factors(); ++f)
         factors.push_back({a[f].dimension, a[f].degree + b[f].degree});
     return NetShape(std::move(factors), limits);

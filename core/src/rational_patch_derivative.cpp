@@ -51,6 +51,20 @@ Form quotient_step(const Form& numerator, const Form& derived, const Form& weigh
     return step;
 }
 
+/// Errors: `limit_exceeded` unless the products of all steps are within `expansion_work`; those of step k
+/// count k times, since their numbers have k times the digits.
+void require_work(const NetShape& shape, std::size_t dimension, std::size_t steps, const Limits& limits) {
+    std::size_t work = 0;
+    for (std::size_t k = 1; k <= steps && work <= limits.expansion_work; ++k) {
+        std::vector<SimplexFactor> factors;
+        for (std::size_t f = 0; f < shape.factors(); ++f)
+            factors.push_back({shape[f].dimension, k * shape[f].degree});
+        work += 2 * k * dimension * shape.size() * NetShape(std::move(factors), limits).size();
+    }
+    require_within(work, limits.expansion_work, "expansion_work",
+                   "the number of products of the quotient rule, at least", "/order");
+}
+
 template <class Kind>
 Kind quotient_derivative(const Kind& map, std::span<const PatchPoint> directions, const Limits& limits) {
     Form weight = form_of(map);
@@ -63,6 +77,7 @@ Kind quotient_derivative(const Kind& map, std::span<const PatchPoint> directions
     if (numerator.rows.empty()) {
         throw Error(ErrorCode::mismatched_dimensions, "a rational map has a coordinate besides its weight");
     }
+    require_work(map.shape(), map.dimension(), directions.size(), limits);
     Form power = weight;
     for (std::size_t k = 1; k <= directions.size(); ++k) {
         const PatchPoint& direction = directions[k - 1];

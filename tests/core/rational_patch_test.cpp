@@ -105,6 +105,13 @@ TEST_CASE("rational patches: a derived map that would be too large, or is of not
           ErrorCode::limit_exceeded);
     limits.numbers = 36;
     CHECK(rational_derivative_patch(map, direction, limits).shape().size() == 15);
+    // Order 1 takes 2 products a coordinate of 6 by 6 coefficients.
+    limits = {};
+    limits.expansion_work = 143;
+    CHECK(failure_code([&] { rational_derivative_patch(map, direction, limits); }) ==
+          ErrorCode::limit_exceeded);
+    limits.expansion_work = 144;
+    CHECK(rational_derivative_patch(map, direction, limits).shape().size() == 15);
     limits = {};
     limits.degree = 3;
     CHECK(failure_code([&] { rational_derivative_patch(map, direction, limits); }) ==

@@ -69,6 +69,7 @@ Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
 
 std::vector<std::size_t> degrees_of(const NetShape& shape) {
     std::vector<std::size_t> degrees;
+    degrees.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
     return degrees;
 }
@@ -76,6 +77,7 @@ std::vector<std::size_t> degrees_of(const NetShape& shape) {
 /// One more than the degree in each direction.
 std::vector<std::size_t> counts_of(const NetShape& shape) {
     std::vector<std::size_t> counts;
+    counts.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) counts.push_back(shape.count(f));
     return counts;
 }
@@ -114,11 +116,7 @@ Json write_simplex(const BezierPatch& patch, const std::vector<BarycentricFrame>
 }  // namespace
 
 Map read_tensor(Fields& fields, const Limits& limits) {
-    const auto degrees = fields.required("degrees", [&](const Json& value) {
-        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
-    });
-    if (degrees.empty())
-        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/degrees");
+    const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
     const NetShape shape = within("degrees", [&] { return NetShape::tensor(degrees, limits); });
     const std::vector<std::size_t> counts = counts_of(shape);
     const auto visit = [&](const Json& value, const auto& leaf) {

@@ -33,6 +33,15 @@ void refuse_weights(const Fields& fields) {
                 "/weights");
 }
 
+std::vector<std::size_t> read_degrees_of_directions(Fields& fields, const Limits& limits) {
+    std::vector<std::size_t> degrees = fields.required("degrees", [&](const Json& value) {
+        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
+    });
+    if (degrees.empty())
+        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/degrees");
+    return degrees;
+}
+
 Json nested(std::span<const Json> values, std::span<const std::size_t> counts) {
     if (counts.empty()) return values.front();
     Json::Array elements;

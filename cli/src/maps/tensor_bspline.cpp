@@ -57,11 +57,7 @@ std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std:
 }  // namespace
 
 Map read_tensor_bspline(Fields& fields, const Limits& limits) {
-    const auto degrees = fields.required("degrees", [&](const Json& value) {
-        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
-    });
-    if (degrees.empty())
-        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/degrees");
+    const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
     const auto counts =
         fields.required("control_net", [&](const Json& value) { return counts_of(value, degrees.size()); });
     std::vector<KnotVector> knots = read_knot_vectors(fields, degrees, counts, limits);

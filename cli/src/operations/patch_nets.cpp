@@ -40,7 +40,7 @@ std::vector<std::size_t> default_degrees(const NetShape& shape, bool tensor) {
 /// The degrees asked for, or the default ones. Errors: `wrong_arity`.
 std::vector<std::size_t> read_degrees(Fields& request, const NetShape& shape, bool tensor,
                                       const Limits& limits) {
-    const std::vector<std::size_t> usual = default_degrees(shape, tensor);
+    std::vector<std::size_t> usual = default_degrees(shape, tensor);
     if (!tensor) {
         const auto degree =
             request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
@@ -149,6 +149,7 @@ std::vector<BarycentricFrame> other_domain(const Patch& patch) {
 std::vector<std::string> usual_variables(std::size_t count, bool tensor) {
     const std::string_view letters = tensor ? "uvw" : "xyz";
     std::vector<std::string> names;
+    names.reserve(count);
     for (std::size_t i = 0; i < count; ++i) {
         names.push_back(count <= letters.size() ? std::string(1, letters[i]) : fmt::format("x{}", i + 1));
     }

@@ -95,10 +95,11 @@ FactorTerms factor_terms(const NetShape& shape, std::span<const PatchPoint> dire
     FactorTerms terms{{PatchArguments(shape.factors()), 1}};
     for (const PatchPoint& direction : directions) {
         FactorTerms longer;
+        // A direction that is 0 in all factors counts in the first.
         const bool zero = std::ranges::all_of(direction, is_zero);
         for (const auto& [lists, times] : terms) {
             for (std::size_t f = 0; f < shape.factors(); ++f) {
-                if (is_zero(direction[f]) && !(zero && f == 0)) continue;
+                if (is_zero(direction[f]) && (!zero || f > 0)) continue;
                 PatchArguments extended = lists;
                 extended[f].push_back(direction[f]);
                 longer[std::move(extended)] += times;
@@ -126,6 +127,7 @@ PatchMap sum_of(const std::vector<std::pair<PatchMap, Integer>>& maps, const Lim
     const auto add = [&](const auto& first) -> PatchMap {
         using Kind = std::decay_t<decltype(first)>;
         std::vector<Kind> raised;
+        raised.reserve(maps.size());
         for (const auto& [map, times] : maps) raised.push_back(std::get<Kind>(map));
         for (std::size_t f = 0; f < first.shape().factors(); ++f) {
             std::size_t degree = 0;

@@ -135,6 +135,7 @@ Json derivative_of_tensor_bspline(Fields& request, const Map& map, const Limits&
         auto piece = pieces.find(spans);
         if (piece == pieces.end()) piece = pieces.emplace(spans, segment_patch(spline, spans, limits)).first;
         std::vector<PatchPoint> vectors;
+        vectors.reserve(directions.size());
         for (const Coordinates& direction : directions)
             vectors.push_back(engine_arguments(piece->second, direction, 0));
         return derivative_value(piece->second, vectors, engine_arguments(piece->second, parameters, 1),

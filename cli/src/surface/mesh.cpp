@@ -75,6 +75,7 @@ public:
     void add(const Piece& piece) {
         const auto values = evaluate(std::get<BezierPatch>(piece.patch.map), piece.grid.points, limits_);
         std::vector<std::optional<std::size_t>> numbers;
+        numbers.reserve(values.size());
         for (std::size_t i = 0; i < values.size(); ++i) {
             numbers.push_back(number(parameters_of(piece.patch, piece.grid.points[i]), values[i]));
         }

@@ -21,13 +21,15 @@ SpacePoint cross(const SpacePoint& a, const SpacePoint& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+bool lies_in_plane(const Mesh& mesh) {
+    return mesh.space == MeshSpace::plane || mesh.space == MeshSpace::plane_graph;
+}
+
 }  // namespace
 
-View::View(const SurfacePicture& picture) : picture_(picture) {
+View::View(const SurfacePicture& picture)
+    : picture_(picture), plane_(std::ranges::all_of(picture.meshes, lies_in_plane)) {
     const auto is_graph = [](const Mesh& mesh) { return mesh.space == MeshSpace::graph; };
-    plane_ = std::ranges::all_of(picture.meshes, [&](const Mesh& mesh) {
-        return mesh.space == MeshSpace::plane || mesh.space == MeshSpace::plane_graph;
-    });
     const std::vector<SpacePoint> places = all_places();
     if (!places.empty()) {
         for (std::size_t i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ private:
     SpacePoint scaled(const SpacePoint& point) const;
 
     const SurfacePicture& picture_;
-    bool plane_ = true;
+    bool plane_;
     std::array<std::pair<Rational, Rational>, 3> bounds_;
     std::array<Rational, 3> scales_{1, 1, 1};
     std::array<std::string, 3> names_{"x", "y", "z"};

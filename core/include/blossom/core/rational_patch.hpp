@@ -25,8 +25,9 @@ Coordinates projected_derivative(std::size_t directions,
 /// argument a factor makes up a direction, barycentric of sum 0 for a net, x_1, ..., x_s for a polynomial.
 ///
 /// Cost: k products of nets a coordinate. Errors: `zero_weight` if the weight is 0 everywhere;
-/// `limit_exceeded` for the degrees, and when a product would have more than `limits.numbers` pairs of
-/// coefficients. Source: the quotient rule.
+/// `limit_exceeded` for the degrees, when a product would have more than `limits.numbers` pairs of
+/// coefficients, and when all of them, those of order k counted k times, exceed `limits.expansion_work`.
+/// Source: the quotient rule.
 BezierPatch rational_derivative_patch(const BezierPatch& patch, std::span<const PatchPoint> directions,
                                       const Limits& limits = {});
 PolynomialPatch rational_derivative_patch(const PolynomialPatch& patch,
