@@ -38,7 +38,8 @@ struct OperationsOf {
             below[j] = carry;
         };
         Vector kept[levels];
-        for (std::size_t i = 0; i < levels; ++i) kept[i] = left_of_row[i];
+        std::size_t level = 0;
+        for (Vector& one : kept) one = left_of_row[level++];
         for (std::size_t j = 0; j < count; j += 2) {
             Vector left = row[j];
             Vector right = row[j + 1];
@@ -52,7 +53,8 @@ struct OperationsOf {
             finish(j, left);
             finish(j + 1, right);
         }
-        for (std::size_t i = 0; i < levels; ++i) left_of_row[i] = kept[i];
+        level = 0;
+        for (const Vector& one : kept) left_of_row[level++] = one;
     }
 
     static constexpr Operations table{lanes, multiply};

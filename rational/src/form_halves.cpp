@@ -52,6 +52,7 @@ FormHalves::FormHalves(std::span<const Integer> coefficients, const Integer& den
     // Without preparation every part stands over the one denominator there is.
     for (const Integer& coefficient : coefficients)
         reduced.push_back(prepared ? Rational(coefficient, denominator) : Rational(coefficient));
+    leaves_.reserve(reduced.size());
     for (const Rational& coefficient : reduced) leaves_.push_back(coefficient.numerator());
     denominator_ = 1;
     if (reduced.size() > 1) {
@@ -65,6 +66,7 @@ FormHalves::FormHalves(std::span<const Integer> coefficients, const Integer& den
     unknown_ = denominator_;
     if (!prepared) return;
     std::vector<Integer> over_one;
+    over_one.reserve(reduced.size());
     for (const Rational& coefficient : reduced)
         over_one.push_back(coefficient.numerator() * divide_exactly(denominator_, coefficient.denominator()));
     separate_denominator(over_one);

@@ -40,8 +40,8 @@ public:
               ::operator new(numbers * planes * lanes_ * sizeof(std::int64_t), alignment))) {
         std::fill_n(digits_, numbers * planes * lanes_, 0);
     }
-    DigitRow(const DigitRow&) = delete;
-    DigitRow& operator=(const DigitRow&) = delete;
+    DigitRow(DigitRow&&) = delete;
+    DigitRow& operator=(DigitRow&&) = delete;
     ~DigitRow() { ::operator delete(digits_, alignment); }
 
     std::size_t planes() const { return planes_; }
