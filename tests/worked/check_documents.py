@@ -9,7 +9,9 @@ alone in a table must have a meaning, count the rows, or be an argument of what 
 of the given map, or occur in what was checked.
 """
 
+import copy
 import json
+import random
 import re
 import shlex
 import subprocess
@@ -36,10 +38,23 @@ def is_bare(tree):
     return tree["kind"] in ("number", "tuple")
 
 
+def with_other_maps(document):
+    """The same document about other maps of the same shape: what holds for labels and weights holds for them too."""
+    other = copy.deepcopy(document)
+    chosen = random.Random(len(str(document)))
+    for entry in other["maps"]:
+        for name in ("coefficients", "control_points", "control_net"):
+            points = entry["definition"].get(name, [])
+            for point in points if entry["definition"]["kind"] != "symbolic" else []:
+                point[:] = [str(chosen.randrange(-99, 100)) for _ in point]
+    return other
+
+
 class Checker:
     def __init__(self, name, document):
         self.name, self.document = name, document
         self.context = Context(document)
+        self.others = Context(with_other_maps(document))
         self.checked = 0
         self.problems = []
         self.known = numbers_in([entry["definition"] for entry in document["maps"]])
@@ -158,6 +173,9 @@ class Checker:
                 weights = [self.context.value(node[side + "_weight"]) for side in ("left", "right")]
                 made = added(scaled(weights[0], before[0]), scaled(weights[1], before[1]))
                 self.same(value, made, f"{node['label']['text']} from its neighbours")
+                before = [self.others.value(levels[r - 1][j]["label"]["tree"]) for j in (i, i + 1)]
+                made = added(scaled(weights[0], before[0]), scaled(weights[1], before[1]))
+                self.same(self.others.value(node["label"]["tree"]), made, f"the weights of {node['label']['text']}")
 
     def picture(self, picture):
         for point in picture["points"]:
@@ -202,6 +220,10 @@ class Checker:
         for formula in self.stated:
             if not numbers_in(formula["tree"]) <= self.known:
                 self.problem(f"{formula['text']}: a number without meaning")
+            knots = [entry["definition"].get("knots", []) for entry in self.document["maps"]]
+            listed = [part.get("value") for part in formula["tree"].get("parts", [])]
+            if any(len(one) == len(listed) > 2 for one in knots) and listed not in knots:
+                self.problem(f"{formula['text']}: not the knots")
         if not check["holds"]:
             self.problem("its own check does not hold")
         if self.checked < 3 and "check" in document and document["maps"]:
