@@ -1,5 +1,6 @@
 // Quotients of patches: derived maps against values, and their contact against maps made to have it.
 
+#include <blossom/core/knot_insertion.hpp>
 #include <blossom/core/patch_blossom.hpp>
 #include <blossom/core/patch_contact.hpp>
 #include <blossom/core/patch_conversion.hpp>
@@ -186,6 +187,21 @@ TEST_CASE("tensor B-splines: contact at knots, the least along all rows") {
         CHECK(order(1, 1) == 1);
     }
     CHECK(failure_code([&] { contact(surface, 0, 4); }) == ErrorCode::outside_domain);
+}
+
+TEST_CASE("tensor B-splines: a later box along a knot may be less smooth than the first") {
+    // Rows over a knot of multiplicity 2, two of them as smooth as over a simple one, the last not.
+    const BSplineCurve simple(3, {0, 0, 0, 0, 1, 2, 2, 2, 2}, {{0}, {1}, {0}, {5}, {-1}});
+    const BSplineCurve smooth = insert_knots_boehm(simple, std::vector<Rational>{1});
+    std::vector<Coordinates> points;
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t j = 0; j < 2; ++j) points.push_back(smooth.control_points()[i]);
+        points.push_back({Rational(i * i * i * i)});
+    }
+    const KnotVector linear(1, {0, 0, 1, 2, 2}, 3);
+    CHECK(contact(TensorBSpline({smooth.knots(), linear}, points), 0, 1).order == 1);
+    for (std::size_t i = 0; i < 6; ++i) points[3 * i + 2] = points[3 * i];
+    CHECK(contact(TensorBSpline({smooth.knots(), linear}, points), 0, 1).order == 2);
 }
 
 TEST_CASE("tensor B-splines: the contact of a rational surface is that of the curve that it is swept from") {
