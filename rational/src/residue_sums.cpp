@@ -100,16 +100,16 @@ std::size_t width(const Moduli& group, std::size_t size) {
     return plan && has_transform(group, plan.size()) ? plan.size() : size;
 }
 
-/// Writes what `ResidueRows` has of rows of `size` numbers.
-void read_rows(const Digits& numbers, std::size_t size, const Moduli& group, Octet* rows) {
+/// Writes what `ResidueRows` has of rows of `count` numbers.
+void read_rows(const Digits& numbers, std::size_t count, const Moduli& group, Octet* rows) {
     const std::vector<Octet> powers = plain_powers(group, numbers.most_digits());
-    const std::size_t kept_size = width(group, size);
-    if (kept_size == size) return numbers.residues(group, powers.data(), rows);
+    const std::size_t width_of_row = width(group, count);
+    if (width_of_row == count) return numbers.residues(group, powers.data(), rows);
     const residues::Buffer residues(numbers.size());
     numbers.residues(group, powers.data(), residues.data());
-    const residues::Roots roots(group, kept_size);
-    for (std::size_t k = 0; k < numbers.size(); k += size, rows += kept_size)
-        transform_numbers(group, roots, residues.data() + k, size, kept_size, rows);
+    const residues::Roots roots(group, width_of_row);
+    for (std::size_t k = 0; k < numbers.size(); k += count, rows += width_of_row)
+        transform_numbers(group, roots, residues.data() + k, count, width_of_row, rows);
 }
 
 /// The product of all factors in the form that goes with `ResidueRows`.
