@@ -140,6 +140,8 @@ std::string latex_preamble() {
            "\\usepackage{graphicx}\n"
            "\\usepackage{tikz}\n" +
            tikz_styles() +
+           "% Formulas within words break nowhere; the spaces between give way.\n"
+           "\\emergencystretch=3em\n"
            "% What is wider than the line is scaled down to it.\n"
            "\\newsavebox{\\blossombox}\n"
            "\\newcommand{\\blossomfit}[1]{\\sbox{\\blossombox}{#1}%\n"
