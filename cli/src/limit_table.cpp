@@ -16,6 +16,7 @@ constexpr LimitEntry table[] = {
     {"nesting", &Limits::nesting, "brackets within brackets, in text and in JSON", safe_nesting},
     {"variables", &Limits::variables, "variables of one polynomial", any},
     {"polarization_terms", &Limits::polarization_terms, "terms of one polarization sum", any},
+    {"regrouping_work", &Limits::regrouping_work, "multiply-adds of one regrouped polarization", any},
     {"expansion_terms", &Limits::expansion_terms, "terms of one polynomial in several variables", any},
     {"expansion_work", &Limits::expansion_work, "term operations of one symbolic computation", any},
     {"numbers", &Limits::numbers, "numbers that make up one map or one result", any},

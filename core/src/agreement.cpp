@@ -5,6 +5,7 @@
 #include <string>
 
 #include "collected_agreement.hpp"
+#include "polarization.hpp"
 #include "run_construction.hpp"
 
 namespace blossom {
@@ -50,16 +51,25 @@ std::vector<SparsePolynomial> quotients(Quotients<SparsePolynomial> value) {
 Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments,
                                  const Limits& limits) {
     require_arity(degree_of(map), arguments.size());
-    const ClearedArguments cleared = cleared_together(arguments, limits);
-    const std::size_t terms = polarization_terms(
-        multiplicities(std::span<const HomogeneousPair<Integer>>(cleared.pairs)), limits.polarization_terms);
+    const ClearedArguments cleared = cleared_one_by_one(arguments);
+    const std::string strict = polarization_excess(
+        polarization_terms(multiplicities(std::span<const HomogeneousPair<Integer>>(cleared.pairs)),
+                           limits.polarization_terms),
+        limits);
     const auto excess = [&](Construction construction) -> std::string {
-        return construction == Construction::polarization ? polarization_excess(terms, limits) : "";
+        if (construction == Construction::polarization) return strict;
+        if (construction != Construction::regrouped_polarization) return "";
+        if (regrouping_work(arguments.size(), limits.regrouping_work) <= limits.regrouping_work) return "";
+        return "more multiply-adds than the limit regrouping_work = " +
+               std::to_string(limits.regrouping_work);
     };
     const auto run = [&](Construction construction) {
         return blossom_value(map, arguments, construction, limits);
     };
-    return collected_agreement<Coordinates>(excess, run);
+    if (strict.empty()) return collected_agreement<Coordinates>(excess, run);
+    return collected_agreement<Coordinates>(excess, run,
+                                            {Construction::symmetric, Construction::polarization,
+                                             Construction::regrouped_polarization, Construction::casteljau});
 }
 
 Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "blossom_bits.hpp"
+#include "polarization.hpp"
 #include "run_construction.hpp"
 #include "values_in_words.hpp"
 
@@ -15,6 +16,8 @@ std::string_view construction_name(Construction construction) {
             return "symmetric";
         case Construction::polarization:
             return "polarization";
+        case Construction::regrouped_polarization:
+            return "regrouped-polarization";
         case Construction::casteljau:
             return "casteljau";
     }
@@ -30,15 +33,6 @@ void require_arity(std::size_t degree, std::size_t arguments) {
                 "/arguments");
 }
 
-std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std::size_t limit) {
-    std::size_t terms = 1;
-    for (const std::size_t multiplicity : multiplicities) {
-        if (terms > limit / (multiplicity + 1)) return limit + 1;
-        terms *= multiplicity + 1;
-    }
-    return terms;
-}
-
 Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
                           Construction construction, const Limits& limits) {
     require_arity(degree_of(map), arguments.size());
@@ -47,17 +41,12 @@ Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> ar
         const auto* bezier = std::get_if<BezierCurve>(&map);
         return Blossom::value_once(bezier ? monomial_form(*bezier, limits) : map, arguments, limits);
     }
-    const ClearedArguments cleared = construction == Construction::polarization
-                                         ? cleared_together(arguments, limits)
-                                         : cleared_one_by_one(arguments);
+    if (construction != Construction::casteljau)
+        return polarization_value(map, arguments, construction, limits);
+    const ClearedArguments cleared = cleared_one_by_one(arguments);
     require_result_bits(numerator_bits(map) + cleared.bits + arguments.size() * frame_bits(map), limits);
-    const std::span<const HomogeneousPair<Integer>> pairs = cleared.pairs;
-    if (construction == Construction::polarization) {
-        require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms),
-                       limits.polarization_terms, "polarization_terms",
-                       "the number of terms of polarization, at least", "/arguments");
-    }
-    return reduced(run_construction(map, construction, pairs, limits), cleared.denominator());
+    return reduced(run_construction<Integer>(map, construction, cleared.pairs, limits),
+                   cleared.denominator());
 }
 
 Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)>& map,
@@ -67,9 +56,7 @@ Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)
     points.reserve(arguments.size());
     for (const Parameter& argument : arguments) points.push_back({argument.value, 1});
     const std::span<const HomogeneousPair<Rational>> pairs = points;
-    require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms),
-                   limits.polarization_terms, "polarization_terms",
-                   "the number of terms of polarization, at least", "/arguments");
+    require_terms_of_polarization(pairs, limits);
 
     const auto scaled_value_at_mean = [&](const HomogeneousPair<Rational>& sum,
                                           std::size_t count) -> Coordinates {

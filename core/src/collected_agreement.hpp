@@ -3,17 +3,20 @@
 #include <blossom/core/agreement.hpp>
 #include <blossom/core/constructions.hpp>
 
+#include <initializer_list>
 #include <string>
 #include <utility>
 
 namespace blossom {
 
-/// Runs all three constructions; `excess(construction)` says why one is not run, or nothing.
+/// Runs the constructions; `excess(construction)` says why one is not run, or nothing.
 template <class Value, class Excess, class Run>
-Agreement<Value> collected_agreement(const Excess& excess, const Run& run) {
+Agreement<Value> collected_agreement(const Excess& excess, const Run& run,
+                                     std::initializer_list<Construction> constructions = {
+                                         Construction::symmetric, Construction::polarization,
+                                         Construction::casteljau}) {
     Agreement<Value> agreement;
-    for (const Construction construction :
-         {Construction::symmetric, Construction::polarization, Construction::casteljau}) {
+    for (const Construction construction : constructions) {
         std::string reason = excess(construction);
         if (reason.empty()) {
             agreement.results.push_back({construction, run(construction), {}});

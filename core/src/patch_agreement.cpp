@@ -1,5 +1,6 @@
 #include <blossom/core/patch_agreement.hpp>
 #include <blossom/core/patch_subdivision.hpp>
+#include <blossom/rational/error.hpp>
 
 #include <limits>
 #include <numeric>
@@ -7,6 +8,7 @@
 
 #include "collected_agreement.hpp"
 #include "patch_kernel.hpp"
+#include "polarization.hpp"
 #include "run_construction.hpp"
 
 namespace blossom {
@@ -127,6 +129,7 @@ Quotients<R> run(const PatchMap& map, const TupleLists<R>& arguments, Constructi
             return by_symmetric_functions(map, arguments, limits);
         case Construction::polarization:
             return by_polarization(map, arguments);
+        case Construction::regrouped_polarization:
         case Construction::casteljau:
             break;
     }
@@ -183,6 +186,12 @@ Coordinates blossom_value(const PatchMap& map, const PatchArguments& arguments, 
     const NetShape& shape = shape_of(map);
     require_arguments(shape, arguments);
     const std::size_t bits = bits_of(numbers_of(map));
+    if (construction == Construction::regrouped_polarization) {
+        throw Error(ErrorCode::wrong_kind,
+                    "regrouped-polarization is a construction of curves; a patch has symmetric, polarization "
+                    "and casteljau",
+                    "/construction");
+    }
     if (construction == Construction::polarization) {
         require_within(terms_of_polarization(arguments, limits.polarization_terms), limits.polarization_terms,
                        "polarization_terms", "the number of terms of polarization, at least", "/arguments");

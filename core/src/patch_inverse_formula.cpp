@@ -8,6 +8,7 @@
 #include <string>
 
 #include "patch_kernel.hpp"
+#include "polarization.hpp"
 #include "run_construction.hpp"
 
 namespace blossom {

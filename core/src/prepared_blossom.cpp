@@ -32,6 +32,9 @@ LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
 /// The most factors for which there is room on the stack.
 constexpr std::size_t most_factors_in_place = 64;
 
+/// The most for which eight values are computed at a time.
+constexpr std::size_t most_factors_of_eight = 8;
+
 /// The bits of an argument whose numerator and denominator are words.
 constexpr std::size_t word_argument_bits = 65;
 
@@ -64,6 +67,23 @@ struct Blossom::Kernel {
         } else {
             sums.evaluate(integer_factors(arguments), first_row, coordinates);
         }
+    }
+
+    /// The values at eight tuples, one after the other, as far as words hold all that is needed.
+    bool evaluate_eight(std::span<const std::vector<Argument>> tuples, std::span<Rational> values) const {
+        const std::size_t n = sums.degree();
+        if (!words_are_within_limits || n > most_factors_of_eight) return false;
+        WordFactorOctet octets[most_factors_of_eight];
+        for (std::size_t l = 0; l < tuples.size(); ++l) {
+            for (std::size_t i = 0; i < n; ++i) {
+                WordFactor factor;
+                if (!frame.read(tuples[l][i], factor)) return false;
+                octets[i].constants[l] = factor.constant;
+                octets[i].slopes[l] = factor.slope;
+                octets[i].denominators[l] = factor.denominator;
+            }
+        }
+        return sums.evaluate_eight(std::span(octets).first(n), values);
     }
 
     std::vector<IntegerFactor> integer_factors(std::span<const Argument> arguments) const {
@@ -125,8 +145,16 @@ std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tup
     for (const auto& arguments : tuples) require_arity(degree_, arguments.size());
     std::vector<Rational> values(tuples.size() * dimension_);
     on_threads(tuples.size(), jobs, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            kernel_->evaluate(tuples[i], 0, std::span(values).subspan(i * dimension_, dimension_));
+        const auto values_of = [&](std::size_t i, std::size_t count) {
+            return std::span(values).subspan(i * dimension_, count * dimension_);
+        };
+        for (std::size_t i = begin; i < end;) {
+            if (end - i >= 8 && kernel_->evaluate_eight(tuples.subspan(i, 8), values_of(i, 8))) {
+                i += 8;
+            } else {
+                kernel_->evaluate(tuples[i], 0, values_of(i, 1));
+                ++i;
+            }
         }
     });
     return values;

@@ -52,7 +52,7 @@ public:
 
     /// F times the denominator, one entry a coordinate.
     std::vector<R> operator()(const HomogeneousPair<R>& pair) {
-        const R x = R(scale_) * pair.u - R(shift_) * pair.mass;
+        const R x = local(pair).u;
         const auto evaluate = [&](const std::vector<std::vector<R>>& rows) {
             std::vector<R> values;
             values.reserve(rows.size());
@@ -66,6 +66,18 @@ public:
         return evaluate(at_mass_.back().rows);
     }
     const Integer& denominator() const { return denominator_; }
+
+    /// c_0, ..., c_n for each coordinate, and an argument as (x, y).
+    const std::vector<std::vector<R>>& rows() const { return rows_; }
+    HomogeneousPair<R> local(const HomogeneousPair<R>& pair) const {
+        return {R(scale_) * pair.u - R(shift_) * pair.mass, R(mass_scale_) * pair.mass};
+    }
+    std::vector<HomogeneousPair<R>> local(std::span<const HomogeneousPair<R>> pairs) const {
+        std::vector<HomogeneousPair<R>> result;
+        result.reserve(pairs.size());
+        for (const auto& pair : pairs) result.push_back(local(pair));
+        return result;
+    }
 
 private:
     struct AtMass {
@@ -131,6 +143,12 @@ Quotients<R> run_construction(const PolynomialMap& map, Construction constructio
             value.denominator *= form.denominator();
             break;
         }
+        case Construction::regrouped_polarization: {
+            const HomogeneousForm<R> form(map);
+            value = constructions::by_regrouped_polarization<R>(row_spans(form.rows()), form.local(pairs));
+            value.denominator *= form.denominator();
+            break;
+        }
         case Construction::casteljau: {
             const BezierCurve curve = control_polygon(map, limits);
             const auto rows = rows_over<R>(curve.control_points());
@@ -155,17 +173,5 @@ inline std::size_t degree_of(const PolynomialMap& map) {
 
 /// Errors: `wrong_arity` unless there are as many arguments as the formal degree.
 void require_arity(std::size_t degree, std::size_t arguments);
-
-/// The number of terms prod(m_i + 1) of polarization at these arguments, or `limit + 1` when it is greater
-/// than `limit`.
-std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std::size_t limit);
-
-/// The multiplicities of the distinct arguments.
-template <class R>
-std::vector<std::size_t> multiplicities(std::span<const HomogeneousPair<R>> pairs) {
-    std::vector<std::size_t> counts;
-    for (const auto& group : constructions::grouped(pairs)) counts.push_back(group.second);
-    return counts;
-}
 
 }  // namespace blossom

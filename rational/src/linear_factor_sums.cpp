@@ -11,6 +11,7 @@
 #include "numerator_bounds.hpp"
 #include "prepared_rows.hpp"
 #include "quotient_reduction.hpp"
+#include "word_lanes.hpp"
 
 namespace blossom {
 
@@ -177,6 +178,19 @@ void evaluate_integers(const Prepared& rows, std::span<const IntegerFactor> fact
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
 }
 
+/// What computes eight sums at a time here; nothing on processors without.
+word_lanes::Sums chosen_word_lanes() {
+    static const word_lanes::Sums chosen = []() -> word_lanes::Sums {
+#if defined(BLOSSOM_AVX512_WORDS)
+        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd"))
+            return word_lanes::avx512_sums;
+#endif
+        return nullptr;
+    }();
+    return chosen;
+}
+
 constexpr SumKernelRule rules[] = {
     {SumKernel::word, "word",
      "at most 64 factors of words; numerators and denominators of the sums below 2^63"},
@@ -191,6 +205,38 @@ constexpr SumKernelRule rules[] = {
 }  // namespace
 
 std::span<const SumKernelRule> sum_kernel_rules() { return rules; }
+
+bool LinearFactorSums::evaluate_eight(std::span<const WordFactorOctet> factors,
+                                      std::span<Rational> sums) const {
+    using word_lanes::lanes;
+    const Prepared& rows = *prepared_;
+    const word_lanes::Sums sums_of_eight = chosen_word_lanes();
+    if (sums_of_eight == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
+        factors.empty() || factors.size() > word_lanes::most_factors)
+        return false;
+    std::uint64_t denominator = 1;
+    for (const std::uint64_t factor : rows.denominators)
+        if (__builtin_mul_overflow(denominator, factor, &denominator)) return false;
+    small_primes::Set primes = rows.primes;
+    for (const WordFactorOctet& octet : factors)
+        for (const std::int64_t factor : octet.denominators)
+            primes |= small_primes::primes_of(static_cast<std::uint64_t>(factor));
+    if (primes == small_primes::any_primes) return false;
+    word_lanes::Divisor divisors[small_primes::count];
+    std::size_t count = 0;
+    small_primes::for_each(
+        primes, [&](const small_primes::Prime& prime) { divisors[count++] = {prime.inverse, prime.most}; });
+    word_lanes::Quotients quotients[word_lanes::most_rows];
+    const word_lanes::Rows given{rows.words.data(), rows.rows, rows.greatest, denominator};
+    if (!sums_of_eight(given, factors.data(), factors.size(), divisors, count, quotients)) return false;
+    for (std::size_t l = 0; l < lanes; ++l) {
+        for (std::size_t j = 0; j < rows.rows; ++j) {
+            RationalAccess::set_words(sums[l * rows.rows + j], quotients[j].numerators[l],
+                                      quotients[j].denominators[l]);
+        }
+    }
+    return true;
+}
 
 LinearFactorSums::LinearFactorSums(RationalVector numbers, std::size_t rows, Use use)
     : prepared_(std::make_shared<const Prepared>(std::move(numbers), rows, use)) {}

@@ -67,6 +67,11 @@ struct Operations {
     /// i < h < size.
     void (*transform)(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size);
     void (*inverse_transform)(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size);
+    /// sums[i] += weight / radix * sum_k rows[i][k] (x_i / radix)^(terms-1-k) for i < count, where
+    /// x_i = base + offsets[i]. The coefficients in a row are the same for all lanes, and from p to 2 p.
+    void (*add_values)(const Moduli& moduli, const std::uint64_t* const* rows, std::size_t terms,
+                       const Octet& base, const Octet* offsets, const Octet& weight, std::size_t count,
+                       Octet* sums);
 };
 
 extern const Operations portable_operations;

@@ -18,6 +18,7 @@ struct Ifma {
     static constexpr std::size_t parts = 1;
     static constexpr std::size_t most_summed = most_terms;
     static constexpr std::size_t coefficients_at_once = 4;
+    static constexpr std::size_t values_at_once = 6;
 
     using Vector = __m512i;
     /// The lower and the upper 52 bits of the products, summed apart: sums of 4096 terms fit in 64 bits.
@@ -71,6 +72,15 @@ struct Ifma {
     }
     static __m512i difference(const Constants& constants, __m512i a, __m512i b) {
         return below_twice(constants, _mm512_add_epi64(_mm512_sub_epi64(a, b), constants.twice));
+    }
+    /// Values stay below 4 p, x below 2 p: the upper half of the product is below 2 p, and its multiple of
+    /// the prime is subtracted from it and a coefficient above p.
+    static __m512i horner_step(const Constants& constants, __m512i value, __m512i x, __m512i coefficient) {
+        const __m512i zero = _mm512_setzero_si512();
+        const __m512i low = _mm512_madd52lo_epu64(zero, value, x);
+        const __m512i high = _mm512_madd52hi_epu64(coefficient, value, x);
+        const __m512i multiple = _mm512_madd52lo_epu64(zero, low, constants.inverse);
+        return _mm512_sub_epi64(high, _mm512_madd52hi_epu64(zero, multiple, constants.prime));
     }
 
 private:

@@ -20,6 +20,7 @@ struct Narrow {
     /// Products of residues below 2 p are below 2^58.
     static constexpr std::size_t most_summed = 64;
     static constexpr std::size_t coefficients_at_once = 6;
+    static constexpr std::size_t values_at_once = 4;
 
     struct Sum {
         Vector value = {};
@@ -77,6 +78,9 @@ struct Narrow {
     }
     static Vector difference(const Constants& constants, Vector a, Vector b) {
         return below(constants.twice, a + constants.twice - b);
+    }
+    static Vector horner_step(const Constants& constants, Vector value, Vector x, Vector coefficient) {
+        return sum(constants, product(constants, value, x), coefficient);
     }
 
 private:

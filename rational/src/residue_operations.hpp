@@ -12,7 +12,8 @@ namespace blossom::residues {
 /// to most_terms products, with collect(total, sum); Constants of one part of the moduli; reduced(constants,
 /// sum) and reduced(constants, total), divided by the radix, and product(constants, a, b), all below 2 p;
 /// sum and difference of residues; below_prime(constants, a); product_of_difference(constants, a, b, c),
-/// (a - b) c / radix for c below p.
+/// (a - b) c / radix for c below p; horner_step(constants, value, x, coefficient), value x / radix +
+/// coefficient for a coefficient from p to 2 p, whose results serve as `value` again and as factors.
 template <class Level>
 struct OperationsOf {
     using Vector = typename Level::Vector;
@@ -132,6 +133,23 @@ struct OperationsOf {
             Transform<Level>(moduli, roots, part).backward(a, size);
     }
 
+    /// Several values at a time, for one has to wait for its last product.
+    static void add_values(const Moduli& moduli, const std::uint64_t* const* rows, std::size_t terms,
+                           const Octet& base, const Octet* offsets, const Octet& weight, std::size_t count,
+                           Octet* sums) {
+        constexpr std::size_t step = Level::values_at_once;
+        for (std::size_t part = 0; part < Level::parts; ++part) {
+            const Constants constants(moduli, part);
+            std::size_t i = 0;
+            for (; i + step <= count; i += step) {
+                add_several_values<step>(constants, part, rows + i, terms, base, offsets + i, weight,
+                                         sums + i);
+            }
+            for (; i < count; ++i)
+                add_several_values<1>(constants, part, rows + i, terms, base, offsets + i, weight, sums + i);
+        }
+    }
+
     static constexpr Operations table{Level::prime_bits,
                                       Level::radix_bits,
                                       Level::delta_bits,
@@ -145,7 +163,8 @@ struct OperationsOf {
                                       multiply_each,
                                       reduce,
                                       transform,
-                                      inverse_transform};
+                                      inverse_transform,
+                                      add_values};
 
 private:
     template <class Entry>
@@ -153,6 +172,29 @@ private:
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             for (std::size_t k = 0; k < count; ++k) Level::store(results[k], part, entry(constants, k, part));
+        }
+    }
+
+    template <std::size_t Count>
+    static void add_several_values(const Constants& constants, std::size_t part,
+                                   const std::uint64_t* const* rows, std::size_t terms, const Octet& base,
+                                   const Octet* offsets, const Octet& weight, Octet* sums) {
+        Vector x[Count];
+        Vector values[Count];
+#pragma GCC unroll 8
+        for (std::size_t i = 0; i < Count; ++i) {
+            x[i] = Level::sum(constants, Level::load(base, part), Level::load(offsets[i], part));
+            values[i] = Level::broadcast(rows[i][0]);
+        }
+        for (std::size_t k = 1; k < terms; ++k) {
+#pragma GCC unroll 8
+            for (std::size_t i = 0; i < Count; ++i)
+                values[i] = Level::horner_step(constants, values[i], x[i], Level::broadcast(rows[i][k]));
+        }
+#pragma GCC unroll 8
+        for (std::size_t i = 0; i < Count; ++i) {
+            const Vector term = Level::product(constants, values[i], Level::load(weight, part));
+            Level::store(sums[i], part, Level::sum(constants, Level::load(sums[i], part), term));
         }
     }
 

@@ -139,9 +139,7 @@ std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& 
 }
 
 const Operations& chosen_operations() {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): read once, and nothing here writes the environment
-    const char* variable = std::getenv("BLOSSOM_VECTOR_LEVEL");
-    const std::string_view level = variable ? variable : "ifma";
+    const std::string_view level = vector_level();
 #if defined(BLOSSOM_AVX512_IFMA)
     if (level == "ifma" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
         return ifma_operations;
@@ -153,6 +151,12 @@ const Operations& chosen_operations() {
 }
 
 }  // namespace
+
+std::string_view vector_level() {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here writes the environment
+    const char* variable = std::getenv("BLOSSOM_VECTOR_LEVEL");
+    return variable ? variable : "ifma";
+}
 
 const Operations& operations() {
     static const Operations& chosen = chosen_operations();

@@ -143,6 +143,7 @@ TEST_CASE("what was not run is skipped and never agrees") {
                arguments + "]}");
     CHECK(cli::to_text(*at_pointer(response, "/result/agree")) == "true");
     CHECK(at_pointer(response, "/result/values/polarization") == nullptr);
+    CHECK(at_pointer(response, "/result/values/regrouped-polarization") != nullptr);
     CHECK(at_pointer(response, "/result/values/casteljau") != nullptr);
     CHECK(*at_pointer(response, "/result/skipped/0/construction") == Json("polarization"));
     CHECK(at_pointer(response, "/result/skipped/0/reason")->text()->find("polarization_terms") !=

@@ -90,8 +90,17 @@ TEST_CASE("degree 64 by polarization is refused by itself and skipped in agreeme
     REQUIRE(error);
     CHECK(error->code() == ErrorCode::limit_exceeded);
     CHECK(error->message().find("polarization_terms") != std::string::npos);
-    const auto two = agreement(map, list);
-    CHECK_FALSE(two.results[1].value);
+    const auto three_others = agreement(map, list);
+    REQUIRE(three_others.results.size() == 4);
+    CHECK_FALSE(three_others.results[1].value);
+    CHECK(three_others.results[2].construction == Construction::regrouped_polarization);
+    CHECK(three_others.results[2].value);
+    CHECK(three_others.agree());
+    Limits limits;
+    limits.regrouping_work = 1000;
+    const auto two = agreement(map, list, limits);
+    CHECK_FALSE(two.results[2].value);
+    CHECK(two.results[2].skipped.find("regrouping_work = 1000") != std::string::npos);
     CHECK(two.agree());
     // 32 + 32 copies are 33 * 33 terms.
     const std::vector<Argument> grouped = with_copies(with_copies({}, 32, Parameter(2)), 32, Parameter(3));

@@ -103,3 +103,87 @@ TEST_CASE("a callable is not asked at all beyond the limit", "[polarization][lim
           ErrorCode::limit_exceeded);
     CHECK(counted.places.empty());
 }
+
+namespace {
+
+/// Points, vectors and pairs of any mass, some of them repeated.
+std::vector<Argument> mixed_arguments(Random& random, std::size_t n) {
+    std::vector<Argument> list;
+    while (list.size() < n) {
+        Argument argument = Parameter(small_rational(random));
+        if (random.one_in(6)) argument = Argument(Direction{small_rational(random)});
+        if (random.one_in(6)) argument = Argument(small_rational(random), small_rational(random));
+        list.push_back(argument);
+        if (random.one_in(4)) list.resize(std::min(n, list.size() + 1 + random.below(3)), argument);
+    }
+    return list;
+}
+
+}  // namespace
+
+TEST_CASE("both polarizations give the blossom at points, vectors and pairs of any mass",
+          "[polarization][fj-cor1]") {
+    Random random(233);
+    for (int i = 0; i < 300; ++i) {
+        const std::size_t n = random.below(i % 10 == 0 ? 13 : 9);
+        const PolynomialMap map = random.one_in(2)
+                                      ? PolynomialMap(polynomial_map(random, n, Size::any).curve())
+                                      : PolynomialMap(bezier_map(random, n, Size::small).curve());
+        const std::vector<Argument> list = mixed_arguments(random, n);
+        const Coordinates expected = blossom_value(map, list, Construction::symmetric);
+        CHECK(blossom_value(map, list, Construction::polarization) == expected);
+        CHECK(blossom_value(map, list, Construction::regrouped_polarization) == expected);
+    }
+}
+
+TEST_CASE("regrouped polarization of higher degrees", "[polarization]") {
+    Random random(234);
+    for (const std::size_t n : {20, 33, 48}) {
+        const PolynomialMap map = polynomial_map(random, n, Size::small).curve();
+        const std::vector<Argument> list = mixed_arguments(random, n);
+        CHECK(blossom_value(map, list, Construction::regrouped_polarization) ==
+              blossom_value(map, list, Construction::symmetric));
+    }
+}
+
+TEST_CASE("power sums over subsets as defined", "[polarization]") {
+    Random random(235);
+    for (int i = 0; i < 100; ++i) {
+        const std::size_t n = random.below(6);
+        std::vector<HomogeneousPair<Integer>> pairs;
+        for (std::size_t j = 0; j < n; ++j)
+            pairs.push_back({integer(random, IntegerKind::tiny), random.one_in(3) ? 0 : 7});
+        const auto sums = constructions::signed_power_sums<Integer>(pairs);
+        std::vector<std::vector<Integer>> expected(sums.size(), std::vector<Integer>(n + 1));
+        for (std::size_t subset = 0; subset < std::size_t{1} << n; ++subset) {
+            HomogeneousPair<Integer> sum{0, 0};
+            int sign = 1;
+            for (std::size_t j = 0; j < n; ++j) {
+                if ((subset >> j & 1) == 0) {
+                    sign = -sign;
+                } else {
+                    sum.u += pairs[j].u;
+                    sum.mass += pairs[j].mass;
+                }
+            }
+            const auto points = static_cast<std::size_t>(*(sum.mass / 7).to_int64());
+            for (std::size_t k = 0; k <= n; ++k) expected[points][k] += Integer(sign) * pow(sum.u, k);
+        }
+        CHECK(sums == expected);
+    }
+}
+
+TEST_CASE("regrouped polarization is refused beyond its limit", "[polarization][limits]") {
+    const PolynomialMap map = PolynomialCurve(Polynomial::monomial(4));
+    const std::vector<Argument> list(4, Parameter(2));
+    Limits limits;
+    limits.regrouping_work = 100;
+    CHECK(blossom_value(map, list, Construction::regrouped_polarization, limits) == Coordinates{16});
+    limits.regrouping_work = 99;
+    const auto error =
+        failure([&] { blossom_value(map, list, Construction::regrouped_polarization, limits); });
+    REQUIRE(error);
+    CHECK(error->code() == ErrorCode::limit_exceeded);
+    CHECK(error->message().find("regrouping_work") != std::string::npos);
+    CHECK(error->field() == "/arguments");
+}

@@ -13,11 +13,11 @@ struct NamedConstruction {
     std::function<Coordinates(const PolynomialMap&, const std::vector<Argument>&)> value;
 };
 
-/// The three constructions by name, and the one that a prepared `Blossom` chooses.
+/// The constructions by name, and the one that a prepared `Blossom` chooses.
 inline std::vector<NamedConstruction> every_construction() {
     std::vector<NamedConstruction> all;
-    for (const Construction construction :
-         {Construction::symmetric, Construction::polarization, Construction::casteljau}) {
+    for (const Construction construction : {Construction::symmetric, Construction::polarization,
+                                            Construction::regrouped_polarization, Construction::casteljau}) {
         all.push_back({std::string(construction_name(construction)),
                        [construction](const PolynomialMap& map, const std::vector<Argument>& arguments) {
                            return blossom_value(map, arguments, construction);

@@ -15,6 +15,8 @@ namespace {
 
 std::string_view readable_name(std::string_view construction) {
     if (construction == construction_name(Construction::symmetric)) return "symmetric functions";
+    if (construction == construction_name(Construction::regrouped_polarization))
+        return "regrouped polarization";
     if (construction == construction_name(Construction::casteljau)) return "de Casteljau";
     return construction;
 }
@@ -76,10 +78,12 @@ Json answer(Fields& request, const Limits& limits) {
 std::string values_text(const Answered& answered, const std::string& arguments) {
     std::string text;
     const Json& values = *answered.result.find("values");
+    std::size_t width = 21;
+    for (const auto& [name, value] : *values.object()) width = std::max(width, readable_name(name).size());
     for (const Construction construction : all_constructions) {
         const std::string_view name = construction_name(construction);
         if (!values.find(name)) continue;
-        text += fmt::format("  {:<21} p({}) = {}\n", readable_name(name), arguments,
+        text += fmt::format("  {:<{}} p({}) = {}\n", readable_name(name), width, arguments,
                             answered.style.bold(member_text(values, name)));
     }
     return text;
@@ -123,8 +127,11 @@ std::string verdict(const Answered& answered) {
                "\nThis is an error of the program. To reproduce it, as one line of a batch:\n" +
                to_text(answered.request) + "\n";
     }
+    const Json* values = answered.result.find("values");
     const std::string_view who = text.empty() ? "The three constructions agree exactly"
-                                              : "The two constructions that were run agree exactly";
+                                 : values != nullptr && values->object()->size() > 2
+                                     ? "The three constructions that were run agree exactly"
+                                     : "The two constructions that were run agree exactly";
     return text + answered.style.good(fmt::format("{}{}.", who, for_all ? ", for all arguments" : "")) + "\n";
 }
 

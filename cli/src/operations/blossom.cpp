@@ -66,7 +66,8 @@ Operation blossom_operation() {
         .example = {"blossom", "1 + 2t + 4t^2 - t^3", "--at", "delta,2,pair:3:2"},
         .options = with_map_options({
             arguments_option("the arguments, as many as the formal degree: T, vector:V, delta, pair:U:MASS"),
-            field_option("--construction", "construction", "symmetric|polarization|casteljau",
+            field_option("--construction", "construction",
+                         "symmetric|polarization|regrouped-polarization|casteljau",
                          "by which construction; by default the one that suits the map", plain_text),
             segment_option(),
         }),

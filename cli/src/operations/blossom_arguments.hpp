@@ -10,6 +10,7 @@
 namespace blossom::cli {
 
 inline constexpr Construction all_constructions[] = {Construction::symmetric, Construction::polarization,
+                                                     Construction::regrouped_polarization,
                                                      Construction::casteljau};
 
 /// The arguments of a blossom of a map of this form.
@@ -17,7 +18,7 @@ inline constexpr Construction all_constructions[] = {Construction::symmetric, Co
 /// weight: the blossom of a rational map has no point there.
 std::vector<Argument> read_arguments(const Json& value, const PointForm& form, const Limits& limits);
 
-/// "symmetric", "polarization" or "casteljau". Errors: `wrong_kind`.
+/// "symmetric", "polarization", "regrouped-polarization" or "casteljau". Errors: `wrong_kind`.
 Construction read_construction(const Json& value);
 
 /// --at, for field "arguments".

@@ -17,7 +17,7 @@ struct ConstructionResult {
     std::string skipped;  ///< the reason, when there is no value
 };
 
-/// The three constructions side by side, in the order of `Construction`.
+/// The constructions side by side, in the order of `Construction`.
 template <class Value>
 struct Agreement {
     std::vector<ConstructionResult<Value>> results;
@@ -37,8 +37,8 @@ struct Agreement {
     }
 };
 
-/// The three values at the given arguments. Polarization is skipped, with the reason, beyond its limit.
-/// Errors: `wrong_arity`, `limit_exceeded`.
+/// The three values at the given arguments. Beyond its limit polarization is skipped, with the reason, and
+/// the regrouped one is run behind it. Errors: `wrong_arity`, `limit_exceeded`.
 Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments,
                                  const Limits& limits = {});
 

@@ -17,8 +17,9 @@ namespace blossom {
 /// A curve that is one polynomial.
 using PolynomialMap = std::variant<PolynomialCurve, BezierCurve>;
 
-/// The three ways to build a blossom.
-enum class Construction { symmetric, polarization, casteljau };
+/// The ways to build a blossom: the three constructions, and the sum of polarization in two forms, with every
+/// term evaluated or with the terms of equally many points taken together.
+enum class Construction { symmetric, polarization, regrouped_polarization, casteljau };
 
 /// The protocol's word for a construction, for instance "casteljau".
 std::string_view construction_name(Construction construction);
@@ -80,7 +81,7 @@ private:
 ///
 /// Cost: see `constructions`; a change of basis, O(n^2), where the representation is not the construction's
 /// own. Errors: `wrong_arity`; `limit_exceeded`, for polarization when prod(m_i + 1) exceeds
-/// `polarization_terms`.
+/// `polarization_terms`, and for the regrouped one when n^2 (n + 1)^2 / 4 exceeds `regrouping_work`.
 Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
                           Construction construction, const Limits& limits = {});
 

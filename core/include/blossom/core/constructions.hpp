@@ -167,6 +167,65 @@ Quotients<R> by_polarization(Form&& form, std::span<const HomogeneousPair<R>> ar
             factorial(arguments.size())};
 }
 
+/// sum_S (-1)^(n-|S|) (sum of S)^k over the subsets S of the arguments with N points, k = 0..n, for each N:
+/// argument by argument, (s + u)^k = sum_j C(k, j) u^(k-j) s^j.
+///
+/// Cost: n^4 / 4 multiply-adds.
+template <class R>
+std::vector<std::vector<R>> signed_power_sums(std::span<const HomogeneousPair<R>> arguments) {
+    const std::size_t n = arguments.size();
+    std::vector<std::vector<Integer>> binomials;
+    for (std::size_t k = 0; k <= n; ++k) binomials.push_back(binomial_row(k));
+    std::vector<std::vector<R>> sums(1, std::vector<R>(n + 1, R(0)));
+    sums[0][0] = R(1);
+    for (const auto& [u, mass] : arguments) {
+        std::vector<R> powers{R(1)};
+        for (std::size_t k = 0; k < n; ++k) powers.push_back(powers.back() * u);
+        const bool point = !(mass == R(0));
+        if (point) sums.emplace_back(n + 1, R(0));
+        for (std::size_t points = sums.size(); points-- > 0;) {
+            for (std::size_t k = n + 1; k-- > 0;) {
+                R larger(0);
+                if (!point || points > 0) {
+                    const std::vector<R>& smaller = sums[point ? points - 1 : points];
+                    for (std::size_t j = 0; j <= k; ++j)
+                        accumulate_product(larger, R(binomials[k][j]) * powers[k - j], smaller[j]);
+                }
+                sums[points][k] = larger - sums[points][k];
+            }
+        }
+    }
+    return sums;
+}
+
+/// The polarization inverse formula with the terms of equally many points taken together: those of N points
+/// are sum_k c_k (N mass)^(n-k) sum_S (-1)^(n-|S|) (sum of S)^k, so that power sums over subsets suffice and
+/// no subset is looked at by itself.
+///
+/// `coefficients`: n + 1 monomial coefficients a coordinate, lowest first; all masses are 0 or the same.
+/// Cost: n^4 / 4 multiply-adds. Source: Fernandez-Jambrina, equation (20). Statement: fj-cor1.
+template <class R>
+Quotients<R> by_regrouped_polarization(Rows<R> coefficients, std::span<const HomogeneousPair<R>> arguments) {
+    const auto has_mass = [](const HomogeneousPair<R>& argument) { return !(argument.mass == R(0)); };
+    const auto point = std::ranges::find_if(arguments, has_mass);
+    const R mass = point == arguments.end() ? R(0) : point->mass;
+    const std::vector<std::vector<R>> sums = signed_power_sums(arguments);
+    Quotients<R> result{{}, factorial(arguments.size())};
+    for (const auto row : coefficients) {
+        R total(0);
+        for (std::size_t points = 0; points < sums.size(); ++points) {
+            const R scale = R(Integer(points)) * mass;
+            R power(1);
+            for (std::size_t k = row.size(); k-- > 0;) {
+                accumulate_product(total, row[k] * power, sums[points][k]);
+                power = power * scale;
+            }
+        }
+        result.numerators.push_back(std::move(total));
+    }
+    return result;
+}
+
 /// The weights of de Casteljau's algorithm: on the level of (u, v) neighbours are combined with
 /// left / (b - a) and right / (b - a), left = b v - q u and right = q u - a v, over the interval [a/q, b/q].
 template <class R>

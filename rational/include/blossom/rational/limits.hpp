@@ -9,16 +9,17 @@ namespace blossom {
 /// What one request may cost. Every operation that could take much memory predicts its size and refuses with
 /// `limit_exceeded`, naming the limit, before it allocates. The defaults are documented in docs/limits.md.
 struct Limits {
-    std::size_t degree = 10'000;               ///< formal degree of a map, and exponents in text
-    std::size_t digits = 1'000'000;            ///< decimal digits of one number, read or computed
-    std::size_t nesting = 200;                 ///< brackets within brackets, in text and in JSON
-    std::size_t variables = 256;               ///< variables of one polynomial
-    std::size_t polarization_terms = 1 << 20;  ///< terms of one polarization sum, prod(m_i + 1)
-    std::size_t expansion_terms = 1 << 17;     ///< terms of one polynomial in several variables
-    std::size_t expansion_work = 100'000'000;  ///< term operations of one symbolic computation
-    std::size_t numbers = 1 << 22;             ///< numbers that make up one map or one result
-    std::size_t output_digits = 250'000'000;   ///< decimal digits of one whole result, estimated from above
-    std::size_t line_bytes = 16 << 20;         ///< one line of a batch
+    std::size_t degree = 10'000;                ///< formal degree of a map, and exponents in text
+    std::size_t digits = 1'000'000;             ///< decimal digits of one number, read or computed
+    std::size_t nesting = 200;                  ///< brackets within brackets, in text and in JSON
+    std::size_t variables = 256;                ///< variables of one polynomial
+    std::size_t polarization_terms = 1 << 20;   ///< terms of one polarization sum, prod(m_i + 1)
+    std::size_t regrouping_work = 500'000'000;  ///< multiply-adds of one regrouped polarization, n^4 / 4
+    std::size_t expansion_terms = 1 << 17;      ///< terms of one polynomial in several variables
+    std::size_t expansion_work = 100'000'000;   ///< term operations of one symbolic computation
+    std::size_t numbers = 1 << 22;              ///< numbers that make up one map or one result
+    std::size_t output_digits = 250'000'000;    ///< decimal digits of one whole result, estimated from above
+    std::size_t line_bytes = 16 << 20;          ///< one line of a batch
 };
 
 /// Throws `limit_exceeded` unless `value <= limit`.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/rational/rational_vector.hpp>
+#include <blossom/rational/word_factor_octet.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -62,6 +63,13 @@ public:
     void evaluate(std::span<const WordFactor> factors, std::size_t first_row, std::span<Rational> sums) const;
     void evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
                   std::span<Rational> sums) const;
+
+    /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: `factors` are
+    /// the first ones of each tuple in their order, then the second ones, and so on.
+    ///
+    /// False, and nothing is done, unless the kernel `word` suffices for all of them by one bound and this
+    /// processor computes eight at a time.
+    bool evaluate_eight(std::span<const WordFactorOctet> factors, std::span<Rational> sums) const;
 
     /// What `evaluate` chooses.
     SumKernel kernel(std::span<const WordFactor> factors) const;

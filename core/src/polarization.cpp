@@ -1,0 +1,92 @@
+#include "polarization.hpp"
+
+#include <blossom/rational/subset_sums.hpp>
+
+#include "blossom_bits.hpp"
+#include "run_construction.hpp"
+
+namespace blossom {
+
+namespace {
+
+/// Sums of fewer terms are evaluated at once; what the primes need first takes longer.
+constexpr std::size_t fewest_terms_by_primes = 32;
+
+/// The arguments with masses of 0 and 1 alone, and what the value at them is to be multiplied by.
+std::pair<std::vector<Argument>, Rational> with_unit_masses(std::span<const Argument> arguments) {
+    std::vector<Argument> result(arguments.begin(), arguments.end());
+    Rational factor = 1;
+    for (Argument& argument : result) {
+        if (argument.mass.is_zero() || argument.mass == Rational(1)) continue;
+        factor *= argument.mass;
+        argument = Argument(argument.u / argument.mass, 1);
+    }
+    return {std::move(result), std::move(factor)};
+}
+
+std::vector<SubsetGroup> groups_of(std::span<const HomogeneousPair<Integer>> pairs) {
+    std::vector<SubsetGroup> groups;
+    for (const auto& [pair, multiplicity] : constructions::grouped(pairs))
+        groups.push_back({pair.u, pair.mass, multiplicity});
+    return groups;
+}
+
+/// By residues, where they suffice.
+std::optional<Coordinates> value_by_primes(const PolynomialMap& map, const ClearedArguments& arguments,
+                                           Construction construction) {
+    const HomogeneousForm<Integer> form(map);
+    const std::vector<HomogeneousPair<Integer>> pairs =
+        form.local(std::span<const HomogeneousPair<Integer>>(arguments.pairs));
+    const std::vector<SubsetGroup> groups = groups_of(pairs);
+    const auto rows = row_spans(form.rows());
+    std::optional<std::vector<Integer>> sums = construction == Construction::polarization
+                                                   ? strict_subset_sums(rows, groups)
+                                                   : regrouped_subset_sums(rows, groups);
+    if (!sums) return std::nullopt;
+    return reduced({*std::move(sums), factorial(pairs.size()) * form.denominator()}, arguments.denominator());
+}
+
+}  // namespace
+
+std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std::size_t limit) {
+    std::size_t terms = 1;
+    for (const std::size_t multiplicity : multiplicities) {
+        if (terms > limit / (multiplicity + 1)) return limit + 1;
+        terms *= multiplicity + 1;
+    }
+    return terms;
+}
+
+std::size_t regrouping_work(std::size_t n, std::size_t limit) {
+    const Integer work = (Integer(n) * Integer(n + 1) / 2) * (Integer(n) * Integer(n + 1) / 2);
+    return work > Integer(limit) ? limit + 1 : static_cast<std::size_t>(*work.to_int64());
+}
+
+Coordinates polarization_value(const PolynomialMap& map, std::span<const Argument> given,
+                               Construction construction, const Limits& limits) {
+    const auto [arguments, factor] = with_unit_masses(given);
+    const ClearedArguments cleared = cleared_one_by_one(arguments);
+    const std::span<const HomogeneousPair<Integer>> pairs = cleared.pairs;
+    require_result_bits(numerator_bits(map) + cleared.bits + arguments.size() * frame_bits(map), limits);
+    bool by_primes = true;
+    if (construction == Construction::polarization) {
+        require_terms_of_polarization(pairs, limits);
+        by_primes =
+            polarization_terms(multiplicities(pairs), fewest_terms_by_primes) > fewest_terms_by_primes;
+    } else {
+        require_within(regrouping_work(arguments.size(), limits.regrouping_work), limits.regrouping_work,
+                       "regrouping_work", "the number of multiply-adds of a regrouped polarization, at least",
+                       "/arguments");
+    }
+    std::optional<Coordinates> value;
+    if (by_primes) value = value_by_primes(map, cleared, construction);
+    if (!value) {
+        const ClearedArguments together = cleared_together(arguments, limits);
+        value = reduced(run_construction<Integer>(map, construction, together.pairs, limits),
+                        together.denominator());
+    }
+    for (Rational& coordinate : *value) coordinate *= factor;
+    return *std::move(value);
+}
+
+}  // namespace blossom

@@ -1,0 +1,118 @@
+// Sums over subsets by residues against the blossom written out in elementary symmetric functions, which
+// knows neither subsets nor residues.
+
+#include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/subset_sums.hpp>
+
+#include "support/number_generators.hpp"
+#include "support/number_printing.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+/// The greatest primes below 2^50 and 2^28, with which residues start at one level or another.
+constexpr std::int64_t first_primes[] = {(std::int64_t{1} << 50) - 27, (std::int64_t{1} << 28) - 57};
+
+struct Case {
+    std::vector<std::vector<Integer>> rows;
+    std::vector<SubsetGroup> groups;
+
+    std::vector<std::span<const Integer>> spans() const { return {rows.begin(), rows.end()}; }
+};
+
+/// sum_k c_k k! (n - k)! e_k, sum_k e_k X^k = prod (mass_i + u_i X).
+std::vector<Integer> evident_sums(const Case& given) {
+    std::vector<Integer> elementary{1};
+    for (const auto& [u, mass, multiplicity] : given.groups) {
+        for (std::size_t i = 0; i < multiplicity; ++i) {
+            elementary.emplace_back(0);
+            for (std::size_t k = elementary.size() - 1; k > 0; --k)
+                elementary[k] = mass * elementary[k] + u * elementary[k - 1];
+            elementary[0] *= mass;
+        }
+    }
+    const std::size_t n = elementary.size() - 1;
+    std::vector<Integer> sums;
+    for (const auto& row : given.rows) {
+        Integer sum;
+        for (std::size_t k = 0; k <= n; ++k) sum += row[k] * elementary[k] * factorial(k) * factorial(n - k);
+        sums.push_back(std::move(sum));
+    }
+    return sums;
+}
+
+Case random_case(Random& random, std::size_t groups, std::size_t bits) {
+    Case result;
+    std::size_t n = 0;
+    for (std::size_t g = 0; g < groups; ++g) {
+        const std::size_t multiplicity = random.one_in(3) ? 1 + random.below(4) : 1;
+        const Integer mass = random.one_in(5) ? Integer(0) : integer_of_bits(random, 1 + random.below(bits));
+        result.groups.push_back({integer_of_bits(random, 1 + random.below(bits)), mass, multiplicity});
+        if (random.one_in(8)) result.groups.back().u = 0;
+        n += multiplicity;
+    }
+    for (std::size_t row = 0; row < 1 + random.below(3); ++row) {
+        auto& coefficients = result.rows.emplace_back();
+        for (std::size_t k = 0; k <= n; ++k)
+            coefficients.push_back(random.one_in(6) ? Integer(0)
+                                                    : integer_of_bits(random, 1 + random.below(bits)));
+    }
+    return result;
+}
+
+void check(const Case& given) {
+    const std::vector<Integer> expected = evident_sums(given);
+    CHECK(strict_subset_sums(given.spans(), given.groups) == expected);
+    if (const auto regrouped = regrouped_subset_sums(given.spans(), given.groups))
+        CHECK(*regrouped == expected);
+}
+
+}  // namespace
+
+TEST_CASE("sums over subsets of few arguments", "[subset_sums]") {
+    Random random(71);
+    for (int i = 0; i < 6'000; ++i) check(random_case(random, random.below(6), 1 + random.below(40)));
+}
+
+TEST_CASE("sums over subsets of large numbers", "[subset_sums]") {
+    Random random(72);
+    for (int i = 0; i < 600; ++i) check(random_case(random, random.below(7), 1 + random.below(600)));
+}
+
+TEST_CASE("more subsets than are lined up for the lanes", "[subset_sums]") {
+    Random random(73);
+    for (int i = 0; i < 20; ++i) check(random_case(random, 9 + random.below(5), 1 + random.below(20)));
+    // One group with more copies than places.
+    Case copies{{std::vector<Integer>(601, 1)}, {{3, 2, 600}}};
+    CHECK(strict_subset_sums(copies.spans(), copies.groups) == evident_sums(copies));
+}
+
+TEST_CASE("values at the limits of a number of primes", "[subset_sums]") {
+    for (std::size_t bits = 40; bits < 460; ++bits) {
+        for (const int sign : {1, -1}) {
+            const Integer u = (Integer(1) << bits) - 1;
+            check({{{0, sign}}, {{u, 1, 1}}});
+            check({{{sign, 0}}, {{1, u, 1}}});
+        }
+    }
+}
+
+TEST_CASE("masses that a prime of the residues divides", "[subset_sums]") {
+    Random random(74);
+    for (const std::int64_t prime : first_primes) {
+        for (int i = 0; i < 100; ++i) {
+            Case given = random_case(random, 1 + random.below(5), 30);
+            for (SubsetGroup& group : given.groups)
+                if (random.one_in(2)) group.mass *= prime;
+            check(given);
+        }
+    }
+    // One of them is among the primes of this level.
+    const auto is_met = [](std::int64_t prime) {
+        const Case given{{{1, 1}}, {{1, prime, 1}}};
+        return !regrouped_subset_sums(given.spans(), given.groups).has_value();
+    };
+    CHECK(is_met(first_primes[0]) != is_met(first_primes[1]));
+}
