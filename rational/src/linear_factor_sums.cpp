@@ -1,6 +1,7 @@
 #include <blossom/rational/linear_factor_sums.hpp>
 #include <blossom/rational/row_recurrences.hpp>
 
+#include <array>
 #include <utility>
 
 #include "fixed_width_rows.hpp"
@@ -183,13 +184,23 @@ word_lanes::Sums chosen_word_lanes() {
     static const word_lanes::Sums chosen = []() -> word_lanes::Sums {
 #if defined(BLOSSOM_AVX512_WORDS)
         if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd"))
+            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
+            __builtin_cpu_supports("avx512ifma"))
             return word_lanes::avx512_sums;
 #endif
         return nullptr;
     }();
     return chosen;
 }
+
+constexpr auto small_divisors = [] {
+    std::array<word_lanes::Divisor, small_primes::count> divisors{};
+    for (std::size_t i = 0; i < divisors.size(); ++i)
+        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most};
+    return divisors;
+}();
+constexpr word_lanes::Divisors lane_divisors{small_primes::table.of_odd, small_primes::greatest_known,
+                                             small_divisors.data()};
 
 constexpr SumKernelRule rules[] = {
     {SumKernel::word, "word",
@@ -217,18 +228,9 @@ bool LinearFactorSums::evaluate_eight(std::span<const WordFactorOctet> factors,
     std::uint64_t denominator = 1;
     for (const std::uint64_t factor : rows.denominators)
         if (__builtin_mul_overflow(denominator, factor, &denominator)) return false;
-    small_primes::Set primes = rows.primes;
-    for (const WordFactorOctet& octet : factors)
-        for (const std::int64_t factor : octet.denominators)
-            primes |= small_primes::primes_of(static_cast<std::uint64_t>(factor));
-    if (primes == small_primes::any_primes) return false;
-    word_lanes::Divisor divisors[small_primes::count];
-    std::size_t count = 0;
-    small_primes::for_each(
-        primes, [&](const small_primes::Prime& prime) { divisors[count++] = {prime.inverse, prime.most}; });
     word_lanes::Quotients quotients[word_lanes::most_rows];
-    const word_lanes::Rows given{rows.words.data(), rows.rows, rows.greatest, denominator};
-    if (!sums_of_eight(given, factors.data(), factors.size(), divisors, count, quotients)) return false;
+    const word_lanes::Rows given{rows.words.data(), rows.rows, rows.greatest, denominator, rows.primes};
+    if (!sums_of_eight(given, factors.data(), factors.size(), lane_divisors, quotients)) return false;
     for (std::size_t l = 0; l < lanes; ++l) {
         for (std::size_t j = 0; j < rows.rows; ++j) {
             RationalAccess::set_words(sums[l * rows.rows + j], quotients[j].numerators[l],

@@ -24,12 +24,21 @@ struct Divisor {
     std::uint64_t most;
 };
 
-/// Rows of numbers over one denominator, `count` + 1 numbers each.
+/// The odd prime divisors of numbers: bit i of a set stands for divisors[i], and all bits for numbers that
+/// may have others.
+struct Divisors {
+    const std::uint32_t* of_odd;  ///< of 1, 3, 5, ..., greatest_known
+    std::uint64_t greatest_known;
+    const Divisor* divisors;
+};
+
+/// Rows of numbers over one denominator.
 struct Rows {
     const std::int64_t* numbers;
     std::size_t rows;
     std::uint64_t greatest;  ///< magnitude
     std::uint64_t denominator;
+    std::uint32_t divisors;  ///< of the denominator
 };
 
 /// A quotient a lane.
@@ -38,15 +47,14 @@ struct alignas(64) Quotients {
     std::int64_t denominators[lanes];
 };
 
-/// The sums of all rows for eight tuples of `count` <= most_factors factors, divided by the powers of two and
-/// of the odd divisors that numerators and denominators have in common. Nothing, and false, unless words
-/// suffice by a bound.
+/// The sums of all rows for eight tuples of `count` <= most_factors factors, in lowest terms. Nothing, and
+/// false, unless words suffice by a bound and all divisors of the denominators are known.
 using Sums = bool (*)(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
-                      const Divisor* divisors, std::size_t divisor_count, Quotients* sums);
+                      const Divisors& divisors, Quotients* sums);
 
 #if defined(BLOSSOM_AVX512_WORDS)
-bool avx512_sums(const Rows& rows, const WordFactorOctet* factors, std::size_t count, const Divisor* divisors,
-                 std::size_t divisor_count, Quotients* sums);
+bool avx512_sums(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
+                 const Divisors& divisors, Quotients* sums);
 #endif
 
 }  // namespace blossom::word_lanes
