@@ -1,12 +1,15 @@
 // The polarization inverse formula for anything that can be evaluated.
 
 #include <blossom/core/blossom.hpp>
+#include <blossom/core/constructions.hpp>
 
 #include <set>
 
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"
 #include "support/map_printing.hpp"
+#include "support/number_generators.hpp"
+#include "support/number_printing.hpp"
 #include "support/textbook_blossom.hpp"
 
 using namespace blossom;
@@ -138,7 +141,7 @@ TEST_CASE("both polarizations give the blossom at points, vectors and pairs of a
 
 TEST_CASE("regrouped polarization of higher degrees", "[polarization]") {
     Random random(234);
-    for (const std::size_t n : {20, 33, 48}) {
+    for (const std::size_t n : {20U, 33U, 48U}) {
         const PolynomialMap map = polynomial_map(random, n, Size::small).curve();
         const std::vector<Argument> list = mixed_arguments(random, n);
         CHECK(blossom_value(map, list, Construction::regrouped_polarization) ==
