@@ -70,9 +70,17 @@ TEST_CASE("agree without arguments shows the form in e1, e2, e3 and the expansio
 }
 
 TEST_CASE("what was skipped is said") {
-    const Run shown = run({"agree", "t^3", "--at", "1,2,3", "--max-polarization-terms", "7"});
+    const std::vector<std::string> request{"agree", "t^3", "--at", "1,2,3", "--max-polarization-terms", "7"};
+    const Run regrouped = run(request);
+    CHECK(regrouped.status == 0);
+    CHECK(contains(regrouped.output, "Skipped: polarization: "));
+    CHECK(contains(regrouped.output, "  regrouped polarization p(1, 2, 3) = 6\n"));
+    CHECK(contains(regrouped.output, "The three constructions that were run agree exactly.\n"));
+    std::vector<std::string> limited = request;
+    limited.insert(limited.end(), {"--max-regrouping-work", "7"});
+    const Run shown = run(limited);
     CHECK(shown.status == 0);
-    CHECK(contains(shown.output, "Skipped: polarization: "));
+    CHECK(contains(shown.output, "Skipped: regrouped polarization: "));
     CHECK(contains(shown.output, "The two constructions that were run agree exactly.\n"));
     CHECK_FALSE(shown.output.find("three") != std::string::npos);
 }
