@@ -115,14 +115,10 @@ struct StrictPlan {
 
 /// One lane of a group of primes, in all lanes.
 Moduli broadcast(const Moduli& group, std::size_t lane) {
-    Moduli result;
-    for (std::size_t i = 0; i < lanes; ++i) {
-        result.prime.lane[i] = group.prime.lane[lane];
-        result.delta.lane[i] = group.delta.lane[lane];
-        result.inverse.lane[i] = group.inverse.lane[lane];
-        result.radix.lane[i] = group.radix.lane[lane];
-        result.square.lane[i] = group.square.lane[lane];
-    }
+    Moduli result = group;
+    for (Octet Moduli::* octet :
+         {&Moduli::prime, &Moduli::delta, &Moduli::inverse, &Moduli::radix, &Moduli::square, &Moduli::root})
+        std::ranges::fill((result.*octet).lane, (group.*octet).lane[lane]);
     return result;
 }
 

@@ -12,8 +12,9 @@ using namespace blossom::testing;
 
 namespace {
 
-/// The greatest primes below 2^50 and 2^28, with which residues start at one level or another.
-constexpr std::int64_t first_primes[] = {(std::int64_t{1} << 50) - 27, (std::int64_t{1} << 28) - 57};
+/// The greatest primes below 2^50 that are 1 modulo 2^13, and below 2^28 that are 1 modulo 2^11, with which
+/// residues start at one level or another.
+constexpr std::int64_t first_primes[] = {(std::int64_t{1} << 50) - 16383, (std::int64_t{1} << 28) - 65535};
 
 struct Case {
     std::vector<std::vector<Integer>> rows;
