@@ -55,6 +55,25 @@ void compare_gray_code(const Report& report, const Case& given) {
          {"GMP Gray code", [&] { gray_code.run(); }, [&] { return gray_code.text(); }}});
 }
 
+/// The polarization of this name alone, its value checked against that by symmetric functions.
+void show_polarization(const Report& report, std::size_t degree, std::size_t bits,
+                       Construction construction) {
+    const std::string name(construction_name(construction));
+    if (!report.wants(name, degree, bits)) return;
+    const Case given = make_case(degree, bits);
+    const PolynomialCurve curve = curve_of(given);
+    const std::vector<Argument> arguments = arguments_of(given);
+    Limits limits;
+    limits.polarization_terms = std::size_t{1} << degree;
+    Rational value;
+    const auto side = [&](const char* side_name, Construction by) {
+        return Side{side_name, [&, by] { value = blossom_value(curve, arguments, by, limits)[0]; },
+                    [&] { return to_string(value); }};
+    };
+    report.compare("constructions", name.c_str(), degree, bits,
+                   {side("engine", construction), side("symmetric functions", Construction::symmetric)});
+}
+
 }  // namespace
 
 void measure_constructions(const Report& report) {
@@ -68,9 +87,14 @@ void measure_constructions(const Report& report) {
                 compare_polarization(report, given);
         }
     }
-    for (const std::size_t degree : {10U, 15U, 20U}) {
-        const std::size_t bits = 4;
+    const std::pair<std::size_t, std::size_t> subsets[] = {{10, 4}, {15, 4}, {20, 4}, {15, 64}};
+    for (const auto& [degree, bits] : subsets) {
         if (degree > 10 && report.quick()) continue;
         if (report.wants("polarization", degree, bits)) compare_gray_code(report, make_case(degree, bits));
     }
+    const std::pair<std::size_t, std::size_t> regrouped[] = {{10, 4}, {20, 64}, {100, 4}, {100, 7}};
+    for (const auto& [degree, bits] : regrouped)
+        if (degree <= 20 || !report.quick())
+            show_polarization(report, degree, bits, Construction::regrouped_polarization);
+    if (!report.quick()) show_polarization(report, 25, 4, Construction::polarization);
 }

@@ -9,3 +9,4 @@ void measure_operations(const Report& report);
 void measure_evaluation(const Report& report);
 void measure_splines(const Report& report);
 void measure_threads(const Report& report);
+void measure_machine(const Report& report);

@@ -1,7 +1,6 @@
 #pragma once
 
-// De Boor's algorithm as one would write it with FLINT's rational numbers, and as an expert who prepares each
-// segment as a polynomial over one denominator.
+// De Boor's algorithm as one would write it with FLINT's rational numbers.
 
 #include <blossom/core/bspline_curve.hpp>
 

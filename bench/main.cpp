@@ -75,5 +75,6 @@ int main(int argc, char** argv) {
     measure_evaluation(report);
     measure_splines(report);
     measure_threads(report);
+    measure_machine(report);
     return 0;
 }

@@ -44,7 +44,7 @@ void Report::compare(const char* family, const char* work, std::size_t degree, s
     const measure::Comparison comparison = measure::compare(runs, effort);
     for (std::size_t i = 1; i < sides.size(); ++i) {
         const measure::Ratio& ratio = comparison.ratios[i - 1];
-        std::printf("%s,%s,%zu,%zu,%.1f,%s,%.1f,%.2f,%.2f,%.2f,%ld\n", family, work, degree, bits,
+        std::printf("%s,%s,%zu,%zu,%.1f,%s,%.1f,%.3g,%.3g,%.3g,%ld\n", family, work, degree, bits,
                     1e9 * comparison.seconds[0], sides[i].name.c_str(), 1e9 * comparison.seconds[i],
                     ratio.median, ratio.least, ratio.greatest, peak_memory());
     }

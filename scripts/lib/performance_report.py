@@ -111,6 +111,7 @@ headings = {
     "operations": "Whole polynomials",
     "splines": "Splines",
     "threads": "Two threads",
+    "machine": "Distance from the machine",
 }
 lines = [f"Measured on {machine()}, one thread.", ""]
 for family in dict.fromkeys(v["family"] for v in values):
