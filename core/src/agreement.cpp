@@ -52,7 +52,7 @@ Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argum
                                  const Limits& limits) {
     require_arity(degree_of(map), arguments.size());
     const ClearedArguments cleared = cleared_one_by_one(arguments);
-    const std::string strict = polarization_excess(
+    std::string strict = polarization_excess(
         polarization_terms(multiplicities(std::span<const HomogeneousPair<Integer>>(cleared.pairs)),
                            limits.polarization_terms),
         limits);

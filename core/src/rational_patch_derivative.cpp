@@ -57,6 +57,7 @@ void require_work(const NetShape& shape, std::size_t dimension, std::size_t step
     std::size_t work = 0;
     for (std::size_t k = 1; k <= steps && work <= limits.expansion_work; ++k) {
         std::vector<SimplexFactor> factors;
+        factors.reserve(shape.factors());
         for (std::size_t f = 0; f < shape.factors(); ++f)
             factors.push_back({shape[f].dimension, k * shape[f].degree});
         work += 2 * k * dimension * shape.size() * NetShape(std::move(factors), limits).size();

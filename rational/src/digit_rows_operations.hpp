@@ -44,6 +44,7 @@ struct OperationsOf {
             Vector left = row[j];
             Vector right = row[j + 1];
 #pragma GCC unroll 14
+            // NOLINTNEXTLINE(modernize-loop-convert): the pragma is for loops that count
             for (std::size_t i = 0; i < levels; ++i) {
                 const Vector sum = left + kept[i];
                 kept[i] = right;

@@ -27,7 +27,9 @@ thread_local Spares spares{};
 struct SparesOfThread {
     SparesOfThread() = default;
     SparesOfThread(const SparesOfThread&) = delete;
+    SparesOfThread(SparesOfThread&&) = delete;
     SparesOfThread& operator=(const SparesOfThread&) = delete;
+    SparesOfThread& operator=(SparesOfThread&&) = delete;
     ~SparesOfThread() {
         spares.closed = true;
         while (spares.count > 0) delete spares.numbers[--spares.count];

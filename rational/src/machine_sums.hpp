@@ -66,6 +66,8 @@ inline DenominatorWords denominator_words(std::span<const std::uint64_t> denomin
 template <std::size_t Count = std::dynamic_extent>
 class FactorProduct {
 public:
+    // What is not used of the array stays as it is: clearing it would cost more than the work.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
     explicit FactorProduct(std::span<const WordFactor, Count> factors) {
         coefficients_[0] = 1;
         multiply_one_by_one(factors, coefficients_);

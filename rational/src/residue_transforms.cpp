@@ -86,6 +86,7 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
             Octet* const polynomial = values + i * size;
             Octet* const first = room.data() + 2 * i * size;
             Octet* const second = first + size;
+            // NOLINTNEXTLINE(readability-suspicious-call-argument): `first` is the first half
             std::copy_n(polynomial, size, first);
             if (are_coefficients) {
                 run.transform(moduli, roots.data(), first, size);

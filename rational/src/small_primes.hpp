@@ -32,10 +32,10 @@ constexpr std::uint64_t inverse_of_odd(std::uint64_t x) {
 }
 
 struct Table {
-    Prime primes[count];
-    Set of_odd[(greatest_known + 1) / 2];  ///< of 2 i + 1
+    Prime primes[count] = {};
+    Set of_odd[(greatest_known + 1) / 2] = {};  ///< of 2 i + 1
 
-    constexpr Table() : primes(), of_odd() {
+    constexpr Table() {
         std::size_t found = 0;
         for (std::uint64_t candidate = 3; found < count; candidate += 2) {
             bool is_prime = true;

@@ -123,7 +123,7 @@ Moduli broadcast(const Moduli& group, std::size_t lane) {
 }
 
 Octet octet_of(std::uint64_t value) {
-    Octet result;
+    Octet result{};
     std::ranges::fill(result.lane, value);
     return result;
 }
@@ -279,7 +279,7 @@ public:
     /// One more argument: sets without it change sign, and e^((u + x) t) = e^(u t) e^(x t) for those with it.
     void append(const Octet& parameter, bool point) {
         // x^j / j! behind all others, highest j first, times the radix.
-        Octet factor;
+        Octet factor{};
         powers_[size_ - 1] = moduli_.radix;
         for (std::size_t j = 1; j < size_; ++j) {
             operations().scale(moduli_, &parameter, inverse_[j], 1, &factor);
@@ -303,12 +303,12 @@ public:
     std::vector<Octet> weighted_by_points() const {
         std::vector<Octet> result(size_, octet_of(0));
         for (std::size_t points = 0; points <= points_; ++points) {
-            Octet number;
+            Octet number{};
             for (std::size_t l = 0; l < lanes; ++l)
                 number.lane[l] = PrimeField(moduli_.prime.lane[l]).product(points, moduli_.radix.lane[l]);
             Octet power = moduli_.radix;
             for (std::size_t k = size_; k-- > 0;) {
-                Octet term;
+                Octet term{};
                 operations().scale(moduli_, &sums_[points * size_ + k], power, 1, &term);
                 operations().add(moduli_, &result[k], &term, 1, &result[k]);
                 operations().scale(moduli_, &power, number, 1, &power);
@@ -337,7 +337,7 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
         PowerSums sums(primes, n);
         Octet masses = octet_of(1);
         for (const SubsetGroup& group : groups) {
-            Octet parameter;
+            Octet parameter{};
             for (std::size_t l = 0; l < lanes; ++l) {
                 const PrimeField field(primes.prime.lane[l]);
                 const auto residue = group_residue(field, group);
@@ -366,6 +366,7 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
         }
     }
     std::vector<Integer> result;
+    result.reserve(rows.size());
     for (const auto& residues : residues_of_sums) result.push_back(residues::integer_with(residues));
     return result;
 }

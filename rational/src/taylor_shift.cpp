@@ -41,7 +41,9 @@ public:
         std::fill_n(digits_, numbers * planes * lanes_, 0);
     }
     DigitRow(DigitRow&&) = delete;
+    DigitRow(const DigitRow&) = delete;
     DigitRow& operator=(DigitRow&&) = delete;
+    DigitRow& operator=(const DigitRow&) = delete;
     ~DigitRow() { ::operator delete(digits_, alignment); }
 
     std::size_t planes() const { return planes_; }

@@ -8,12 +8,12 @@ namespace {
 
 class Renaming {
 public:
-    Renaming(const Document& document, std::string index) : index_(std::move(index)) {
+    Renaming(const Document& document, std::string index)
+        : symbols_(document.symbols), index_(std::move(index)) {
         for (const NamedMap& map : document.maps) {
             names_.push_back(map.map);
             names_.push_back(map.blossom);
         }
-        symbols_ = document.symbols;
         for (const NamedPoint& point : document.points) {
             if (!is_vertex(point)) symbols_.push_back(point.name);
         }

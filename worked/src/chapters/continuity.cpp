@@ -47,8 +47,8 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     document.steps.push_back(StepBuilder("Compare the blossoms")
                                  .say({"Two maps meet with order ", symbol("k"),
                                        " exactly when their blossoms agree wherever all but ", symbol("k"),
-                                       " arguments are the knot. As they are affine in each argument, it is "
-                                       "enough to put ",
+                                       std::string(" arguments are the knot. As they are affine in each "
+                                                   "argument, it is enough to put "),
                                        number(knot + Rational(1)), " for these ", symbol("k"), "."})
                                  .add(std::move(table))
                                  .done());

@@ -19,8 +19,9 @@ Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve
     return StepBuilder("The segment on " + interval_text(interval))
         .say({"Its Bézier control points are the values of its blossom at ", number(interval.a()), " and ",
               number(interval.b()),
-              ". De Boor's triangle replaces the knots of the control points of the spline by these, one a "
-              "level. This is the triangle of one of them; its lower levels have others too:"})
+              std::string(
+                  ". De Boor's triangle replaces the knots of the control points of the spline by these, "
+                  "one a level. This is the triangle of one of them; its lower levels have others too:")})
         .add(de_boor_triangle(curve, span, end_arguments(interval.a(), interval.b(), n, n / 2),
                               "De Boor's triangle.", limits))
         .done();
@@ -77,13 +78,13 @@ Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
         holds = holds && (joint.is_infinite() || *joint.order >= promised);
     }
     document.check = {
-        {Paragraph{segments.size() == 1
-                       ? Text{"There is one segment, and the spline is this Bézier curve."}
-                       : Text{"Neighbouring segments meet at each knot at least as smoothly as its "
-                              "multiplicity promises: with order ",
-                              sum({symbol("n"), product({number(-1), symbol("m")})}),
-                              " at a knot of multiplicity ", symbol("m"), " in a spline of degree ",
-                              symbol("n"), "."}}},
+        {Paragraph{
+            segments.size() == 1
+                ? Text{"There is one segment, and the spline is this Bézier curve."}
+                : Text{std::string("Neighbouring segments meet at each knot at least as smoothly as its "
+                                   "multiplicity promises: with order "),
+                       sum({symbol("n"), product({number(-1), symbol("m")})}), " at a knot of multiplicity ",
+                       symbol("m"), " in a spline of degree ", symbol("n"), "."}}},
         holds};
     return document;
 }

@@ -101,14 +101,14 @@ struct SubsetRow {
     std::vector<Argument> members;
     Rational u;
     Rational mass;
-    Rational weight;                  ///< the sign times the number of subsets that look like this one
-    std::vector<Formula> alike = {};  ///< this number, as binomial coefficients
+    Rational weight;             ///< the sign times the number of subsets that look like this one
+    std::vector<Formula> alike;  ///< this number, as binomial coefficients
 };
 
 std::vector<SubsetRow> subset_rows(std::span<const Argument> arguments) {
     std::vector<HomogeneousPair<Rational>> pairs;
     for (const Argument& argument : arguments) pairs.push_back({argument.u, argument.mass});
-    std::vector<SubsetRow> rows{{{}, 0, 0, 1}};
+    std::vector<SubsetRow> rows{{{}, 0, 0, 1, {}}};
     for (const auto& [pair, times] : constructions::grouped<HomogeneousPair<Rational>>(pairs)) {
         const Argument argument(pair.u, pair.mass);
         std::vector<SubsetRow> longer;
