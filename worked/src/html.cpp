@@ -98,7 +98,8 @@ private:
                     side = chain.append_child("div");
                     side.append_attribute("class") = first ? "left" : "right";
                 } else {
-                    side.append_child(pugi::node_pcdata).set_value(" ");
+                    // A line may end here; the sign that follows has its own space on both sides.
+                    side.append_child(pugi::node_pcdata).set_value("\u200b");
                 }
                 append_math(side, piece.layout, true);
             }

@@ -29,7 +29,7 @@ constexpr const char* page_style =
     "margin:.8rem 0 .8rem 1.2rem;line-height:1.9;overflow-x:auto;overflow-y:hidden}"
     ".formula .left{grid-column:1}.formula .right{grid-column:2;padding-left:1.4em;text-indent:-1.4em}"
     ".formula .left:only-child{grid-column:1 / 3}"
-    ".formula math{text-indent:0;margin:.18em 0}.formula .right{word-spacing:-.1em}"
+    ".formula math{text-indent:0;margin:.18em 0}"
     "figure{margin:1.4rem 0}figcaption{margin:.4rem 0}"
     ".wide{overflow-x:auto}"
     "svg{display:block;margin:0 auto}svg.picture{width:100%;height:auto;max-width:38rem}"

@@ -55,8 +55,8 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
     mark_upper_edge(triangle);
     document.steps.push_back(StepBuilder("Coefficients are blossom values")
                                  .say({"The coefficient of ", power(symbol(given.variable), symbol("k")),
-                                       ", divided by a binomial coefficient, is the value with k copies of ",
-                                       symbol("delta"), ":"})
+                                       ", divided by a binomial coefficient, is the value with ", symbol("k"),
+                                       " copies of ", symbol("delta"), ":"})
                                  .show(normalised_equations(curve))
                                  .done());
     document.steps.push_back(StepBuilder("Adding instead of subtracting")
