@@ -62,7 +62,7 @@ inline DenominatorWords denominator_words(std::span<const std::uint64_t> denomin
     return words;
 }
 
-/// The coefficients of the product of all factors, in words of 64 bits.
+/// The product of all factors in words of 64 bits.
 template <std::size_t Count = std::dynamic_extent>
 class FactorProduct {
 public:
@@ -75,13 +75,53 @@ public:
 
     std::uint64_t sum_of_products(std::span<const std::int64_t> numbers) const {
         std::uint64_t sum = 0;
-        for (std::size_t k = 0; k < (Count == std::dynamic_extent ? numbers.size() : Count + 1); ++k)
+        for (std::size_t k = 0; k <= Count; ++k)
             sum += static_cast<std::uint64_t>(numbers[k]) * coefficients_[k];
         return sum;
     }
 
 private:
-    std::uint64_t coefficients_[(Count == std::dynamic_extent ? most_factors : Count) + 1];
+    std::uint64_t coefficients_[Count + 1];
+};
+
+/// In two halves a and b, which are not multiplied with each other: sum_i a_i sum_j b_j c_(i+j).
+template <>
+class FactorProduct<std::dynamic_extent> {
+public:
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+    explicit FactorProduct(std::span<const WordFactor> factors)
+        : first_degree_((factors.size() + 1) / 2), second_degree_(factors.size() / 2) {
+        multiply_out(factors.first(first_degree_), first_);
+        multiply_out(factors.last(second_degree_), second_);
+    }
+
+    std::uint64_t sum_of_products(std::span<const std::int64_t> numbers) const {
+        return with_small_constant(second_degree_, [&](auto degree) {
+            const std::size_t terms = (degree == std::dynamic_extent ? second_degree_ : degree) + 1;
+            std::uint64_t sum = 0;
+            for (std::size_t i = 0; i <= first_degree_; ++i) {
+                std::uint64_t inner = 0;
+                for (std::size_t j = 0; j < terms; ++j)
+                    inner += static_cast<std::uint64_t>(numbers[i + j]) * second_[j];
+                sum += inner * first_[i];
+            }
+            return sum;
+        });
+    }
+
+private:
+    static void multiply_out(std::span<const WordFactor> factors, std::uint64_t* coefficients) {
+        coefficients[0] = 1;
+        with_small_constant(factors.size(), [&](auto count) {
+            multiply_one_by_one(std::span<const WordFactor, count>(factors.data(), factors.size()),
+                                coefficients);
+        });
+    }
+
+    std::size_t first_degree_;
+    std::size_t second_degree_;
+    std::uint64_t first_[most_factors / 2 + 1];
+    std::uint64_t second_[most_factors / 2 + 1];
 };
 
 /// The product of all factors in blocks, for sums of words of 128 bits.
