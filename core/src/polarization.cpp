@@ -12,16 +12,24 @@ namespace {
 /// Sums of fewer terms are evaluated at once; what the primes need first takes longer.
 constexpr std::size_t fewest_terms_by_primes = 32;
 
-/// The arguments with masses of 0 and 1 alone, and what the value at them is to be multiplied by.
-std::pair<std::vector<Argument>, Rational> with_unit_masses(std::span<const Argument> arguments) {
+bool is_point_or_vector(const Argument& argument) {
+    return argument.mass.is_zero() || argument.mass == Rational(1);
+}
+
+/// The arguments with masses of 0 and 1 alone.
+std::vector<Argument> with_unit_masses(std::span<const Argument> arguments) {
     std::vector<Argument> result(arguments.begin(), arguments.end());
-    Rational factor = 1;
-    for (Argument& argument : result) {
-        if (argument.mass.is_zero() || argument.mass == Rational(1)) continue;
-        factor *= argument.mass;
-        argument = Argument(argument.u / argument.mass, 1);
-    }
-    return {std::move(result), std::move(factor)};
+    for (Argument& argument : result)
+        if (!is_point_or_vector(argument)) argument = Argument(argument.u / argument.mass, 1);
+    return result;
+}
+
+/// What the value at the arguments `with_unit_masses` is to be multiplied by.
+Rational product_of_masses(std::span<const Argument> arguments) {
+    Rational product = 1;
+    for (const Argument& argument : arguments)
+        if (!argument.mass.is_zero()) product *= argument.mass;
+    return product;
 }
 
 std::vector<SubsetGroup> groups_of(std::span<const HomogeneousPair<Integer>> pairs) {
@@ -62,9 +70,14 @@ std::size_t regrouping_work(std::size_t n, std::size_t limit) {
     return work > Integer(limit) ? limit + 1 : static_cast<std::size_t>(*work.to_int64());
 }
 
-Coordinates polarization_value(const PolynomialMap& map, std::span<const Argument> given,
+Coordinates polarization_value(const PolynomialMap& map, std::span<const Argument> arguments,
                                Construction construction, const Limits& limits) {
-    const auto [arguments, factor] = with_unit_masses(given);
+    if (!std::ranges::all_of(arguments, is_point_or_vector)) {
+        Coordinates value = polarization_value(map, with_unit_masses(arguments), construction, limits);
+        const Rational factor = product_of_masses(arguments);
+        for (Rational& coordinate : value) coordinate *= factor;
+        return value;
+    }
     const ClearedArguments cleared = cleared_one_by_one(arguments);
     const std::span<const HomogeneousPair<Integer>> pairs = cleared.pairs;
     require_result_bits(numerator_bits(map) + cleared.bits + arguments.size() * frame_bits(map), limits);
@@ -78,15 +91,12 @@ Coordinates polarization_value(const PolynomialMap& map, std::span<const Argumen
                        "regrouping_work", "the number of multiply-adds of a regrouped polarization, at least",
                        "/arguments");
     }
-    std::optional<Coordinates> value;
-    if (by_primes) value = value_by_primes(map, cleared, construction);
-    if (!value) {
-        const ClearedArguments together = cleared_together(arguments, limits);
-        value = reduced(run_construction<Integer>(map, construction, together.pairs, limits),
-                        together.denominator());
+    if (by_primes) {
+        if (auto value = value_by_primes(map, cleared, construction)) return *std::move(value);
     }
-    for (Rational& coordinate : *value) coordinate *= factor;
-    return *std::move(value);
+    const ClearedArguments together = cleared_together(arguments, limits);
+    return reduced(run_construction<Integer>(map, construction, together.pairs, limits),
+                   together.denominator());
 }
 
 }  // namespace blossom

@@ -262,7 +262,7 @@ TEST_CASE("eight tuples at a time", "[linear_factor_sums]") {
     for (int i = 0; i < 2'000; ++i) {
         const std::size_t n = random.below(10);
         // About as many bits as fit in 51 and in 63, and more.
-        const std::size_t bits = 1 + random.below(n == 0 ? 60 : std::max<std::size_t>(2, 66 / n));
+        const std::size_t bits = 1 + random.below(n == 0 ? 60 : std::clamp<std::size_t>(66 / n, 2, 62));
         check_eight(random, n, bits, 1 + random.below(20), computed);
     }
     for (std::size_t bits = 40; bits <= 62; ++bits)
