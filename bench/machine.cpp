@@ -37,7 +37,9 @@ __attribute__((target("avx512f,avx512ifma"))) void run_multiply_adds(std::size_t
     }
     __m512i sum = low[0];
     for (std::size_t i = 0; i < chains; ++i) sum = _mm512_xor_si512(sum, _mm512_xor_si512(low[i], high[i]));
-    volatile long long kept = _mm_cvtsi128_si64(_mm512_castsi512_si128(sum));
+    alignas(64) std::uint64_t words[8];
+    _mm512_store_si512(words, sum);
+    volatile std::uint64_t kept = words[0];
     (void)kept;
 }
 
