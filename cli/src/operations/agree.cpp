@@ -75,14 +75,23 @@ Json answer(Fields& request, const Limits& limits) {
                      : agree_for_all_arguments(curve, map.form, limits);
 }
 
+/// The names of the constructions that have a value.
+std::vector<std::string_view> names_of_those_run(const Json& values) {
+    std::vector<std::string_view> names;
+    for (const Construction construction : all_constructions) {
+        const std::string_view name = construction_name(construction);
+        if (values.find(name)) names.push_back(name);
+    }
+    return names;
+}
+
 std::string values_text(const Answered& answered, const std::string& arguments) {
     std::string text;
     const Json& values = *answered.result.find("values");
+    const std::vector<std::string_view> names = names_of_those_run(values);
     std::size_t width = 21;
-    for (const auto& [name, value] : *values.object()) width = std::max(width, readable_name(name).size());
-    for (const Construction construction : all_constructions) {
-        const std::string_view name = construction_name(construction);
-        if (!values.find(name)) continue;
+    for (const std::string_view name : names) width = std::max(width, readable_name(name).size());
+    for (const std::string_view name : names) {
         text += fmt::format("  {:<{}} p({}) = {}\n", readable_name(name), width, arguments,
                             answered.style.bold(member_text(values, name)));
     }
@@ -129,7 +138,7 @@ std::string verdict(const Answered& answered) {
     }
     const Json* values = answered.result.find("values");
     const std::string_view who = text.empty() ? "The three constructions agree exactly"
-                                 : values != nullptr && values->object()->size() > 2
+                                 : values != nullptr && names_of_those_run(*values).size() > 2
                                      ? "The three constructions that were run agree exactly"
                                      : "The two constructions that were run agree exactly";
     return text + answered.style.good(fmt::format("{}{}.", who, for_all ? ", for all arguments" : "")) + "\n";
