@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "backend.hpp"
+#include "limb_arithmetic.hpp"
 #include "wide.hpp"
 
 namespace blossom {
@@ -50,17 +51,6 @@ void multiply(std::span<std::uint64_t> number, std::uint64_t factor) {
         word = static_cast<std::uint64_t>(carry);
         carry >>= 64;
     }
-}
-
-/// Makes a number in two's complement its magnitude; whether it was negative.
-bool take_magnitude(std::span<std::uint64_t> number) {
-    if (static_cast<std::int64_t>(number.back()) >= 0) return false;
-    bool carry = true;
-    for (std::uint64_t& word : number) {
-        word = ~word + static_cast<std::uint64_t>(carry);
-        carry = carry && word == 0;
-    }
-    return true;
 }
 
 constexpr unsigned digit_bits = 62;
@@ -172,7 +162,7 @@ bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t
         for (; used < size_now; ++used) value[used] = below_zero ? ~std::uint64_t{0} : 0;
         const std::span<std::uint64_t> now = value.first(used);
         if (end != count) multiply(now, powers_of_top[size]);
-        const bool negative = take_magnitude(sum);
+        const bool negative = limbs::take_magnitude(sum);
         for (std::size_t i = 0; i < sum.size() && i < used; ++i) {
             if (sum[i] != 0)
                 add_multiple(now.subspan(i), std::span(power_words).first(power_size), sum[i], negative);
@@ -186,7 +176,7 @@ bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t
     }
     for (const bool negative = static_cast<std::int64_t>(value[used - 1]) < 0; used < value.size(); ++used)
         value[used] = negative ? ~std::uint64_t{0} : 0;
-    return take_magnitude(value);
+    return limbs::take_magnitude(value);
 }
 
 }  // namespace blossom

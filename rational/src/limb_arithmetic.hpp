@@ -3,6 +3,7 @@
 // Numbers >= 0 as limbs, least significant first, in memory of the caller.
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -128,6 +129,13 @@ inline void write_magnitude(const Integer& value, Limb* to, std::size_t size) {
     });
 }
 
+/// Of a number > 0.
+inline std::size_t trailing_zeros(const Limb* number) {
+    std::size_t zeros = 0;
+    for (; *number == 0; ++number) zeros += 64;
+    return zeros + static_cast<std::size_t>(std::countr_zero(*number));
+}
+
 /// a = a / 2^bits for bits < 64 size.
 inline void shift_right(Limb* a, std::size_t size, std::size_t bits) {
     const std::size_t limbs = bits / 64;
@@ -146,6 +154,13 @@ inline void negate(Limb* number, std::size_t size) {
         number[i] = ~number[i] + static_cast<Limb>(carry);
         carry = carry && number[i] == 0;
     }
+}
+
+/// Makes a number in two's complement its magnitude; whether it was negative.
+inline bool take_magnitude(std::span<Limb> number) {
+    const bool negative = number.back() >> 63 != 0;
+    if (negative) negate(number.data(), number.size());
+    return negative;
 }
 
 }  // namespace blossom::limbs

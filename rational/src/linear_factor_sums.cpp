@@ -43,16 +43,10 @@ SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> 
 /// A numerator in two's complement, or its negative, over the denominator in lowest terms.
 Rational reduced(std::span<std::uint64_t> numerator, bool negated, const DenominatorWords& denominator,
                  const Integer& further) {
-    const bool negative = static_cast<std::int64_t>(numerator.back()) < 0;
-    bool carry = negative;
-    for (std::uint64_t& word : numerator) {
-        if (!negative) break;
-        word = ~word + static_cast<std::uint64_t>(carry);
-        carry = carry && word == 0;
-    }
-    std::size_t used = numerator.size();
-    while (used > 1 && numerator[used - 1] == 0) --used;
-    return reduced_quotient(numerator.first(used), negative != negated, denominator, further);
+    const bool negative = limbs::take_magnitude(numerator);
+    const std::size_t used = limbs::used(numerator.data(), numerator.size());
+    return reduced_quotient(numerator.first(std::max<std::size_t>(used, 1)), negative != negated, denominator,
+                            further);
 }
 
 /// Whether the kernel `word` sufficed.
@@ -81,7 +75,7 @@ bool evaluate_words(const Prepared& rows, std::span<const WordFactor> factors, s
 
 void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
                    std::span<Rational> sums) {
-    const machine_sums::FactorBlocks product(factors);
+    const machine_sums::WideFactorProduct product(factors);
     const DenominatorWords denominator =
         machine_sums::denominator_words(rows.denominators, rows.primes, factors);
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -159,8 +153,7 @@ void set_large_sums(const Prepared& rows, std::span<const LinearFactor<R>> facto
     std::vector<std::uint64_t> numerator(bits / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         large_dot(rows.integers_of(first_row + j), product, numerator);
-        const bool below_zero = static_cast<std::int64_t>(numerator.back()) < 0;
-        if (below_zero) limbs::negate(numerator.data(), numerator.size());
+        const bool below_zero = limbs::take_magnitude(numerator);
         sums[j] = reduced_quotient(numerator, (below_zero != negated) != negative, denominators);
     }
 }

@@ -54,7 +54,7 @@ std::optional<Rational> LinearFactorSums::sum_in_words(std::span<const std::int6
             if constexpr (sizeof(word) == sizeof(std::uint64_t)) {
                 return machine_sums::FactorProduct<>(factors).sum_of_products(row);
             } else {
-                return machine_sums::FactorBlocks(factors).sum_of_products(row);
+                return machine_sums::WideFactorProduct(factors).sum_of_products(row);
             }
         });
 }

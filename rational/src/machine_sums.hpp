@@ -127,10 +127,10 @@ private:
 /// The product of all factors in blocks, for sums of words of 128 bits.
 // What is not used yet of the array stays as it is: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
-class FactorBlocks {
+class WideFactorProduct {
 public:
     /// The magnitudes of all coefficients of the product sum to less than 2^127.
-    explicit FactorBlocks(std::span<const WordFactor> factors) {
+    explicit WideFactorProduct(std::span<const WordFactor> factors) {
         while (!factors.empty()) {
             // Two halves for what is too much for one block.
             blocks_[size_].fill(factors, size_ == 0 ? (factors.size() + 1) / 2 : factors.size());

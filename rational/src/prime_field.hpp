@@ -4,7 +4,9 @@
 
 #include <blossom/rational/integer.hpp>
 
-#include "wide.hpp"
+#include <utility>
+
+#include "modular_words.hpp"
 
 namespace blossom {
 
@@ -23,16 +25,9 @@ public:
         const std::uint64_t sum = a + b;
         return sum >= prime_ ? sum - prime_ : sum;
     }
-    std::uint64_t product(std::uint64_t a, std::uint64_t b) const {
-        return static_cast<std::uint64_t>(Wide{a} * b % prime_);
-    }
+    std::uint64_t product(std::uint64_t a, std::uint64_t b) const { return modular::product(a, b, prime_); }
     std::uint64_t power(std::uint64_t base, std::uint64_t exponent) const {
-        std::uint64_t result = 1 % prime_;
-        for (; exponent != 0; exponent >>= 1) {
-            if (exponent & 1) result = product(result, base);
-            base = product(base, base);
-        }
-        return result;
+        return modular::power(base, exponent, prime_);
     }
     /// 1/a for a > 0, by Euclid's algorithm.
     std::uint64_t inverse(std::uint64_t a) const {

@@ -13,15 +13,6 @@ namespace {
 
 using limbs::Limb;
 
-std::size_t trailing_zeros(const Limb* number) {
-    std::size_t zeros = 0;
-    while (*number == 0) {
-        ++number;
-        zeros += 64;
-    }
-    return zeros + static_cast<std::size_t>(std::countr_zero(*number));
-}
-
 /// A number > 0 in limbs, none of which is 0 at the top.
 class Natural {
 public:
@@ -58,9 +49,9 @@ Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
     Limb* const result = y + b.size();
     std::copy_n(a.data(), a_size, x);
     std::ranges::copy(b, y);
-    const std::size_t twos = std::min(trailing_zeros(x), trailing_zeros(y));
-    limbs::shift_right(x, a_size, trailing_zeros(x));
-    limbs::shift_right(y, b.size(), trailing_zeros(y));
+    const std::size_t twos = std::min(limbs::trailing_zeros(x), limbs::trailing_zeros(y));
+    limbs::shift_right(x, a_size, limbs::trailing_zeros(x));
+    limbs::shift_right(y, b.size(), limbs::trailing_zeros(y));
     const std::size_t m = limbs::used(x, a_size);
     const std::size_t n = limbs::used(y, b.size());
     const std::size_t size =

@@ -35,13 +35,6 @@ bool is_prime(std::uint64_t odd) {
     return true;
 }
 
-/// 1/p modulo 2^64, by Newton's iteration.
-std::uint64_t inverse_of(std::uint64_t prime) {
-    std::uint64_t inverse = prime;
-    for (int i = 0; i < 5; ++i) inverse *= 2 - prime * inverse;
-    return inverse;
-}
-
 /// A root of unity of order 2^order modulo a prime that is 1 modulo 2^order.
 std::uint64_t root_of_unity(std::uint64_t prime, std::size_t order) {
     for (std::uint64_t base = 2;; ++base) {
@@ -100,7 +93,7 @@ private:
             if (has_roots_) {
                 group.root.lane[i] = product(root_of_unity(prime, level.root_order), radix, prime);
             }
-            group.inverse.lane[i] = inverse_of(prime) & mask;
+            group.inverse.lane[i] = inverse_of_odd(prime) & mask;
             group.radix.lane[i] = radix;
             group.square.lane[i] = product(radix, radix, prime);
             product_of_all *= prime;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "wide.hpp"
+
 namespace blossom::small_primes {
 
 /// Bit i stands for prime i. All bits together stand for a number that may have any prime factors.
@@ -23,13 +25,6 @@ struct Prime {
 
     bool divides(std::uint64_t x) const { return x * inverse <= most; }
 };
-
-/// 1/x modulo 2^64 for an odd x: each step of Newton's doubles the correct digits.
-constexpr std::uint64_t inverse_of_odd(std::uint64_t x) {
-    std::uint64_t inverse = 3 * x ^ 2;
-    for (int digits = 5; digits < 64; digits *= 2) inverse *= 2 - x * inverse;
-    return inverse;
-}
 
 struct Table {
     Prime primes[count] = {};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "limb_arithmetic.hpp"
 #include "quotient_reduction.hpp"
 
 namespace blossom {
@@ -35,30 +36,6 @@ struct Words {
             rest %= divisor;
         }
     }
-    std::uint64_t remainder(std::uint64_t divisor) const {
-        std::uint64_t rest = 0;
-        for (std::size_t i = size; i-- > 0;) {
-            rest = static_cast<std::uint64_t>((Wide{rest} << 64 | words[i]) % divisor);
-        }
-        return rest;
-    }
-
-    /// Of a number > 0.
-    std::size_t trailing_zeros() const {
-        std::size_t i = 0;
-        while (words[i] == 0) ++i;
-        return 64 * i + static_cast<std::size_t>(std::countr_zero(words[i]));
-    }
-    void shift_right(std::size_t bits) {
-        const std::size_t skipped = bits / 64;
-        const std::size_t rest = bits % 64;
-        size -= skipped;
-        for (std::size_t i = 0; i < size; ++i) {
-            const std::uint64_t next = i + 1 < size ? words[i + skipped + 1] : 0;
-            words[i] = rest == 0 ? words[i + skipped] : words[i + skipped] >> rest | next << (64 - rest);
-        }
-    }
-
     /// Divides by an odd divisor from the least word upwards, with 1/divisor modulo 2^64, and passes the
     /// words of the quotient to `keep`. What is left over is congruent to the number times a power of 2^-64
     /// modulo the divisor, and 0 if it divides the number.
@@ -100,7 +77,7 @@ constexpr auto prime_groups = [] {
         groups[last].product *= prime;
         groups[last].primes |= small_primes::Set{1} << i;
     }
-    for (PrimeGroup& group : groups) group.inverse = small_primes::inverse_of_odd(group.product);
+    for (PrimeGroup& group : groups) group.inverse = inverse_of_odd(group.product);
     return groups;
 }();
 
@@ -135,7 +112,7 @@ Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
 Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& denominator) {
     std::uint64_t left[most_words];
     const std::span<std::uint64_t> factors = std::span(left).first(denominator.words().size());
-    const std::size_t twos = top.trailing_zeros();
+    const std::size_t twos = limbs::trailing_zeros(top.words);
     std::size_t shared_twos = 0;
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const std::uint64_t factor = denominator.words()[i];
@@ -144,7 +121,7 @@ Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& den
         factors[i] = factor >> shift;
         shared_twos += shift;
     }
-    if (shared_twos != 0) top.shift_right(shared_twos);
+    if (shared_twos != 0) limbs::shift_right(top.words, top.size, shared_twos);
     small_primes::for_each(divisors(top, denominator.primes()), [&](const small_primes::Prime& prime) {
         for (std::uint64_t& factor : factors) {
             while (prime.divides(factor)) {
@@ -175,7 +152,7 @@ Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
     bool shared_fits = further.is_one();
     for (const std::uint64_t factor : factors) {
         if (!shared_fits) break;
-        const std::uint64_t common = gcd_of_words(top.remainder(factor), factor);
+        const std::uint64_t common = gcd_of_words(limbs::remainder(top.words, top.size, factor), factor);
         shared_fits = !__builtin_mul_overflow(shared, common, &shared);
     }
     if (!shared_fits) {
@@ -183,7 +160,8 @@ Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
         for (const std::uint64_t factor : factors) all.emplace_back(factor);
         return reduced_quotient(numerator, negative, all);
     }
-    if (shared != 1 && factors.size() > 1) shared = gcd_of_words(top.remainder(shared), shared);
+    if (shared != 1 && factors.size() > 1)
+        shared = gcd_of_words(limbs::remainder(top.words, top.size, shared), shared);
     if (shared != 1) {
         top.divide(shared);
         bottom.divide(shared);

@@ -149,6 +149,32 @@ TEST_CASE("regrouped polarization of higher degrees", "[polarization]") {
     }
 }
 
+TEST_CASE("polarizations where primes of the residues divide the denominators", "[polarization]") {
+    Random random(236);
+    for (const std::int64_t prime : {(std::int64_t{1} << 50) - 16383, (std::int64_t{1} << 28) - 65535}) {
+        for (std::size_t n = 1; n < 9; ++n) {
+            const PolynomialMap map = polynomial_map(random, n, Size::small).curve();
+            std::vector<Argument> list = mixed_arguments(random, n);
+            list.front() = Parameter(Rational(5, prime));
+            const Coordinates expected = blossom_value(map, list, Construction::symmetric);
+            CHECK(blossom_value(map, list, Construction::polarization) == expected);
+            CHECK(blossom_value(map, list, Construction::regrouped_polarization) == expected);
+        }
+    }
+}
+
+TEST_CASE("polarization of more bits than residues take", "[polarization]") {
+    const PolynomialMap map = PolynomialCurve(Polynomial::monomial(6));
+    std::vector<Argument> list(5, Parameter(1));
+    list[1] = Parameter(2);
+    list[2] = Parameter(3);
+    list[3] = Parameter(4);
+    const Integer large = Integer(1) << 1'000'100;
+    list.emplace_back(Parameter(large));
+    CHECK(blossom_value(map, list, Construction::polarization) == Coordinates{Integer(24) * large});
+    CHECK(blossom_value(map, list, Construction::regrouped_polarization) == Coordinates{Integer(24) * large});
+}
+
 TEST_CASE("power sums over subsets as defined", "[polarization]") {
     Random random(235);
     for (int i = 0; i < 100; ++i) {

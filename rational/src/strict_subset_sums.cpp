@@ -1,10 +1,6 @@
-#include <blossom/rational/combinatorics.hpp>
-#include <blossom/rational/subset_sums.hpp>
+#include <optional>
 
-#include <algorithm>
-
-#include "prime_field.hpp"
-#include "residue_system.hpp"
+#include "subset_residues.hpp"
 
 namespace blossom {
 
@@ -15,42 +11,12 @@ using residues::Moduli;
 using residues::moduli;
 using residues::Octet;
 using residues::operations;
-
-using Rows = std::span<const std::span<const Integer>>;
-using Groups = std::span<const SubsetGroup>;
-
-std::size_t number_of_arguments(Groups groups) {
-    std::size_t n = 0;
-    for (const SubsetGroup& group : groups) n += group.multiplicity;
-    return n;
-}
-
-/// A bound in bits on n! p(arguments): |p| <= max |c_k| prod (|mass_i| + |u_i|).
-std::size_t result_bits(Rows rows, Groups groups) {
-    std::size_t bits = 0;
-    for (const auto row : rows)
-        for (const Integer& coefficient : row) bits = std::max(bits, coefficient.bit_length());
-    for (const SubsetGroup& group : groups)
-        bits += group.multiplicity * (abs(group.u) + abs(group.mass)).bit_length();
-    return bits + factorial(number_of_arguments(groups)).bit_length();
-}
-
-/// A group modulo a prime: the point u / mass, or the vector u.
-struct GroupResidue {
-    std::uint64_t parameter;
-    std::uint64_t mass;  ///< 1 for a vector
-};
-
-/// Nothing if the prime divides the mass of a point.
-std::optional<GroupResidue> group_residue(const PrimeField& field, const SubsetGroup& group) {
-    const std::uint64_t u = field.of(group.u);
-    if (group.mass.is_zero()) return GroupResidue{u, 1};
-    const std::uint64_t mass = field.of(group.mass);
-    if (mass == 0) return std::nullopt;
-    return GroupResidue{field.product(u, field.inverse(mass)), mass};
-}
-
-// ---- every term
+using subset_sums::group_residue;
+using subset_sums::Groups;
+using subset_sums::most_result_bits;
+using subset_sums::octet_of;
+using subset_sums::result_bits;
+using subset_sums::Rows;
 
 /// The sub-multisets of some groups as a list: each is an earlier one with one argument more.
 struct SubsetList {
@@ -119,12 +85,6 @@ Moduli broadcast(const Moduli& group, std::size_t lane) {
     for (Octet Moduli::* octet :
          {&Moduli::prime, &Moduli::delta, &Moduli::inverse, &Moduli::radix, &Moduli::square, &Moduli::root})
         std::ranges::fill((result.*octet).lane, (group.*octet).lane[lane]);
-    return result;
-}
-
-Octet octet_of(std::uint64_t value) {
-    Octet result{};
-    std::ranges::fill(result.lane, value);
     return result;
 }
 
@@ -217,7 +177,8 @@ private:
     PrimeField field_;
 };
 
-/// Integers by more and more residues, each of least magnitude.
+/// Integers by more and more residues. Primes come one by one, as each costs all terms once more, and where
+/// one divides a mass the next is taken.
 class GrowingResidues {
 public:
     explicit GrowingResidues(std::size_t count) : values_(count) {}
@@ -246,9 +207,10 @@ private:
 
 }  // namespace
 
-std::vector<Integer> strict_subset_sums(Rows rows, Groups groups) {
-    const StrictPlan plan(groups);
+std::optional<std::vector<Integer>> strict_subset_sums(Rows rows, Groups groups) {
     const std::size_t bits = result_bits(rows, groups) + 1;
+    if (bits > most_result_bits) return std::nullopt;
+    const StrictPlan plan(groups);
     GrowingResidues result(rows.size());
     for (std::size_t i = 0; result.bits() < bits; ++i) {
         StrictResidue prime(plan, moduli(i / lanes), i % lanes);
@@ -256,119 +218,6 @@ std::vector<Integer> strict_subset_sums(Rows rows, Groups groups) {
             result.append(PrimeField(moduli(i / lanes).prime.lane[i % lanes]), *residues);
     }
     return std::move(result).values();
-}
-
-// ---- power sums
-
-namespace {
-
-/// a_Nk = sum (-1)^(n-|S|) (sum of S)^k / k! over the sub-multisets S with N points, modulo eight primes.
-class PowerSums {
-public:
-    PowerSums(const Moduli& moduli, std::size_t n)
-        : moduli_(moduli), size_(n + 1), sums_(size_ * size_), powers_(size_), inverse_(size_) {
-        std::ranges::fill(sums_, octet_of(0));
-        sums_[0] = octet_of(1);
-        for (std::size_t l = 0; l < lanes; ++l) {
-            const PrimeField field(moduli.prime.lane[l]);
-            for (std::size_t j = 1; j < size_; ++j)
-                inverse_[j].lane[l] = field.product(field.inverse(j), moduli.square.lane[l]);
-        }
-    }
-
-    /// One more argument: sets without it change sign, and e^((u + x) t) = e^(u t) e^(x t) for those with it.
-    void append(const Octet& parameter, bool point) {
-        // x^j / j! behind all others, highest j first, times the radix.
-        Octet factor{};
-        powers_[size_ - 1] = moduli_.radix;
-        for (std::size_t j = 1; j < size_; ++j) {
-            operations().scale(moduli_, &parameter, inverse_[j], 1, &factor);
-            operations().scale(moduli_, &powers_[size_ - j], factor, 1, &powers_[size_ - 1 - j]);
-        }
-        points_ += point ? 1 : 0;
-        const Octet zero = octet_of(0);
-        for (std::size_t points = points_ + 1; points-- > 0;) {
-            Octet* row = sums_.data() + points * size_;
-            const bool grows = !point || points > 0;
-            const Octet* smaller = point && grows ? row - size_ : row;
-            for (std::size_t k = size_; k-- > 0;) {
-                const Octet larger =
-                    grows ? operations().dot(moduli_, smaller, &powers_[size_ - 1 - k], k + 1) : zero;
-                operations().subtract(moduli_, &larger, &row[k], 1, &row[k]);
-            }
-        }
-    }
-
-    /// sum_N N^(n-k) a_Nk for each k.
-    std::vector<Octet> weighted_by_points() const {
-        std::vector<Octet> result(size_, octet_of(0));
-        for (std::size_t points = 0; points <= points_; ++points) {
-            Octet number{};
-            for (std::size_t l = 0; l < lanes; ++l)
-                number.lane[l] = PrimeField(moduli_.prime.lane[l]).product(points, moduli_.radix.lane[l]);
-            Octet power = moduli_.radix;
-            for (std::size_t k = size_; k-- > 0;) {
-                Octet term{};
-                operations().scale(moduli_, &sums_[points * size_ + k], power, 1, &term);
-                operations().add(moduli_, &result[k], &term, 1, &result[k]);
-                operations().scale(moduli_, &power, number, 1, &power);
-            }
-        }
-        return result;
-    }
-
-private:
-    const Moduli& moduli_;
-    std::size_t size_;
-    std::size_t points_ = 0;
-    std::vector<Octet> sums_;  ///< row after row, one for each number of points
-    std::vector<Octet> powers_;
-    std::vector<Octet> inverse_;  ///< 1/j times the square of the radix
-};
-
-}  // namespace
-
-std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups groups) {
-    const std::size_t n = number_of_arguments(groups);
-    std::vector<std::vector<Octet>> residues_of_sums(rows.size());
-    const std::size_t prime_groups = residues::groups_for(result_bits(rows, groups));
-    for (std::size_t g = 0; g < prime_groups; ++g) {
-        const Moduli& primes = moduli(g);
-        PowerSums sums(primes, n);
-        Octet masses = octet_of(1);
-        for (const SubsetGroup& group : groups) {
-            Octet parameter{};
-            for (std::size_t l = 0; l < lanes; ++l) {
-                const PrimeField field(primes.prime.lane[l]);
-                const auto residue = group_residue(field, group);
-                if (!residue) return std::nullopt;
-                parameter.lane[l] = residue->parameter;
-                masses.lane[l] =
-                    field.product(masses.lane[l], field.power(residue->mass, group.multiplicity));
-            }
-            for (std::size_t i = 0; i < group.multiplicity; ++i)
-                sums.append(parameter, !group.mass.is_zero());
-        }
-        const std::vector<Octet> weighted = sums.weighted_by_points();
-        for (std::size_t j = 0; j < rows.size(); ++j) {
-            Octet total = octet_of(0);
-            for (std::size_t l = 0; l < lanes; ++l) {
-                const PrimeField field(primes.prime.lane[l]);
-                std::uint64_t factor = masses.lane[l];  // times k!
-                for (std::size_t k = 0; k <= n; ++k) {
-                    if (k > 0) factor = field.product(factor, k);
-                    const std::uint64_t coefficient = field.product(field.of(rows[j][k]), factor);
-                    total.lane[l] = field.sum(
-                        total.lane[l], field.product(coefficient, weighted[k].lane[l] % field.prime()));
-                }
-            }
-            residues_of_sums[j].push_back(total);
-        }
-    }
-    std::vector<Integer> result;
-    result.reserve(rows.size());
-    for (const auto& residues : residues_of_sums) result.push_back(residues::integer_with(residues));
-    return result;
 }
 
 }  // namespace blossom
