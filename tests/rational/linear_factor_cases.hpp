@@ -1,0 +1,128 @@
+#pragma once
+
+// Factors and rows for LinearFactorSums, and the evident formula on Rational, operation by operation.
+
+#include <blossom/rational/linear_factor_sums.hpp>
+
+#include <map>
+#include <vector>
+
+#include "support/number_generators.hpp"
+#include "support/number_printing.hpp"
+
+namespace blossom::testing {
+
+inline constexpr std::int64_t greatest_word = INT64_MAX;
+
+/// sum_k c_k e_k from the definition: multiply out, one factor after the other, in lowest terms throughout.
+inline Rational evident_sum(std::span<const Rational> numbers, std::span<const WordFactor> factors) {
+    std::vector<Rational> product{1};
+    for (const WordFactor& factor : factors) {
+        const Rational constant(factor.constant, factor.denominator);
+        const Rational slope(factor.slope, factor.denominator);
+        product.emplace_back();
+        for (std::size_t k = product.size() - 1; k > 0; --k)
+            product[k] = constant * product[k] + slope * product[k - 1];
+        product[0] *= constant;
+    }
+    Rational sum;
+    for (std::size_t k = 0; k < product.size(); ++k) sum += numbers[k] * product[k];
+    return sum;
+}
+
+inline std::int64_t word_of_bits(Random& random, std::size_t bits) {
+    if (bits == 0 || random.one_in(12)) return 0;
+    if (random.one_in(8)) return (std::int64_t{1} << bits) - 1;
+    if (random.one_in(8)) return 1 - (std::int64_t{1} << bits);
+    return random.between(1 - (std::int64_t{1} << bits), (std::int64_t{1} << bits) - 1);
+}
+
+inline std::int64_t denominator_of_bits(Random& random, std::size_t bits) {
+    return random.between(1, (std::int64_t{1} << bits) - 1);
+}
+
+struct Case {
+    std::vector<Rational> numbers;
+    std::vector<WordFactor> factors;
+};
+
+/// A number of `bits` bits over a denominator of at most `denominator_bits`.
+inline Rational number_of_bits(Random& random, std::size_t bits, std::size_t denominator_bits) {
+    return {integer_of_bits(random, bits), denominator_of_bits(random, denominator_bits)};
+}
+
+inline Case random_case(Random& random, std::size_t n, std::size_t number_bits, std::size_t factor_bits) {
+    Case result;
+    for (std::size_t k = 0; k <= n; ++k) {
+        const std::size_t bits = random.below(number_bits + 1);
+        result.numbers.push_back(random.one_in(8) ? Rational() : number_of_bits(random, bits, 1 + bits % 10));
+        if (random.one_in(64)) result.numbers.back() /= pow(Integer(1031), random.below(16));
+    }
+    for (std::size_t i = 0; i < n; ++i) {
+        result.factors.push_back({word_of_bits(random, factor_bits), word_of_bits(random, factor_bits),
+                                  denominator_of_bits(random, factor_bits)});
+    }
+    return result;
+}
+
+inline std::vector<IntegerFactor> integer_factors(std::span<const WordFactor> factors) {
+    std::vector<IntegerFactor> result;
+    for (const auto& [constant, slope, denominator] : factors)
+        result.push_back({constant, slope, denominator});
+    return result;
+}
+
+/// The apex of the triangle, in lowest terms throughout.
+inline Rational evident_apex(std::vector<Rational> row, std::span<const WordFactor> factors) {
+    for (const WordFactor& factor : factors) {
+        for (std::size_t j = 0; j + 1 < row.size(); ++j)
+            row[j] = (row[j] * factor.constant + row[j + 1] * factor.slope) / Rational(factor.denominator);
+        row.pop_back();
+    }
+    return row[0];
+}
+
+/// The sums that need no preparation, where the numerators are words.
+inline void check_unprepared(const Case& given, const Rational& expected) {
+    const RationalVector numbers(given.numbers);
+    std::vector<std::int64_t> row;
+    for (const Integer& numerator : numbers.numerators()) {
+        const auto word = numerator.to_int64();
+        if (!word || *word == INT64_MIN) return;
+        row.push_back(*word);
+    }
+    const auto denominator = numbers.denominator().to_int64();
+    if (!denominator) return;
+    const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
+    if (const auto sum = LinearFactorSums::sum_in_words(row, denominators, given.factors))
+        CHECK(*sum == expected);
+    if (const auto apex = LinearFactorSums::apex_in_words(row, denominators, given.factors))
+        CHECK(*apex == evident_apex(given.numbers, given.factors));
+}
+
+/// Which kernels the cases of a test have met.
+using Met = std::map<SumKernel, int>;
+
+inline void check(const Case& given, Met& met) {
+    const LinearFactorSums sums(RationalVector(given.numbers), 1);
+    Rational value;
+    sums.evaluate(given.factors, 0, {&value, 1});
+    const Rational expected = evident_sum(given.numbers, given.factors);
+    CHECK(value == expected);
+    sums.evaluate(integer_factors(given.factors), 0, {&value, 1});
+    CHECK(value == expected);
+    ++met[sums.kernel(given.factors)];
+    LinearFactorSums(RationalVector(given.numbers), 1, LinearFactorSums::Use::once)
+        .evaluate(given.factors, 0, {&value, 1});
+    CHECK(value == expected);
+    check_unprepared(given, expected);
+}
+
+/// (c + s X) / 1 times itself, whose sum with numbers 0, ..., 0, c is c s^n.
+inline Case power_case(std::size_t n, std::int64_t slope, const Integer& last) {
+    Case result{std::vector<Rational>(n + 1), std::vector<WordFactor>(n, WordFactor{0, slope, 1})};
+    result.numbers.back() = last;
+    return result;
+}
+
+}  // namespace blossom::testing
