@@ -1,0 +1,50 @@
+#pragma once
+
+// Many cases a fast path. The environment says how many and which: BLOSSOM_DIFFERENTIAL_CASES a path (300 if
+// it does not) and BLOSSOM_DIFFERENTIAL_SEED (1). scripts/differential runs tens of thousands on each level
+// of vector instructions.
+
+#include <cstdlib>
+#include <string_view>
+
+#include "support/number_generators.hpp"
+#include "support/number_printing.hpp"
+
+namespace blossom::testing {
+
+inline std::uint64_t differential_setting(const char* variable, std::uint64_t otherwise) {
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here writes the environment
+    const char* text = std::getenv(variable);
+    return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+/// `otherwise` is how many a path has where nothing is said.
+inline std::size_t differential_cases(std::size_t otherwise = 300) {
+    return differential_setting("BLOSSOM_DIFFERENTIAL_CASES", otherwise);
+}
+
+/// Calls check(random) for each case of a path. A case has a stream of its own, so that it can be run again
+/// without those before it.
+template <class Check>
+void each_case(std::string_view path, const Check& check, std::size_t otherwise = 300) {
+    std::uint64_t first = differential_setting("BLOSSOM_DIFFERENTIAL_SEED", 1) << 40;
+    for (const char letter : path) first = first * 31 + static_cast<unsigned char>(letter);
+    for (std::size_t i = 0; i < differential_cases(otherwise); ++i) {
+        Random random(first + i);
+        INFO("case " << i << " of " << path);
+        check(random);
+    }
+}
+
+/// Now and then zero, and mostly of just so many bits; `sign` is the one of all, or 0 for either.
+inline Integer number_near(Random& random, std::size_t bits, int sign = 0) {
+    if (random.one_in(12)) return 0;
+    const bool all_ones = random.one_in(3);
+    const Integer number = all_ones
+                               ? (Integer(1) << bits) - 1
+                               : integer_of_bits(random, random.one_in(3) ? random.below(bits + 1) : bits);
+    if (sign == 0) return random.one_in(2) ? number : -number;
+    return sign < 0 ? -abs(number) : abs(number);
+}
+
+}  // namespace blossom::testing

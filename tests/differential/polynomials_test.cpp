@@ -1,0 +1,71 @@
+// The Taylor shift on vectors of digits, and values of polynomials prepared as forms.
+
+#include <blossom/rational/form_values.hpp>
+#include <blossom/rational/taylor_shift.hpp>
+
+#include <vector>
+
+#include "differential/each_case.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+/// sum_k c_k u^k v^(n-k) / (D v^n)
+Rational horner_form(std::span<const Integer> numerators, const Integer& denominator, const Rational& t) {
+    Integer sum;
+    Integer power = 1;
+    for (std::size_t k = numerators.size(); k-- > 0;) {
+        sum = sum * t.numerator() + numerators[k] * power;
+        if (k > 0) power *= t.denominator();
+    }
+    return {sum, denominator * power};
+}
+
+}  // namespace
+
+TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]") {
+    each_case("Taylor shift", [&](Random& random) {
+        const std::size_t size = 1 + random.below(random.one_in(40) ? 300 : random.one_in(4) ? 80 : 20);
+        // 48 bits are a digit and 384 a plane of eight, and a shift adds about as many bits as there are
+        // coefficients.
+        const std::size_t limit =
+            (random.one_in(2) ? 48 : 384) * (1 + random.below(random.one_in(8) ? 20 : 4));
+        const std::size_t growth = random.one_in(2) ? size - 1 : 0;
+        const std::size_t bits = limit + 3 - std::min(limit + 3, growth + random.below(6));
+        const int sign = static_cast<int>(random.below(3)) - 1;
+        std::vector<Integer> coefficients;
+        for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
+        CHECK(shifted_by_one(coefficients) == row_recurrences::shifted_by_one<Integer>(coefficients));
+    });
+}
+
+TEST_CASE("form values: values that end where words and rows of words do", "[differential]") {
+    each_case("form values", [&](Random& random) {
+        const std::size_t limits[] = {63, 64, 127, 128, 191, 256, 511, 512, 1024, 4096};
+        const std::size_t limit = limits[random.below(std::size(limits))];
+        const std::size_t n = random.below(limit < 130 ? 12 : 40);
+        const std::size_t t_bits = std::min<std::size_t>(1 + random.below(limit / (n + 1) + 1), 70);
+        const std::size_t bits = limit + 4 - std::min(limit + 3, n * t_bits + random.below(8));
+        const std::size_t rows = random.one_in(4) ? 2 : 1;
+        std::vector<Integer> numerators;
+        const int sign = static_cast<int>(random.below(3)) - 1;
+        for (std::size_t k = 0; k < rows * (n + 1); ++k)
+            numerators.push_back(number_near(random, bits, sign));
+        Integer denominator = 1;
+        if (random.one_in(2)) denominator = abs(number_near(random, random.below(limit))) + 1;
+        if (random.one_in(4)) denominator *= pow(Integer(2 + random.below(9)), random.below(20));
+        const FormValues forms(RationalVector(numerators, denominator), rows);
+        // More often than there are coefficients, so that what pays only then is prepared too.
+        for (std::size_t i = 0; i < (random.one_in(4) ? n + 3 : 3); ++i) {
+            const Rational t(number_near(random, t_bits), abs(number_near(random, t_bits)) + 1);
+            std::vector<Rational> values(rows);
+            forms.evaluate(t, values);
+            for (std::size_t j = 0; j < rows; ++j) {
+                CHECK(values[j] ==
+                      horner_form(std::span(numerators).subspan(j * (n + 1), n + 1), denominator, t));
+            }
+        }
+    });
+}

@@ -1,0 +1,140 @@
+// Sums by residues, where one more group of primes is needed, by product trees and by transforms.
+
+#include "differential/sum_cases.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+/// Near the bits of some number of groups of eight primes below 2^50 or 2^28, whichever are in use: their
+/// product is a few bits short of that.
+std::size_t bits_near_groups(Random& random, std::size_t least) {
+    const std::size_t of_group = random.one_in(2) ? 400 : 224;
+    const std::size_t groups = least / of_group + 1 + random.below(2);
+    return of_group * groups - random.below(6);
+}
+
+SumCase case_near_groups(Random& random, std::vector<WordFactor> factors, Signs signs) {
+    const std::size_t least = size_of_product(factors).bit_length() + 1;
+    return case_at_limit(random, std::move(factors), bits_near_groups(random, least), signs);
+}
+
+/// Factors and numbers of ones alone, which come nearer to what their bits allow than the primes differ from
+/// powers of 2.
+SumCase case_of_ones(Random& random, std::size_t n, Signs signs) {
+    SumCase result;
+    const std::int64_t ones = (std::int64_t{1} << (40 + random.below(22))) - 1;
+    result.factors.assign(n, {ones, signs == Signs::alternate ? -ones : ones, 1});
+    const std::size_t size_bits = size_of_product(result.factors).bit_length();
+    const std::size_t bits = bits_near_groups(random, size_bits + 40);
+    Integer number = (Integer(1) << (bits - size_bits)) - 1;
+    if (random.one_in(2)) number = -number;
+    for (std::size_t k = 0; k <= n; ++k)
+        result.numerators.push_back(signs == Signs::alternate && k % 2 == 1 ? -number : number);
+    return result;
+}
+
+/// n factors of which all but few have one term, so that the evident way is short.
+std::vector<WordFactor> mostly_monomials(Random& random, std::size_t n, std::size_t bits, Signs signs) {
+    std::vector<WordFactor> factors = factors_near(random, n, bits, bits, signs);
+    const std::size_t full = random.below(12);
+    for (std::size_t left = n; left > 0; --left) {
+        if (random.below(left) < full) continue;
+        WordFactor& factor = factors[left - 1];
+        (random.one_in(2) ? factor.constant : factor.slope) = 0;
+        if (factor.constant == 0 && factor.slope == 0) factor.slope = 1;
+    }
+    return factors;
+}
+
+/// With all numbers alike the sum is one of them times the value of the product at 1, and at -1 with numbers
+/// whose signs alternate.
+std::vector<Rational> values_at_one(const SumCase& given, Signs signs) {
+    Integer top = 1;
+    Integer bottom = given.denominator;
+    for (const auto& [constant, slope, denominator] : given.factors) {
+        top *= signs == Signs::alternate ? Integer(constant) - slope : Integer(constant) + slope;
+        bottom *= denominator;
+    }
+    std::vector<Rational> values;
+    for (std::size_t row = 0; row < given.numerators.size(); row += given.factors.size() + 1)
+        values.emplace_back(given.numerators[row] * top, bottom);
+    return values;
+}
+
+/// Where transforms begin, where they grow, and where each leaf of one is full.
+std::size_t degree_of_transforms(Random& random, std::size_t most) {
+    const std::size_t limits[] = {499, 500, 511, 512, 639, 640, 992, 993, 1008, 1009, 1279, 1280};
+    const std::size_t n =
+        random.one_in(2) ? limits[random.below(std::size(limits))] : 480 + random.below(160);
+    return std::min(n, most);
+}
+
+}  // namespace
+
+TEST_CASE("residues: sums that end where groups of primes do", "[differential]") {
+    KernelsMet met;
+    each_case("residues", [&](Random& random) {
+        const Signs signs = any_signs(random);
+        const std::size_t n = 14 + random.below(random.one_in(8) ? 70 : 20);
+        if (random.one_in(4)) return check_sums(case_of_ones(random, n, signs), met);
+        const std::size_t bits = random.one_in(2) ? 62 : 30 + random.below(33);
+        check_sums(
+            case_near_groups(random, factors_near(random, n, bits, random.below(62) + 1, signs), signs), met);
+    });
+    require_met(met, SumKernel::residues);
+}
+
+TEST_CASE("residues: small factors of middle degree", "[differential]") {
+    KernelsMet met;
+    each_case("residues of middle degree", [&](Random& random) {
+        const Signs signs = any_signs(random);
+        const std::size_t n = 60 + random.below(140);
+        const std::size_t bits = 1 + random.below(10);
+        if (signs == Signs::any) {
+            check_sums(case_near_groups(random, mostly_monomials(random, n, bits, signs), signs), met);
+        } else {
+            const SumCase given = case_near_groups(random, factors_near(random, n, bits, bits, signs), signs);
+            check_sums(given, values_at_one(given, signs), met);
+        }
+    });
+    require_met(met, SumKernel::residues);
+}
+
+TEST_CASE("residues: factors beyond words and negative denominators", "[differential]") {
+    each_case("residues beyond words", [&](Random& random) {
+        const std::size_t n = 14 + random.below(12);
+        std::vector<IntegerFactor> factors;
+        for (std::size_t i = 0; i < n; ++i) {
+            const std::size_t bits = 40 + random.below(random.one_in(4) ? 400 : 90);
+            Integer denominator = number_near(random, 1 + random.below(bits));
+            if (denominator.is_zero()) denominator = -7;
+            factors.push_back({number_near(random, bits), number_near(random, bits), denominator});
+        }
+        std::vector<Integer> numerators;
+        const std::size_t bits = 1 + random.below(600);
+        for (std::size_t k = 0; k <= n; ++k) numerators.push_back(number_near(random, bits));
+        const Integer denominator = abs(number_near(random, 1 + random.below(200))) + 1;
+        Rational value;
+        LinearFactorSums(RationalVector(numerators, denominator), 1).evaluate(factors, 0, {&value, 1});
+        CHECK(value == evident_values(numerators, denominator, factors)[0]);
+    });
+}
+
+TEST_CASE("transforms: sums of high degree", "[differential]") {
+    KernelsMet met;
+    const auto check = [&](Random& random) {
+        const Signs signs = any_signs(random);
+        const std::size_t bits = 1 + random.below(random.one_in(16) ? 60 : 5);
+        const std::size_t n = degree_of_transforms(random, bits > 8 ? 520 : 1300);
+        if (signs == Signs::any) {
+            check_sums(case_near_groups(random, mostly_monomials(random, n, bits, signs), signs), met);
+        } else {
+            const SumCase given = case_near_groups(random, factors_near(random, n, bits, bits, signs), signs);
+            check_sums(given, values_at_one(given, signs), met);
+        }
+    };
+    each_case("transforms", check, 40);
+    CHECK(met[SumKernel::residues] >= differential_cases(40));
+}

@@ -1,0 +1,90 @@
+// Both polarizations by residues, where one more group of primes is needed.
+
+#include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/subset_sums.hpp>
+
+#include <vector>
+
+#include "differential/each_case.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+struct SubsetCase {
+    std::vector<std::vector<Integer>> rows;
+    std::vector<SubsetGroup> groups;
+
+    std::vector<std::span<const Integer>> spans() const { return {rows.begin(), rows.end()}; }
+};
+
+/// sum_k c_k k! (n - k)! e_k, sum_k e_k X^k = prod (mass_i + u_i X).
+std::vector<Integer> evident_subset_sums(const SubsetCase& given) {
+    std::vector<Integer> elementary{1};
+    for (const auto& [u, mass, multiplicity] : given.groups) {
+        for (std::size_t i = 0; i < multiplicity; ++i) {
+            elementary.emplace_back(0);
+            for (std::size_t k = elementary.size() - 1; k > 0; --k)
+                elementary[k] = mass * elementary[k] + u * elementary[k - 1];
+            elementary[0] *= mass;
+        }
+    }
+    const std::size_t n = elementary.size() - 1;
+    std::vector<Integer> sums;
+    for (const auto& row : given.rows) {
+        Integer sum;
+        for (std::size_t k = 0; k <= n; ++k) sum += row[k] * elementary[k] * factorial(k) * factorial(n - k);
+        sums.push_back(std::move(sum));
+    }
+    return sums;
+}
+
+/// Results that end near some number of groups of eight primes; all signs alike in half of the cases.
+SubsetCase subset_case(Random& random, std::size_t most_groups) {
+    SubsetCase result;
+    const int sign = random.one_in(2) ? 1 : 0;
+    const std::size_t bits = 1 + random.below(random.one_in(3) ? 120 : 40);
+    std::size_t n = 0;
+    Integer size = 1;
+    for (std::size_t g = random.below(most_groups + 1); g > 0; --g) {
+        const std::size_t multiplicity = random.one_in(4) ? 1 + random.below(4) : 1;
+        Integer mass = random.one_in(3) ? Integer(1) : number_near(random, bits, sign);
+        // A prime of the residues on one level or another: the greatest that are 1 modulo 2^13 and 2^11.
+        if (random.one_in(16))
+            mass *= random.one_in(2) ? (std::int64_t{1} << 50) - 16383 : (std::int64_t{1} << 28) - 65535;
+        result.groups.push_back({number_near(random, bits, sign), mass, multiplicity});
+        size *= pow(abs(result.groups.back().u) + abs(mass), multiplicity);
+        n += multiplicity;
+    }
+    size *= factorial(n);
+    const std::size_t of_group = random.one_in(2) ? 400 : 224;
+    const std::size_t limit = of_group * (size.bit_length() / of_group + 1) - random.below(6);
+    const std::size_t left = limit - std::min(limit, size.bit_length());
+    for (std::size_t row = 0; row < (random.one_in(4) ? 2 : 1); ++row) {
+        auto& coefficients = result.rows.emplace_back();
+        for (std::size_t k = 0; k <= n; ++k) coefficients.push_back(number_near(random, left, sign));
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("strict polarization: results that end where groups of primes do", "[differential]") {
+    each_case("strict polarization", [&](Random& random) {
+        const SubsetCase given = subset_case(random, 5);
+        CHECK(strict_subset_sums(given.spans(), given.groups) == evident_subset_sums(given));
+    });
+}
+
+TEST_CASE("regrouped polarization: results that end where groups of primes do", "[differential]") {
+    std::size_t computed = 0;
+    each_case("regrouped polarization", [&](Random& random) {
+        const SubsetCase given = subset_case(random, random.one_in(8) ? 14 : 7);
+        const auto sums = regrouped_subset_sums(given.spans(), given.groups);
+        if (!sums) return;
+        ++computed;
+        CHECK(*sums == evident_subset_sums(given));
+    });
+    CHECK(2 * computed + 10 > differential_cases());
+}

@@ -1,0 +1,71 @@
+// Sums in words, in 128 bits and in rows of limbs, at the bits where each ends and one beyond.
+
+#include "differential/sum_cases.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+/// A case whose sums end near 2^limit, or some bits below for bounds that are not close, with numbers of some
+/// bits and factors of what is left.
+SumCase case_near(Random& random, std::size_t limit, std::size_t most_factors) {
+    const std::size_t n = random.below(most_factors + 1);
+    const std::size_t number_bits = 1 + random.below(62);
+    const Signs signs = any_signs(random);
+    // The denominators end near a word in about as many cases as not.
+    const std::size_t denominator_bits = n == 0 ? 1 : std::min<std::size_t>(62, 63 / n + random.below(3));
+    const std::size_t bits = limit + 1 - random.below(random.one_in(2) ? 3 : 16);
+    return case_at_limit(
+        random, factors_filling(random, n, bits - std::min(bits, number_bits), denominator_bits, signs), bits,
+        signs);
+}
+
+/// The sums of one row that need no preparation.
+void check_unprepared_sums(const SumCase& given, const std::vector<Rational>& expected) {
+    std::vector<std::int64_t> row;
+    for (std::size_t k = 0; k <= given.factors.size(); ++k) {
+        const auto word = given.numerators[k].to_int64();
+        if (!word || *word == INT64_MIN) return;
+        row.push_back(*word);
+    }
+    const auto denominator = given.denominator.to_int64();
+    if (!denominator) return;
+    const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
+    if (const auto sum = LinearFactorSums::sum_in_words(row, denominators, given.factors))
+        CHECK(*sum == expected[0]);
+    if (const auto apex = LinearFactorSums::apex_in_words(row, denominators, given.factors))
+        CHECK(*apex == evident_apex_of(given));
+}
+
+void check_near(std::string_view path, std::size_t limit, std::size_t most_factors, SumKernel kernel) {
+    KernelsMet met;
+    each_case(path, [&](Random& random) {
+        const SumCase given = case_near(random, limit, most_factors);
+        const std::vector<Rational> expected = evident_values(given);
+        check_sums(given, expected, met);
+        check_unprepared_sums(given, expected);
+    });
+    require_met(met, kernel);
+}
+
+}  // namespace
+
+TEST_CASE("words: sums that end at 63 bits", "[differential]") {
+    check_near("words", 63, 22, SumKernel::word);
+}
+
+TEST_CASE("wide: sums that end at 127 bits", "[differential]") {
+    check_near("wide", 127, 40, SumKernel::wide);
+}
+
+TEST_CASE("limbs: sums that end at 511 bits", "[differential]") {
+    check_near("limbs", 511, 66, SumKernel::limbs);
+}
+
+TEST_CASE("limbs: sums of each number of limbs", "[differential]") {
+    KernelsMet met;
+    each_case("limbs of each number",
+              [&](Random& random) { check_sums(case_near(random, 63 + 64 * random.below(9), 45), met); });
+    require_met(met, SumKernel::limbs);
+}
