@@ -44,6 +44,7 @@ void divide_by_powers(Row& row, const Integer& base) {
 /// m_k q^n with m_k from below without its factor q^k; center = p/q.
 Row unscaled_taylor_coefficients(std::span<const Integer> coefficients, const Rational& center) {
     const Integer& p = center.numerator();
+    if (p.is_one() && center.denominator().is_one()) return shifted_by_one(coefficients);
     Row row(coefficients.begin(), coefficients.end());
     scale_by_falling_powers(row, center.denominator());
     if (p.is_zero()) return row;

@@ -83,8 +83,10 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
     return mpz_get_si(data);
 }
 
-/// Whether the memory of a number that is not needed any more is so little that it may wait for the next.
-inline bool is_worth_keeping(const Number& value) { return value.backend().data()->_mp_alloc <= 64; }
+/// The words of memory that belong to a number, whatever its value is.
+inline std::size_t words_held(const Number& value) {
+    return static_cast<std::size_t>(value.backend().data()->_mp_alloc);
+}
 
 /// Sets `value` to the number whose binary digits are `words`, least significant first.
 inline void set_words(Number& value, std::span<const std::uint64_t> words) {
@@ -92,6 +94,19 @@ inline void set_words(Number& value, std::span<const std::uint64_t> words) {
     const auto size = static_cast<mp_size_t>(words.size());
     std::ranges::copy(words, mpz_limbs_write(value.backend().data(), size));
     mpz_limbs_finish(value.backend().data(), size);
+}
+
+/// Sets `value` to the number whose two's complement is `words`.
+inline void set_twos_complement(Number& value, std::span<const std::uint64_t> words) {
+    const auto size = static_cast<mp_size_t>(words.size());
+    mp_limb_t* const limbs = mpz_limbs_write(value.backend().data(), size);
+    const bool negative = words.back() >> 63 != 0;
+    if (negative) {
+        mpn_neg(limbs, words.data(), size);
+    } else {
+        std::ranges::copy(words, limbs);
+    }
+    mpz_limbs_finish(value.backend().data(), negative ? -size : size);
 }
 
 /// Of the magnitude.
@@ -132,11 +147,16 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
     return static_cast<std::int64_t>(value);
 }
 
-inline bool is_worth_keeping(const Number& value) { return value.backend().size() <= 64; }
+inline std::size_t words_held(const Number& value) { return value.backend().size(); }
 
 inline void set_words(Number& value, std::span<const std::uint64_t> words) {
     value = 0;
     boost::multiprecision::import_bits(value, words.begin(), words.end(), 64, false);
+}
+
+inline void set_twos_complement(Number& value, std::span<const std::uint64_t> words) {
+    set_words(value, words);
+    if (words.back() >> 63 != 0) value -= Number(1) << (64 * words.size());
 }
 
 inline std::size_t bit_length(const Number& value) {
@@ -153,6 +173,7 @@ inline void to_words(const Number& value, std::span<std::uint64_t> words) {
 
 struct Integer::Large {
     backend::Number value;
+    Large* next = nullptr;  ///< among numbers that are not in use
 };
 
 /// The private door of Integer for the sources of this layer.

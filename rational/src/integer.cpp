@@ -17,10 +17,13 @@ namespace {
 /// The numbers that this thread gave back last, with the memory that they hold: what is computed next needs
 /// about as much. Nothing here has a destructor, so that integers of any lifetime may give back.
 struct Spares {
-    Integer::Large* numbers[64];
-    std::size_t count;
+    Integer::Large* first;
+    std::size_t words;  ///< that all of them hold
     bool closed;
 };
+/// What one of them may hold, and all.
+constexpr std::size_t most_words_of_spare = 64;
+constexpr std::size_t most_words_of_spares = std::size_t{1} << 17;
 thread_local Spares spares{};
 
 /// Frees them when the thread ends.
@@ -32,7 +35,7 @@ struct SparesOfThread {
     SparesOfThread& operator=(SparesOfThread&&) = delete;
     ~SparesOfThread() {
         spares.closed = true;
-        while (spares.count > 0) delete spares.numbers[--spares.count];
+        while (spares.first) delete std::exchange(spares.first, spares.first->next);
     }
     void start() const {}
 };
@@ -40,17 +43,21 @@ thread_local const SparesOfThread spares_of_thread;
 
 /// A number of any value.
 Integer::Large* take_large() {
-    return spares.count > 0 ? spares.numbers[--spares.count] : new Integer::Large;
+    if (!spares.first) return new Integer::Large;
+    Integer::Large* const number = std::exchange(spares.first, spares.first->next);
+    spares.words -= backend::words_held(number->value);
+    return number;
 }
 
 void give_back(Integer::Large* number) noexcept {
-    if (spares.closed || spares.count == std::size(spares.numbers) ||
-        !backend::is_worth_keeping(number->value)) {
+    const std::size_t words = backend::words_held(number->value);
+    if (spares.closed || words > most_words_of_spare || spares.words + words > most_words_of_spares) {
         delete number;
         return;
     }
-    if (spares.count == 0) spares_of_thread.start();
-    spares.numbers[spares.count++] = number;
+    if (!spares.first) spares_of_thread.start();
+    number->next = std::exchange(spares.first, number);
+    spares.words += words;
 }
 
 void require_divisor(const Integer& divisor) {
@@ -273,26 +280,23 @@ Integer IntegerAccess::from_magnitude(std::span<const std::uint64_t> words, bool
         return negative ? -value : value;
     }
     Integer result;
-    Number& number = result.promote().value;
+    result.large_ = take_large();
+    Number& number = result.large_->value;
     backend::set_words(number, words.first(used));
     if (negative) backend::negate(number);
     return std::move(result.settle());
 }
 
 Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
-    if (static_cast<std::int64_t>(words.back()) >= 0) return from_magnitude(words, false);
-    constexpr std::size_t most_in_place = 16;
-    std::uint64_t in_place[most_in_place];
-    std::vector<std::uint64_t> on_heap;
-    if (words.size() > most_in_place) on_heap.resize(words.size());
-    const std::span<std::uint64_t> magnitude =
-        words.size() > most_in_place ? std::span(on_heap) : std::span(in_place).first(words.size());
-    bool carry = true;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        magnitude[i] = ~words[i] + static_cast<std::uint64_t>(carry);
-        carry = carry && magnitude[i] == 0;
-    }
-    return from_magnitude(magnitude, true);
+    // Words that only repeat the sign.
+    std::size_t used = words.size();
+    const auto sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
+    while (used > 1 && words[used - 1] == sign && (words[used - 2] ^ sign) >> 63 == 0) --used;
+    if (used == 1) return static_cast<std::int64_t>(words[0]);
+    Integer result;
+    result.large_ = take_large();
+    backend::set_twos_complement(result.large_->value, words.first(used));
+    return result;
 }
 
 void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {

@@ -47,6 +47,21 @@ TEST_CASE("a shift by one on lanes is Horner's rule", "[taylor_shift]") {
     }
 }
 
+TEST_CASE("a shift by one where words and pairs of words just suffice", "[taylor_shift]") {
+    for (const std::size_t size : {1U, 2U, 3U, 12U, 40U, 63U, 64U, 65U}) {
+        for (const std::size_t limit : {64U, 128U}) {
+            for (std::size_t total = limit - 2; total <= limit + 1; ++total) {
+                if (total < size) continue;
+                const std::size_t bits = total + 1 - size;
+                for (const int sign : {1, -1}) {
+                    check_shift(std::vector<Integer>(size, sign * ((Integer(1) << bits) - 1)));
+                    check_shift(std::vector<Integer>(size, sign * (Integer(1) << (bits - 1))));
+                }
+            }
+        }
+    }
+}
+
 TEST_CASE("a shift by one where the planes of digits grow", "[taylor_shift]") {
     Random random(2);
     // 48 and 384 bits, and twice as many, are what a plane holds; 14 coefficients are a block.
