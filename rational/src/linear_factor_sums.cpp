@@ -137,9 +137,9 @@ std::pair<std::vector<Integer>, bool> denominator_factors(const Prepared& rows,
 template <class R>
 void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> factors, std::size_t first_row,
                        std::span<Rational> sums) {
-    const std::vector<Integer> numerators = residue_sums(
-        rows.numbers.numerators(), rows.use == LinearFactorSums::Use::many ? &rows.residues : nullptr,
-        blocks_of(factors), closer_sum_bits(rows, factors), first_row, sums.size());
+    const std::vector<Integer> numerators =
+        residue_sums(rows.numbers, rows.use == LinearFactorSums::Use::many ? &rows.residues : nullptr,
+                     blocks_of(factors), closer_sum_bits(rows, factors), first_row, sums.size());
     const auto [denominators, negative] = denominator_factors(rows, factors);
     for (std::size_t j = 0; j < sums.size(); ++j)
         sums[j] = reduced_quotient(negative ? -numerators[j] : numerators[j], denominators);

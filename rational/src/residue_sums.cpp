@@ -3,6 +3,7 @@
 #include <blossom/rational/row_recurrences.hpp>
 
 #include "factor_blocks.hpp"
+#include "residue_numbers.hpp"
 #include "residue_products.hpp"
 
 namespace blossom {
@@ -15,9 +16,9 @@ using residues::integer_with;
 using residues::Moduli;
 using residues::moduli;
 using residues::montgomery_powers;
+using residues::Numbers;
 using residues::Octet;
 using residues::operations;
-using residues::plain_powers;
 
 /// As many factors are multiplied out in integers before residues are taken.
 constexpr std::size_t integer_block = 4;
@@ -87,13 +88,6 @@ FactorBlocks leaf_by_leaf(std::span<const LinearFactor<R>> factors) {
     return blocks;
 }
 
-Digits digits_of(std::span<const Integer> numbers) {
-    Digits digits;
-    digits.reserve(numbers.size(), 1);
-    for (const Integer& number : numbers) digits.push_back(number);
-    return digits;
-}
-
 /// The length of what is kept of a row of `size` numbers.
 std::size_t width(const Moduli& group, std::size_t size) {
     const residues::TransformPlan plan = residues::transform_plan(size - 1);
@@ -101,12 +95,11 @@ std::size_t width(const Moduli& group, std::size_t size) {
 }
 
 /// Writes what `ResidueRows` has of rows of `count` numbers.
-void read_rows(const Digits& numbers, std::size_t count, const Moduli& group, Octet* rows) {
-    const std::vector<Octet> powers = plain_powers(group, numbers.most_digits());
+void read_rows(const Numbers& numbers, std::size_t count, const Moduli& group, Octet* rows) {
     const std::size_t width_of_row = width(group, count);
-    if (width_of_row == count) return numbers.residues(group, powers.data(), rows);
+    if (width_of_row == count) return numbers.residues(group, rows);
     const residues::Buffer residues(numbers.size());
-    numbers.residues(group, powers.data(), residues.data());
+    numbers.residues(group, residues.data());
     const residues::Roots roots(group, width_of_row);
     for (std::size_t k = 0; k < numbers.size(); k += count, rows += width_of_row)
         transform_numbers(group, roots, residues.data() + k, count, width_of_row, rows);
@@ -154,7 +147,7 @@ private:
 FactorBlocks blocks_of(std::span<const WordFactor> factors) { return leaf_by_leaf(factors); }
 FactorBlocks blocks_of(std::span<const IntegerFactor> factors) { return leaf_by_leaf(factors); }
 
-ResidueCache::Rows ResidueCache::of(std::span<const Integer> numbers, std::size_t size,
+ResidueCache::Rows ResidueCache::of(const RationalVector& numbers, std::size_t size,
                                     std::size_t groups) const {
     {
         const std::lock_guard lock(mutex_);
@@ -164,23 +157,26 @@ ResidueCache::Rows ResidueCache::of(std::span<const Integer> numbers, std::size_
     for (std::size_t g = 0; g < groups; ++g)
         made->begins.push_back(made->begins.back() + numbers.size() / size * width(moduli(g), size));
     if (made->begins.back() * sizeof(Octet) > most_kept) return nullptr;
-    const Digits digits = digits_of(numbers);
+    const Numbers all(numbers.numerators(), numbers.denominator(), groups);
     made->octets.resize(made->begins.back());
     for (std::size_t g = 0; g < groups; ++g)
-        read_rows(digits, size, moduli(g), made->octets.data() + made->begins[g]);
+        read_rows(all, size, moduli(g), made->octets.data() + made->begins[g]);
     const std::lock_guard lock(mutex_);
     kept_ = made;
     return made;
 }
 
-std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache* cache,
+std::vector<Integer> residue_sums(const RationalVector& numbers, const ResidueCache* cache,
                                   const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count) {
     const std::size_t groups = groups_for(bits);
     FactorProduct product(factors);
     const std::size_t size = product.size();
     const ResidueCache::Rows prepared = cache ? cache->of(numbers, size, groups) : nullptr;
-    const Digits digits = prepared ? Digits() : digits_of(numbers.subspan(first_row * size, count * size));
+    const Numbers asked =
+        prepared ? Numbers()
+                 : Numbers(std::span(numbers.numerators()).subspan(first_row * size, count * size),
+                           numbers.denominator(), groups);
     const residues::Buffer unprepared(prepared ? 0 : count * std::max(size, factors.plan.size()));
     std::vector<Octet> sums(count * groups);
     for (std::size_t g = 0; g < groups; ++g) {
@@ -191,7 +187,7 @@ std::vector<Integer> residue_sums(std::span<const Integer> numbers, const Residu
         if (prepared) {
             rows = prepared->octets.data() + prepared->begins[g] + first_row * length;
         } else {
-            read_rows(digits, size, group, unprepared.data());
+            read_rows(asked, size, group, unprepared.data());
         }
         for (std::size_t j = 0; j < count; ++j)
             sums[j * groups + g] = operations().dot(group, values, rows + j * length, length);

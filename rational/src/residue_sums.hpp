@@ -25,7 +25,7 @@ public:
     using Rows = std::shared_ptr<const ResidueRows>;
 
     /// For rows of `size` numbers; nothing if they would take more than `most_kept`.
-    Rows of(std::span<const Integer> numbers, std::size_t size, std::size_t groups) const;
+    Rows of(const RationalVector& numbers, std::size_t size, std::size_t groups) const;
 
     static constexpr std::size_t most_kept = std::size_t{64} << 20;  ///< bytes
 
@@ -46,7 +46,7 @@ FactorBlocks blocks_of(std::span<const IntegerFactor> factors);
 
 /// The numerators of the sums for `count` rows from `first_row` on, which have at most `bits` bits.
 /// `numbers` are those of all rows; `cache` belongs to them, or is null where nothing is to be kept.
-std::vector<Integer> residue_sums(std::span<const Integer> numbers, const ResidueCache* cache,
+std::vector<Integer> residue_sums(const RationalVector& numbers, const ResidueCache* cache,
                                   const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count);
 

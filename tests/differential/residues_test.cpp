@@ -122,6 +122,39 @@ TEST_CASE("residues: factors beyond words and negative denominators", "[differen
     });
 }
 
+TEST_CASE("residues: small fractions over one large denominator", "[differential]") {
+    each_case("residues of small fractions", [&](Random& random) {
+        // So many bits as fractions can have before it is faster to take them as they are.
+        const std::size_t n = 16 + random.below(30);
+        const std::size_t denominator_bits = 1 + random.below(random.one_in(2) ? 300 : 64);
+        const std::size_t bits =
+            random.one_in(4) ? 1 + random.below(600) : 1 + random.below(denominator_bits);
+        std::vector<Integer> bottoms;
+        Integer denominator = abs(number_near(random, random.below(3000))) + 1;
+        for (std::size_t k = 0; k <= n; ++k) {
+            Integer& bottom = bottoms.emplace_back(abs(number_near(random, denominator_bits)) + 1);
+            // A prime of the residues on one level or another.
+            if (random.one_in(200))
+                bottom *=
+                    random.one_in(2) ? (std::int64_t{1} << 50) - 16383 : (std::int64_t{1} << 28) - 65535;
+            denominator *= random.one_in(20) ? Integer(1) : bottom;
+        }
+        std::vector<Integer> numerators;
+        for (const Integer& bottom : bottoms) {
+            Integer top = number_near(random, random.one_in(30) ? 2000 : bits);
+            numerators.push_back((denominator % bottom).is_zero() ? top * divide_exactly(denominator, bottom)
+                                                                  : std::move(top));
+        }
+        const std::vector<WordFactor> factors =
+            factors_near(random, n, 1 + random.below(62), 1 + random.below(62), Signs::any);
+        const std::vector<IntegerFactor> integers = beyond_words(factors);
+        Rational value;
+        const auto use = random.one_in(2) ? LinearFactorSums::Use::many : LinearFactorSums::Use::once;
+        LinearFactorSums(RationalVector(numerators, denominator), 1, use).evaluate(integers, 0, {&value, 1});
+        CHECK(value == evident_values(numerators, denominator, integers)[0]);
+    });
+}
+
 TEST_CASE("transforms: sums of high degree", "[differential]") {
     KernelsMet met;
     const auto check = [&](Random& random) {

@@ -176,7 +176,7 @@ inline void check_sums(const SumCase& given, KernelsMet& met) {
 
 /// A path was met if the cases were enough to expect it.
 inline void require_met(KernelsMet& met, SumKernel kernel) {
-    CHECK(3 * met[kernel] + 10 > differential_cases());
+    CHECK(4 * met[kernel] + 10 > differential_cases());
 }
 
 }  // namespace blossom::testing
