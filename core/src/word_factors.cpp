@@ -7,12 +7,13 @@ WordFrame::WordFrame(const ClearedInterval& interval) : kind_(Kind::beyond_words
     const Integer length = interval.b - interval.a;
     const Integer sign = length.sign();
     const Integer numbers[] = {interval.a * sign, interval.b * sign, interval.q * sign, length * sign};
-    if (!std::ranges::all_of(numbers, is_word)) return;
+    for (const Integer& number : numbers)
+        if (!number.is_word() || number.word() == least_word) return;
     kind_ = Kind::interval;
-    a_ = *numbers[0].to_int64();
-    b_ = *numbers[1].to_int64();
-    q_ = *numbers[2].to_int64();
-    length_ = *numbers[3].to_int64();
+    a_ = numbers[0].word();
+    b_ = numbers[1].word();
+    q_ = numbers[2].word();
+    length_ = numbers[3].word();
 }
 
 bool WordFrame::read_over_interval(std::int64_t u, std::int64_t mass, std::int64_t scale,

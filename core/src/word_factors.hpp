@@ -22,9 +22,11 @@ public:
 
     /// The factor of an argument of mass 0 or 1, if words hold it; otherwise `factor` is left in between.
     bool read(const Argument& argument, WordFactor& factor) const {
-        if (!is_word_fraction(argument.u)) return false;
-        const std::int64_t u = *argument.u.numerator().to_int64();
-        const std::int64_t scale = *argument.u.denominator().to_int64();
+        const Integer& top = argument.u.numerator();
+        const Integer& bottom = argument.u.denominator();
+        const std::int64_t u = top.word();
+        const std::int64_t scale = bottom.word();
+        if (!top.is_word() || !bottom.is_word() || u == least_word) return false;
         const bool point = argument.mass.numerator().is_one() && argument.mass.is_integer();
         if (!point && !argument.mass.is_zero()) return false;
         const std::int64_t mass = point ? scale : 0;
@@ -38,10 +40,6 @@ public:
 private:
     enum class Kind { monomial, interval, beyond_words };
 
-    static bool is_word(const Integer& value) { return value.to_int64().value_or(least_word) != least_word; }
-    static bool is_word_fraction(const Rational& value) {
-        return is_word(value.numerator()) && is_word(value.denominator());
-    }
     bool read_over_interval(std::int64_t u, std::int64_t mass, std::int64_t scale, WordFactor& factor) const;
 
     static constexpr std::int64_t least_word = std::numeric_limits<std::int64_t>::min();

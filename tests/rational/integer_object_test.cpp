@@ -77,6 +77,9 @@ TEST_CASE("assignment between every two representations, and to itself", "[integ
             CAPTURE(from, to);
             Integer target = to;
             target = from;
+            CHECK(target.is_word() == target.to_int64().has_value());
+            CHECK(target.word() == target.to_int64().value_or(0));
+            CHECK(target.is_one() == (to_string(target) == "1"));
             CHECK(target == from);
             Integer moved = from;
             target = to;

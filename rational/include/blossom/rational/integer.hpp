@@ -60,12 +60,16 @@ public:
     }
 
     bool is_zero() const { return !large_ && small_ == 0; }
-    bool is_one() const { return !large_ && small_ == 1; }
+    bool is_one() const { return small_ == 1; }
     /// -1, 0 or 1.
     int sign() const { return large_ ? large_sign() : (small_ > 0) - (small_ < 0); }
     /// The number of binary digits of |x|; 0 for 0.
     std::size_t bit_length() const;
     bool is_odd() const;
+    /// Whether the value fits in 64 bits.
+    bool is_word() const { return !large_; }
+    /// The value where it fits in 64 bits, otherwise 0.
+    std::int64_t word() const { return small_; }
     /// The value where it fits in 64 bits.
     std::optional<std::int64_t> to_int64() const {
         return large_ ? std::nullopt : std::optional<std::int64_t>(small_);
