@@ -1,8 +1,11 @@
 #include "line_substitution.hpp"
 
+#include <blossom/rational/line_substitution.hpp>
 #include <blossom/rational/taylor_shift.hpp>
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 #include "binomial_weights.hpp"
 
@@ -55,6 +58,42 @@ Row unscaled_taylor_coefficients(std::span<const Integer> coefficients, const Ra
     return row;
 }
 
+/// By measurement: below, digits are faster than residues.
+constexpr std::size_t least_coefficients_of_form = 64;
+
+/// A quotient whose parts are below 2^48 in magnitude.
+std::optional<WordQuotient> as_words(const Rational& value) {
+    const auto numerator = value.numerator().to_int64();
+    const auto denominator = value.denominator().to_int64();
+    constexpr std::int64_t limit = std::int64_t{1} << 48;
+    if (!numerator || !denominator || *numerator <= -limit || *numerator >= limit || *denominator >= limit)
+        return std::nullopt;
+    return WordQuotient{*numerator, *denominator};
+}
+
+/// The Bernstein coefficients from the form on the line through the ends p/q and r/s, where the denominator
+/// of coefficient k is q^(n-k) s^k times a binomial coefficient.
+std::optional<Quotients<Integer>> bernstein_by_form(std::span<const Integer> coefficients,
+                                                    const Interval& interval) {
+    const auto a = as_words(interval.a());
+    const auto b = as_words(interval.b());
+    if (!a || !b) return std::nullopt;
+    auto row = form_on_line(coefficients, *a, *b);
+    if (!row) return std::nullopt;
+    const std::size_t n = coefficients.size() - 1;
+    const auto weights = binomial_weights(n);
+    const std::int64_t common = std::gcd(a->denominator, b->denominator);
+    const Integer rising = a->denominator / common;
+    const Integer falling = b->denominator / common;
+    Integer scale = pow(falling, n);
+    for (std::size_t k = 0; k <= n; ++k) {
+        (*row)[k] *= weights->numerators[k] * scale;
+        if (k < n) scale = divide_exactly(scale, falling) * rising;
+    }
+    return Quotients<Integer>{std::move(*row),
+                              weights->denominator * pow(rising * interval.b().denominator(), n)};
+}
+
 }  // namespace
 
 Quotients<Integer> taylor_coefficients(std::span<const Integer> coefficients, const Rational& center) {
@@ -64,6 +103,9 @@ Quotients<Integer> taylor_coefficients(std::span<const Integer> coefficients, co
 }
 
 Quotients<Integer> bernstein_from_monomial(std::span<const Integer> coefficients, const Interval& interval) {
+    if (coefficients.size() >= least_coefficients_of_form) {
+        if (auto quotients = bernstein_by_form(coefficients, interval)) return std::move(*quotients);
+    }
     const std::size_t n = coefficients.size() - 1;
     Row row = unscaled_taylor_coefficients(coefficients, interval.a());
     // t - a = length s; what the denominators of a and of the length share cancels.

@@ -7,6 +7,7 @@
 
 #include "backend.hpp"
 #include "digit_rows.hpp"
+#include "residue_substitution.hpp"
 #include "residue_system.hpp"
 #include "wide.hpp"
 
@@ -22,6 +23,8 @@ constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
 constexpr std::size_t least_coefficients = 12;
 /// Up to so many, words and pairs of words are faster where they suffice.
 constexpr std::size_t most_coefficients_in_words = 64;
+/// From so many on, transforms are faster where the numbers are not much longer than that.
+constexpr std::size_t least_coefficients_in_residues = 513;
 
 /// The level that the residues run on.
 const digit_rows::Operations& row_operations() {
@@ -222,6 +225,9 @@ std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients) {
         return shifted_in<SignedWide>(coefficients);
     if (coefficients.size() < least_coefficients)
         return row_recurrences::shifted_by_one<Integer>(coefficients);
+    if (coefficients.size() >= least_coefficients_in_residues && bits <= 4 * coefficients.size()) {
+        if (auto shifted = residues::shifted_by_one(coefficients, bits)) return std::move(*shifted);
+    }
     HornersRule rule(coefficients);
     std::vector<Integer> result;
     result.reserve(coefficients.size());

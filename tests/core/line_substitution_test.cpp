@@ -54,6 +54,27 @@ TEST_CASE("control points and Taylor coefficients of any degree are those of the
     }
 }
 
+TEST_CASE("control points of high degree are those of the recurrences", "[conversion]") {
+    Random random(3);
+    const Integer word = Integer(1) << 48;
+    const Rational ends[] = {0,
+                             Rational(-5, 6),
+                             Rational(7, 12),
+                             Rational(1 - word, 3),
+                             Rational(word, 3),
+                             Rational(2, word - 1),
+                             Rational(2, word + 1)};
+    for (const std::size_t n : {62U, 63U, 64U, 100U}) {
+        std::vector<Coordinates> coefficients(n + 1);
+        for (Coordinates& coefficient : coefficients) coefficient = {number(random, Size::small)};
+        const PolynomialCurve curve(coefficients);
+        for (std::size_t i = 0; i < std::size(ends); ++i) {
+            check_conversions(curve, Interval(ends[i], ends[(i + 1) % std::size(ends)]));
+            check_conversions(curve, interval(random, Size::small));
+        }
+    }
+}
+
 TEST_CASE("control points over intervals whose ends share denominators or are 0", "[conversion]") {
     Random random(2);
     const Rational ends[] = {0, 1, -1, Rational(1, 6), Rational(-5, 6), Rational(7, 12), Rational(3, 35), 10};

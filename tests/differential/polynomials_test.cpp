@@ -1,6 +1,8 @@
-// The Taylor shift on vectors of digits, and values of polynomials prepared as forms.
+// The Taylor shift on vectors of digits and in residues, forms on lines, and values of polynomials prepared
+// as forms.
 
 #include <blossom/rational/form_values.hpp>
+#include <blossom/rational/line_substitution.hpp>
 #include <blossom/rational/taylor_shift.hpp>
 
 #include <vector>
@@ -23,6 +25,36 @@ Rational horner_form(std::span<const Integer> numerators, const Integer& denomin
     return {sum, denominator * power};
 }
 
+/// polynomial (constant + slope X)
+std::vector<Integer> times(const std::vector<Integer>& polynomial, std::int64_t constant,
+                           std::int64_t slope) {
+    std::vector<Integer> product(polynomial.size() + 1);
+    for (std::size_t k = 0; k < polynomial.size(); ++k) {
+        product[k] += polynomial[k] * constant;
+        product[k + 1] += polynomial[k] * slope;
+    }
+    return product;
+}
+
+/// Horner's rule in u, times powers of v.
+std::vector<Integer> substituted(std::span<const Integer> coefficients, const WordQuotient& a,
+                                 const WordQuotient& b) {
+    std::vector<Integer> sum{coefficients.back()};
+    std::vector<Integer> power{1};
+    for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
+        sum = times(sum, a.numerator, b.numerator);
+        power = times(power, a.denominator, b.denominator);
+        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += coefficients[k] * power[i];
+    }
+    return sum;
+}
+
+/// Now and then 0, and mostly of just so many bits.
+WordQuotient word_quotient(Random& random, std::size_t bits) {
+    const Integer denominator = abs(number_near(random, bits));
+    return {*number_near(random, bits).to_int64(), denominator.is_zero() ? 1 : *denominator.to_int64()};
+}
+
 }  // namespace
 
 TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]") {
@@ -38,6 +70,38 @@ TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]
         std::vector<Integer> coefficients;
         for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
         CHECK(shifted_by_one(coefficients) == row_recurrences::shifted_by_one<Integer>(coefficients));
+    });
+}
+
+TEST_CASE("Taylor shift: as many coefficients as transforms are taken for", "[differential]") {
+    each_case(
+        "Taylor shift in residues",
+        [&](Random& random) {
+            const std::size_t size = random.one_in(2) ? 512 + random.below(4) : 513 + random.below(200);
+            const int sign = static_cast<int>(random.below(3)) - 1;
+            const std::size_t bits = random.one_in(3) ? 3 * size - random.below(4) : random.below(400);
+            std::vector<Integer> coefficients;
+            for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
+            CHECK(shifted_by_one(coefficients) == row_recurrences::shifted_by_one<Integer>(coefficients));
+        },
+        20);
+}
+
+TEST_CASE("forms on lines: numbers that end where groups of primes do", "[differential]") {
+    each_case("forms on lines", [&](Random& random) {
+        const std::size_t size = 2 + random.below(random.one_in(20) ? 130 : random.one_in(4) ? 33 : 6);
+        const std::size_t bits_of_ends = 1 + random.below(random.one_in(3) ? 48 : 6);
+        const WordQuotient a = word_quotient(random, bits_of_ends);
+        const WordQuotient b = word_quotient(random, bits_of_ends);
+        // A group of eight primes below 2^50 has a product of 400 bits.
+        const std::size_t limit = 400 * (1 + random.below(random.one_in(8) ? 20 : 4));
+        const std::size_t growth = random.one_in(2) ? (size - 1) * (bits_of_ends + 1) : 0;
+        const std::size_t bits = limit + 3 - std::min(limit + 3, growth + random.below(12));
+        const int sign = static_cast<int>(random.below(3)) - 1;
+        std::vector<Integer> coefficients;
+        for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
+        if (const auto result = form_on_line(coefficients, a, b))
+            CHECK(*result == substituted(coefficients, a, b));
     });
 }
 

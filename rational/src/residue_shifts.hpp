@@ -1,0 +1,43 @@
+#pragma once
+
+// Taylor shifts by convolution in residues: with c_k k! and 1 / m! as coefficients the shift by one is a
+// product of polynomials (Aho, Steiglitz and Ullman, 1975), taken by number theoretic transforms.
+
+#include <memory>
+
+#include "residue_transforms.hpp"
+
+namespace blossom::residues {
+
+/// 1/x for numbers x that no prime divides, both times the radix.
+Octet inverse(const Moduli& moduli, Octet x);
+
+/// What shifts of at most size / 2 coefficients take modulo the primes of one group.
+class ShiftTables {
+public:
+    /// Those used last are kept, up to 64 MiB of them. `size` is a power of 2 that the group has a transform
+    /// of.
+    static std::shared_ptr<const ShiftTables> of_group(std::size_t group, std::size_t size);
+
+    ShiftTables(const Moduli& moduli, std::size_t size);
+
+    const Moduli& moduli() const { return moduli_; }
+    std::size_t size() const { return size_; }
+    /// k! and 1 / k!, times the radix, for k < size / 2.
+    const Octet* factorials() const { return factorials_.data(); }
+    const Octet* inverse_factorials() const { return inverse_factorials_.data(); }
+
+    /// Multiplies the polynomial of `count` <= size / 2 coefficients in `a`, which has room for `size`, by
+    /// the sum of all X^m / m!; the first `count` coefficients are right.
+    void multiply_by_exponential(Octet* a, std::size_t count) const;
+
+private:
+    const Moduli& moduli_;
+    std::size_t size_;
+    std::vector<Octet> factorials_;
+    std::vector<Octet> inverse_factorials_;
+    std::vector<Octet> exponential_;  ///< its values
+    std::vector<Octet> roots_;
+};
+
+}  // namespace blossom::residues
