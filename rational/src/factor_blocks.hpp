@@ -55,7 +55,7 @@ inline std::uint64_t size_of(const WordFactor& factor) {
 }
 
 /// The product of the first factors of a sequence: of the first one, if any, and of those that follow, `most`
-/// at the most, while the magnitudes of the coefficients sum to less than 2^63.
+/// at the most, while the magnitudes of the coefficients sum to less than 2^bits.
 // What is not used yet of the array stays as it is: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class FactorBlock {
@@ -63,17 +63,17 @@ class FactorBlock {
     static constexpr std::size_t most_factors = 64;
 
 public:
-    void fill(std::span<const WordFactor> factors, std::size_t most = most_factors) {
-        std::uint64_t bound = factors.empty() ? 1 : size_of(factors[0]);
+    void fill(std::span<const WordFactor> factors, std::size_t most = most_factors, int bits = 63) {
+        bound_ = factors.empty() ? 1 : size_of(factors[0]);
         degree_ = std::min<std::size_t>(factors.size(), 1);
-        while (degree_ < std::min(factors.size(), most)) {
+        while (degree_ < std::min({factors.size(), most, most_factors})) {
             std::uint64_t product = 0;
-            if (__builtin_mul_overflow(bound, size_of(factors[degree_]), &product) || product >> 63 != 0)
+            if (__builtin_mul_overflow(bound_, size_of(factors[degree_]), &product) || product >> bits != 0)
                 break;
-            bound = product;
+            bound_ = product;
             ++degree_;
         }
-        fits_ = bound >> 63 == 0;
+        fits_ = bound_ >> bits == 0;
         coefficients_[0] = 1;
         with_small_constant(degree_, [&](auto count) {
             multiply_one_by_one(std::span<const WordFactor, count>(factors.data(), degree_), coefficients_);
@@ -81,12 +81,15 @@ public:
     }
 
     std::size_t degree() const { return degree_; }
-    /// Whether the magnitudes sum to less than 2^63; it can fail for one factor alone.
+    /// A bound on the sum of the magnitudes, and whether it is below 2^bits; it can fail for one factor
+    /// alone.
+    std::uint64_t bound() const { return bound_; }
     bool fits() const { return fits_; }
     std::span<const std::int64_t> coefficients() const { return {coefficients_, degree_ + 1}; }
 
 private:
     std::size_t degree_ = 0;
+    std::uint64_t bound_ = 0;
     bool fits_ = false;
     std::int64_t coefficients_[most_factors + 1];
 };

@@ -34,8 +34,10 @@ SumKernel kernel_without_limbs(const Prepared& rows, std::span<const LinearFacto
 
 /// For sums that are beyond the kernel `word`.
 SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits) {
-    if (factors.size() > machine_sums::most_factors) return kernel_without_limbs(rows, factors);
-    if (!rows.words.empty() && bits.sum < 128) return SumKernel::wide;
+    const bool on_stack = factors.size() <= machine_sums::most_factors;
+    if (on_stack && !rows.words.empty() && bits.sum < 128) return SumKernel::wide;
+    if (rows.digits.suffice(factors, bits.sum)) return SumKernel::limbs;
+    if (!on_stack) return kernel_without_limbs(rows, factors);
     if (bits.sum / 64 < most_sum_limbs) return SumKernel::limbs;
     return kernel_without_limbs(rows, factors);
 }
@@ -91,8 +93,22 @@ fixed_width::LimbRow multiplied_out(std::span<const WordFactor> factors, std::si
     return product;
 }
 
+void evaluate_digits(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
+                     std::size_t first_row, std::span<Rational> sums) {
+    const DigitBlocks blocks(rows.digits, factors, bits.sum);
+    const DenominatorWords denominator =
+        machine_sums::denominator_words(rows.denominators, rows.primes, factors);
+    std::uint64_t words[most_digit_words];
+    const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        blocks.sum(rows.digits.row(first_row + j), numerator);
+        sums[j] = reduced(numerator, false, denominator, rows.further_denominator);
+    }
+}
+
 void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
                     std::size_t first_row, std::span<Rational> sums) {
+    if (rows.digits.suffice(factors, bits.sum)) return evaluate_digits(rows, factors, bits, first_row, sums);
     const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     const DenominatorWords denominator =
         machine_sums::denominator_words(rows.denominators, rows.primes, factors);
@@ -200,7 +216,10 @@ constexpr SumKernelRule rules[] = {
      "at most 64 factors of words; numerators and denominators of the sums below 2^63"},
     {SumKernel::wide, "wide",
      "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
-    {SumKernel::limbs, "limbs", "at most 64 factors of words; numerators of the sums below 2^511"},
+    {SumKernel::limbs, "limbs",
+     "at most 64 factors of words; numerators of the sums below 2^511; with AVX-512 IFMA up to 128 factors "
+     "below "
+     "2^51 and numerators below 2^831"},
     {SumKernel::residues, "residues",
      "16 to 4095 factors of any size; numerators of the sums below 2^2000000"},
     {SumKernel::integers, "integers", "any"},

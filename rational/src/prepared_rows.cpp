@@ -50,6 +50,7 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
       size(numbers.size() / row_count),
       bits(greatest_bit_length(numbers.numerators())),
       width(bits / 64 + 1),
+      digits(numbers.numerators(), size, bits),
       further_denominator(numbers.denominator()) {
     if (use == Use::many || further_denominator.to_int64())
         denominators = split_into_words(further_denominator);

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "digit_sums.hpp"
 #include "machine_sums.hpp"
 #include "residue_sums.hpp"
 
@@ -27,12 +28,13 @@ struct LinearFactorSums::Prepared {
     RationalVector numbers;
     Use use;
     std::size_t rows;
-    std::size_t size;                         ///< the length of a row, n + 1
-    std::size_t bits;                         ///< of the greatest magnitude
-    std::vector<std::int64_t> words;          ///< empty unless all numerators are words
-    std::uint64_t greatest = 0;               ///< the greatest magnitude among `words`
-    std::size_t width;                        ///< of one number in `limbs`
-    std::vector<std::uint64_t> limbs;         ///< empty when the numbers are too wide
+    std::size_t size;                  ///< the length of a row, n + 1
+    std::size_t bits;                  ///< of the greatest magnitude
+    std::vector<std::int64_t> words;   ///< empty unless all numerators are words
+    std::uint64_t greatest = 0;        ///< the greatest magnitude among `words`
+    std::size_t width;                 ///< of one number in `limbs`
+    std::vector<std::uint64_t> limbs;  ///< empty when the numbers are too wide
+    DigitRows digits;
     std::vector<std::uint64_t> denominators;  ///< factors of the common denominator
     small_primes::Set primes = 0;             ///< of `denominators`
     Integer further_denominator;              ///< the common denominator divided by them

@@ -69,3 +69,27 @@ TEST_CASE("limbs: sums of each number of limbs", "[differential]") {
               [&](Random& random) { check_sums(case_near(random, 63 + 64 * random.below(9), 45), met); });
     require_met(met, SumKernel::limbs);
 }
+
+// Vector lanes hold 52 bits of a number, and coefficients below 2^51.
+TEST_CASE("limbs: sums that end at a multiple of 52 bits", "[differential]") {
+    each_case("limbs in digits", [](Random& random) {
+        const std::size_t n = random.one_in(4) ? 60 + random.below(72) : 7 + random.below(40);
+        const std::size_t bits = 52 * (1 + random.below(17)) + 2 - random.below(random.one_in(2) ? 4 : 16);
+        const std::size_t number_bits = 1 + random.below(bits);
+        const Signs signs = any_signs(random);
+        const std::size_t denominator_bits = random.one_in(2) ? 1 + random.below(62) : 30;
+        std::vector<WordFactor> factors =
+            factors_filling(random, n, bits - number_bits, denominator_bits, signs);
+        if (random.one_in(4)) {
+            const std::int64_t half = std::int64_t{1} << 50;
+            WordFactor& factor = factors[random.below(n)];
+            factor = {half, random.one_in(2) ? half : half - 1, 3};
+            if (signs == Signs::alternate) factor.slope = -factor.slope;
+        }
+        // More words of denominators than there is room for without taking memory.
+        if (random.one_in(16))
+            for (WordFactor& factor : factors) factor.denominator = INT64_MAX - random.between(0, 9);
+        KernelsMet met;
+        check_sums(case_at_limit(random, std::move(factors), bits, signs), met);
+    });
+}

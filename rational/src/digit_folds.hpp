@@ -1,0 +1,46 @@
+#pragma once
+
+// Sums over products of linear factors in digits of 52 bits, eight sums to a vector. Only what the sources
+// compiled for single instruction sets may include: nothing inline from elsewhere, which the linker could
+// take for all.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace blossom::digit_folds {
+
+inline constexpr std::size_t digit_bits = 52;
+/// The most factors.
+inline constexpr std::size_t most_factors = 128;
+/// The most digits of a number.
+inline constexpr std::size_t most_digits = 16;
+/// Digits of the same place of all numbers of a row lie side by side, so many from one place to the next:
+/// those of most_factors + 1 numbers, and eight behind them, which are read but not used.
+inline constexpr std::size_t most_stride = 144;
+
+/// The coefficients of a product of linear factors, below 2^51 in magnitude, and the digits that suffice for
+/// what is folded with them.
+struct Block {
+    const std::int64_t* coefficients;
+    std::size_t degree;
+    std::size_t digits;
+};
+
+/// Numbers c_0, c_1, ... in two's complement of `digits` digits, `stride` apart.
+struct Columns {
+    const std::uint64_t* digits_of_all;
+    std::size_t digits;
+    std::size_t stride;
+    std::size_t count;
+};
+
+/// Each block B turns the numbers c into sum_j B_j c_(i+j), fewer by its degree, until one is left, whose
+/// digits these are. The digits of the blocks increase, and are at least those of the numbers.
+using Fold = void (*)(const Columns& numbers, const Block* blocks, std::size_t block_count,
+                      std::uint64_t* sum);
+
+#if defined(BLOSSOM_AVX512_IFMA)
+void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::uint64_t* sum);
+#endif
+
+}  // namespace blossom::digit_folds

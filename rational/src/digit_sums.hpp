@@ -1,0 +1,61 @@
+#pragma once
+
+// Sums over products of linear factors of few bits, in digits in vector lanes where the processor has them.
+
+#include <blossom/rational/linear_factor_sums.hpp>
+
+#include <algorithm>
+#include <vector>
+
+#include "digit_folds.hpp"
+#include "factor_blocks.hpp"
+
+namespace blossom {
+
+/// The words of the longest sums with their signs.
+inline constexpr std::size_t most_digit_words = digit_folds::most_digits * digit_folds::digit_bits / 64;
+
+/// Rows of numbers as digit_folds reads them.
+class DigitRows {
+public:
+    DigitRows() = default;
+    /// For rows of `size` numbers of at most `bits` bits; empty for too many or too long ones, and where the
+    /// processor has no lanes for them.
+    DigitRows(std::span<const Integer> numbers, std::size_t size, std::size_t bits);
+
+    /// Whether numerators of `bits` bits are summed over these factors.
+    bool suffice(std::span<const WordFactor> factors, std::size_t bits) const;
+    digit_folds::Columns row(std::size_t j) const {
+        return {digits_.data() + j * width_ * stride_, width_, stride_, size_};
+    }
+    std::size_t bits() const { return bits_; }
+
+private:
+    std::size_t size_ = 0;
+    std::size_t bits_ = 0;
+    std::size_t width_ = 0;
+    std::size_t stride_ = 0;
+    std::vector<std::uint64_t> digits_;
+};
+
+/// Factors for which `suffice` holds, multiplied out in blocks.
+// What is not used yet of the arrays stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class DigitBlocks {
+public:
+    DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits);
+
+    /// The sum of one row in two's complement, in as many words as `bits` bits and a sign take.
+    void sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const;
+
+private:
+    /// Two neighbours together have magnitudes that sum to 2^51 at least, but for two full ones.
+    static constexpr std::size_t most_blocks =
+        2 * (digit_folds::most_digits * digit_folds::digit_bits / (digit_folds::digit_bits - 1) + 1) + 3;
+
+    std::size_t size_ = 0;
+    digit_folds::Block blocks_[most_blocks];
+    FactorBlock products_[most_blocks];
+};
+
+}  // namespace blossom
