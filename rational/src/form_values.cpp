@@ -35,9 +35,9 @@ Word form_in(std::span<const std::int64_t> coefficients, const WordParameter& t,
     return sum;
 }
 
-using Prepared = FormValues::Prepared;
+using PreparedForms = FormValues::Prepared;
 
-bool set_in_word(const Prepared& form, const FormRow& row, const WordParameter& t, Rational& value) {
+bool set_in_word(const PreparedForms& form, const FormRow& row, const WordParameter& t, Rational& value) {
     const std::size_t n = form.degree;
     if (row.words.empty() || form.word_denominator == 0 || form.sum_bits + n * t.bits > 63) return false;
     std::uint64_t denominator = 0;
@@ -61,7 +61,7 @@ std::uint64_t suspected_part(std::uint64_t v, const PrimeParts& greatest) {
 }
 
 /// The denominators of a value that may share primes with its numerator; the other part of v^n comes back.
-std::uint64_t set_denominators(const Prepared& form, const FormRow& row, const WordParameter& t,
+std::uint64_t set_denominators(const PreparedForms& form, const FormRow& row, const WordParameter& t,
                                DenominatorWords& denominators) {
     for (const std::uint64_t factor : form.denominators)
         denominators.multiply(factor, form.denominator_primes);
@@ -80,12 +80,12 @@ std::uint64_t set_denominators(const Prepared& form, const FormRow& row, const W
 }
 
 /// Words of denominators beyond which the general way is taken.
-bool has_room(const Prepared& form, const WordParameter& t) {
+bool has_room(const PreparedForms& form, const WordParameter& t) {
     const std::size_t words_of_power = form.degree * static_cast<std::size_t>(std::bit_width(t.v)) / 32 + 1;
     return form.denominators.size() + words_of_power <= DenominatorWords::most_words;
 }
 
-void set_reduced(const Prepared& form, const FormRow& row, const WordParameter& t,
+void set_reduced(const PreparedForms& form, const FormRow& row, const WordParameter& t,
                  std::span<std::uint64_t> magnitude, bool negative, Rational& value) {
     DenominatorWords denominators;
     const std::uint64_t rest = set_denominators(form, row, t, denominators);
@@ -96,7 +96,7 @@ void set_reduced(const Prepared& form, const FormRow& row, const WordParameter& 
         RationalAccess::multiply_denominator(value, pow(Integer(rest), form.degree));
 }
 
-bool set_in_limbs(const Prepared& form, const FormRow& row, const WordParameter& t, Rational& value) {
+bool set_in_limbs(const PreparedForms& form, const FormRow& row, const WordParameter& t, Rational& value) {
     const std::size_t bits = form.sum_bits + form.degree * t.bits + 1;
     if (form.denominators.empty() || !has_room(form, t)) return false;
     if (!row.words.empty() && bits < 128) {
