@@ -49,24 +49,19 @@ inline void add_product(Number& sum, const Number& a, std::int64_t b) {
     }
 }
 
-inline Number divide_exactly(const Number& a, const Number& b) {
-    Number quotient;
+/// Of a that b divides.
+inline void set_exact_quotient(Number& quotient, const Number& a, const Number& b) {
     mpz_divexact(quotient.backend().data(), a.backend().data(), b.backend().data());
-    return quotient;
 }
 
-inline Number divide_exactly(const Number& a, std::int64_t b) {
-    Number quotient;
+inline void set_exact_quotient(Number& quotient, const Number& a, std::int64_t b) {
     mpz_divexact_ui(quotient.backend().data(), a.backend().data(),
                     b < 0 ? 0 - static_cast<std::uint64_t>(b) : static_cast<std::uint64_t>(b));
     if (b < 0) mpz_neg(quotient.backend().data(), quotient.backend().data());
-    return quotient;
 }
 
-inline Number gcd(const Number& a, const Number& b) {
-    Number common;
+inline void set_gcd(Number& common, const Number& a, const Number& b) {
     mpz_gcd(common.backend().data(), a.backend().data(), b.backend().data());
-    return common;
 }
 
 /// |a| modulo b > 0.
@@ -79,7 +74,7 @@ inline void negate(Number& value) { mpz_neg(value.backend().data(), value.backen
 /// The value, if it is below 2^63 in magnitude or -2^63.
 inline std::optional<std::int64_t> to_word(const Number& value) {
     const mpz_srcptr data = value.backend().data();
-    if (mpz_fits_slong_p(data) == 0) return std::nullopt;
+    if (mpz_size(data) > 1 || mpz_fits_slong_p(data) == 0) return std::nullopt;
     return mpz_get_si(data);
 }
 
@@ -129,10 +124,12 @@ inline void multiply(Number& product, const Number& a, std::int64_t b) { product
 inline void add_product(Number& sum, const Number& a, const Number& b) { sum += a * b; }
 inline void add_product(Number& sum, const Number& a, std::int64_t b) { sum += a * b; }
 
-inline Number divide_exactly(const Number& a, const Number& b) { return a / b; }
-inline Number divide_exactly(const Number& a, std::int64_t b) { return a / b; }
+inline void set_exact_quotient(Number& quotient, const Number& a, const Number& b) { quotient = a / b; }
+inline void set_exact_quotient(Number& quotient, const Number& a, std::int64_t b) { quotient = a / b; }
 
-inline Number gcd(const Number& a, const Number& b) { return boost::multiprecision::gcd(a, b); }
+inline void set_gcd(Number& common, const Number& a, const Number& b) {
+    common = boost::multiprecision::gcd(a, b);
+}
 
 /// |a| modulo b > 0.
 inline std::uint64_t remainder(const Number& a, std::uint64_t b) {
@@ -179,6 +176,9 @@ struct Integer::Large {
 /// The private door of Integer for the sources of this layer.
 struct IntegerAccess {
     static Integer from_number(backend::Number&& value);
+    /// What `compute(number)` sets its argument to, whose value before is any.
+    template <class Compute>
+    static Integer computed(const Compute& compute);
     static backend::Number to_number(const Integer& value) {
         return value.large_ ? value.large_->value : backend::Number(value.small_);
     }

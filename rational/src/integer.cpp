@@ -110,8 +110,14 @@ void Integer::assign_large(const Integer& other) {
 void Integer::release() noexcept { give_back(std::exchange(large_, nullptr)); }
 
 Integer IntegerAccess::from_number(Number&& value) {
+    return computed([&](Number& number) { number.swap(value); });
+}
+
+template <class Compute>
+Integer IntegerAccess::computed(const Compute& compute) {
     Integer result;
-    result.promote().value.swap(value);
+    result.large_ = take_large();
+    compute(result.large_->value);
     return std::move(result.settle());
 }
 
@@ -148,10 +154,10 @@ Integer& Integer::multiply_large(const Integer& other) {
 
 Integer Integer::product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
-    Integer product;
-    Number& value = product.promote().value;
-    IntegerAccess::visit(b, [&](const auto& factor) { backend::multiply(value, a.large_->value, factor); });
-    return std::move(product.settle());
+    return IntegerAccess::visit(b, [&](const auto& factor) {
+        return IntegerAccess::computed(
+            [&](Number& product) { backend::multiply(product, a.large_->value, factor); });
+    });
 }
 
 Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
@@ -233,8 +239,11 @@ Integer gcd(const Integer& a, const Integer& b) {
     const auto x = a.to_int64();
     const auto y = b.to_int64();
     if (x && y) return *y == 0 ? magnitude(*x) : gcd_of_words(magnitude(*x), magnitude(*y));
-    if (!x && !y)
-        return IntegerAccess::from_number(backend::gcd(IntegerAccess::large(a), IntegerAccess::large(b)));
+    if (!x && !y) {
+        return IntegerAccess::computed([&](Number& common) {
+            backend::set_gcd(common, IntegerAccess::large(a), IntegerAccess::large(b));
+        });
+    }
     const Integer& large = x ? b : a;
     const std::uint64_t word = magnitude(x ? *x : *y);
     if (word == 0) return abs(large);
@@ -260,7 +269,9 @@ Integer divide_exactly(const Integer& a, const Integer& b) {
     if (a.to_int64()) return a / b;
     require_divisor(b);
     return IntegerAccess::visit(b, [&](const auto& divisor) {
-        return IntegerAccess::from_number(backend::divide_exactly(IntegerAccess::large(a), divisor));
+        return IntegerAccess::computed([&](Number& quotient) {
+            backend::set_exact_quotient(quotient, IntegerAccess::large(a), divisor);
+        });
     });
 }
 
@@ -279,12 +290,10 @@ Integer IntegerAccess::from_magnitude(std::span<const std::uint64_t> words, bool
         const auto value = static_cast<std::int64_t>(words[0]);
         return negative ? -value : value;
     }
-    Integer result;
-    result.large_ = take_large();
-    Number& number = result.large_->value;
-    backend::set_words(number, words.first(used));
-    if (negative) backend::negate(number);
-    return std::move(result.settle());
+    return computed([&](Number& number) {
+        backend::set_words(number, words.first(used));
+        if (negative) backend::negate(number);
+    });
 }
 
 Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
@@ -293,10 +302,7 @@ Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words
     const auto sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
     while (used > 1 && words[used - 1] == sign && (words[used - 2] ^ sign) >> 63 == 0) --used;
     if (used == 1) return static_cast<std::int64_t>(words[0]);
-    Integer result;
-    result.large_ = take_large();
-    backend::set_twos_complement(result.large_->value, words.first(used));
-    return result;
+    return computed([&](Number& number) { backend::set_twos_complement(number, words.first(used)); });
 }
 
 void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {

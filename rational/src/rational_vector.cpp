@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "backend.hpp"
+
 namespace blossom {
 
 RationalVector::RationalVector(std::span<const Rational> values) {
@@ -33,11 +35,13 @@ std::vector<Rational> RationalVector::to_rationals() const {
 
 void RationalVector::make_canonical() {
     Integer common = denominator_;
-    // From both ends in turn: what neighbours share is often large, as in control points over an interval.
+    // Neighbours often share much, like control points over an interval, whose ends have powers of their own
+    // denominators alone: from both ends, and then from the middle on.
     const std::size_t size = numerators_.size();
     for (std::size_t i = 0; i < size; ++i) {
         if (common.is_one()) return;
-        common = gcd(common, numerators_[i % 2 == 0 ? i / 2 : size - 1 - i / 2]);
+        const std::size_t k = i < 2 ? i * (size - 1) : 1 + (i - 2 + (size - 2) / 2) % (size - 2);
+        common = gcd(common, numerators_[k]);
     }
     if (common.is_one()) return;
     for (Integer& numerator : numerators_) numerator = divide_exactly(numerator, common);
