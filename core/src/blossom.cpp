@@ -24,8 +24,7 @@ std::string_view construction_name(Construction construction) {
     return "";
 }
 
-void require_arity(std::size_t degree, std::size_t arguments) {
-    if (arguments == degree) return;
+void throw_wrong_arity(std::size_t degree, std::size_t arguments) {
     const std::string expected = std::to_string(degree);
     throw Error(ErrorCode::wrong_arity,
                 "the blossom of a map of formal degree " + expected + " takes " + expected +

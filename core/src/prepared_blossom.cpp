@@ -3,6 +3,9 @@
 #include <blossom/core/blossom.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <cstddef>
+#include <type_traits>
+
 #include "binomial_weights.hpp"
 #include "blossom_bits.hpp"
 #include "on_threads.hpp"
@@ -40,6 +43,10 @@ constexpr std::size_t word_argument_bits = 65;
 
 }  // namespace
 
+// An argument is two numbers, one behind the other.
+static_assert(std::is_standard_layout_v<Argument> && offsetof(Argument, u) == 0 &&
+              offsetof(Argument, mass) == sizeof(Rational) && sizeof(Argument) == 2 * sizeof(Rational));
+
 struct Blossom::Kernel {
     Kernel(const PolynomialMap& map, const Limits& given, LinearFactorSums::Use use)
         : limits(given),
@@ -51,39 +58,49 @@ struct Blossom::Kernel {
         }
         // A decimal digit has more than three bits.
         words_are_within_limits = (bits + sums.degree() * word_argument_bits) / 3 < limits.digits;
+        reads_pairs = words_are_within_limits && frame.is_monomial() && sums.degree() > 0;
     }
 
     void evaluate(std::span<const Argument> arguments, std::size_t first_row,
                   std::span<Rational> coordinates) const {
+        if (!reads_pairs || !sums.evaluate_pairs(&arguments.front().u, first_row, coordinates))
+            evaluate_any(arguments, first_row, coordinates);
+    }
+
+    /// Arguments of any size and number; kept apart from the above, which needs no memory.
+    [[gnu::noinline]] void evaluate_any(std::span<const Argument> arguments, std::size_t first_row,
+                                        std::span<Rational> coordinates) const {
         WordFactor in_place[most_factors_in_place];
         std::vector<WordFactor> on_heap;
         if (arguments.size() > most_factors_in_place) on_heap.resize(arguments.size());
         WordFactor* factors = on_heap.empty() ? in_place : on_heap.data();
-        std::size_t read = 0;
-        if (words_are_within_limits)
-            while (read < arguments.size() && frame.read(arguments[read], factors[read])) ++read;
-        if (words_are_within_limits && read == arguments.size()) {
-            sums.evaluate(std::span<const WordFactor>(factors, read), first_row, coordinates);
+        if (words_are_within_limits && frame.read(arguments, factors)) {
+            sums.evaluate(std::span<const WordFactor>(factors, arguments.size()), first_row, coordinates);
         } else {
             sums.evaluate(integer_factors(arguments), first_row, coordinates);
         }
     }
 
     /// The values at eight tuples, one after the other, as far as words hold all that is needed.
-    bool evaluate_eight(std::span<const std::vector<Argument>> tuples, std::span<Rational> values) const {
+    bool evaluate_eight(std::span<const std::vector<Argument>, 8> tuples, std::span<Rational> values) const {
+        if (reads_pairs) {
+            const Rational* pairs[8];
+            for (std::size_t l = 0; l < 8; ++l) pairs[l] = &tuples[l].front().u;
+            return sums.evaluate_eight(pairs, values);
+        }
         const std::size_t n = sums.degree();
         if (!words_are_within_limits || n > most_factors_of_eight) return false;
         WordFactorOctet octets[most_factors_of_eight];
-        for (std::size_t l = 0; l < tuples.size(); ++l) {
+        for (std::size_t l = 0; l < 8; ++l) {
+            WordFactor factors[most_factors_of_eight];
+            if (!frame.read(tuples[l], factors)) return false;
             for (std::size_t i = 0; i < n; ++i) {
-                WordFactor factor;
-                if (!frame.read(tuples[l][i], factor)) return false;
-                octets[i].constants[l] = factor.constant;
-                octets[i].slopes[l] = factor.slope;
-                octets[i].denominators[l] = factor.denominator;
+                octets[i].constants[l] = factors[i].constant;
+                octets[i].slopes[l] = factors[i].slope;
+                octets[i].denominators[l] = factors[i].denominator;
             }
         }
-        return sums.evaluate_eight(std::span(octets).first(n), values);
+        return sums.evaluate_eight(std::span<const WordFactorOctet>(octets, n), values);
     }
 
     std::vector<IntegerFactor> integer_factors(std::span<const Argument> arguments) const {
@@ -110,6 +127,7 @@ struct Blossom::Kernel {
     std::optional<ClearedInterval> interval;
     WordFrame frame;
     bool words_are_within_limits;
+    bool reads_pairs;  ///< arguments are factors as they are, see evaluate_pairs
 };
 
 Blossom::Blossom(PolynomialMap map, Limits limits)
@@ -149,7 +167,7 @@ std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tup
             return std::span(values).subspan(i * dimension_, count * dimension_);
         };
         for (std::size_t i = begin; i < end;) {
-            if (end - i >= 8 && kernel_->evaluate_eight(tuples.subspan(i, 8), values_of(i, 8))) {
+            if (end - i >= 8 && kernel_->evaluate_eight(tuples.subspan(i).first<8>(), values_of(i, 8))) {
                 i += 8;
             } else {
                 kernel_->evaluate(tuples[i], 0, values_of(i, 1));

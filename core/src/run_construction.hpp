@@ -172,6 +172,9 @@ inline std::size_t degree_of(const PolynomialMap& map) {
 }
 
 /// Errors: `wrong_arity` unless there are as many arguments as the formal degree.
-void require_arity(std::size_t degree, std::size_t arguments);
+[[noreturn]] void throw_wrong_arity(std::size_t degree, std::size_t arguments);
+inline void require_arity(std::size_t degree, std::size_t arguments) {
+    if (arguments != degree) throw_wrong_arity(degree, arguments);
+}
 
 }  // namespace blossom

@@ -44,11 +44,8 @@ struct Factors {
 };
 
 bool read(const WordFrame& frame, std::span<const Argument> arguments, Factors& factors) {
-    for (const Argument& argument : arguments) {
-        if (!frame.read(argument, factors.words[factors.size])) return false;
-        ++factors.size;
-    }
-    return true;
+    factors.size = arguments.size();
+    return frame.read(arguments, factors.words);
 }
 
 /// The numerators of one coordinate, multiplied by the weights if there are any.

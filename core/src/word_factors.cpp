@@ -16,18 +16,20 @@ WordFrame::WordFrame(const ClearedInterval& interval) : kind_(Kind::beyond_words
     length_ = numbers[3].word();
 }
 
-bool WordFrame::read_over_interval(std::int64_t u, std::int64_t mass, std::int64_t scale,
-                                   WordFactor& factor) const {
-    std::int64_t x = 0;
-    std::int64_t from_a = 0;
-    std::int64_t to_b = 0;
-    bool overflow = __builtin_mul_overflow(q_, u, &x);
-    overflow |= __builtin_mul_overflow(a_, mass, &from_a);
-    overflow |= __builtin_mul_overflow(b_, mass, &to_b);
-    overflow |= __builtin_sub_overflow(to_b, x, &factor.constant);
-    overflow |= __builtin_sub_overflow(x, from_a, &factor.slope);
-    overflow |= __builtin_mul_overflow(length_, scale, &factor.denominator);
-    return !overflow && factor.constant != least_word && factor.slope != least_word;
+bool WordFrame::move_to_interval(std::span<WordFactor> factors) const {
+    for (WordFactor& factor : factors) {
+        std::int64_t x = 0;
+        std::int64_t from_a = 0;
+        std::int64_t to_b = 0;
+        bool overflow = __builtin_mul_overflow(q_, factor.slope, &x);
+        overflow |= __builtin_mul_overflow(a_, factor.constant, &from_a);
+        overflow |= __builtin_mul_overflow(b_, factor.constant, &to_b);
+        overflow |= __builtin_sub_overflow(to_b, x, &factor.constant);
+        overflow |= __builtin_sub_overflow(x, from_a, &factor.slope);
+        overflow |= __builtin_mul_overflow(length_, factor.denominator, &factor.denominator);
+        if (overflow || factor.constant == least_word || factor.slope == least_word) return false;
+    }
+    return true;
 }
 
 }  // namespace blossom

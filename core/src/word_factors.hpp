@@ -5,8 +5,8 @@
 #include <blossom/core/argument.hpp>
 #include <blossom/rational/linear_factor_sums.hpp>
 
-#include <algorithm>
 #include <limits>
+#include <span>
 
 #include "integer_frame.hpp"
 
@@ -20,27 +20,22 @@ public:
     WordFrame() = default;
     explicit WordFrame(const ClearedInterval& interval);
 
-    /// The factor of an argument of mass 0 or 1, if words hold it; otherwise `factor` is left in between.
-    bool read(const Argument& argument, WordFactor& factor) const {
-        const Integer& top = argument.u.numerator();
-        const Integer& bottom = argument.u.denominator();
-        const std::int64_t u = top.word();
-        const std::int64_t scale = bottom.word();
-        if (!top.is_word() || !bottom.is_word() || u == least_word) return false;
-        const bool point = argument.mass.numerator().is_one() && argument.mass.is_integer();
-        if (!point && !argument.mass.is_zero()) return false;
-        const std::int64_t mass = point ? scale : 0;
-        if (kind_ == Kind::monomial) {
-            factor = {mass, u, scale};
-            return true;
-        }
-        return kind_ == Kind::interval && read_over_interval(u, mass, scale, factor);
+    bool is_monomial() const { return kind_ == Kind::monomial; }
+
+    /// The factors of arguments of mass 0 or 1, as many as there are arguments, if words hold them all;
+    /// otherwise the factors are left in between.
+    bool read(std::span<const Argument> arguments, WordFactor* factors) const {
+        if (kind_ == Kind::beyond_words) return false;
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            if (!read_factor(arguments[i].u, arguments[i].mass, factors[i])) return false;
+        return kind_ == Kind::monomial || move_to_interval({factors, arguments.size()});
     }
 
 private:
     enum class Kind { monomial, interval, beyond_words };
 
-    bool read_over_interval(std::int64_t u, std::int64_t mass, std::int64_t scale, WordFactor& factor) const;
+    /// From factors over monomial coefficients.
+    bool move_to_interval(std::span<WordFactor> factors) const;
 
     static constexpr std::int64_t least_word = std::numeric_limits<std::int64_t>::min();
 

@@ -183,6 +183,15 @@ struct IntegerAccess {
         return value.large_ ? value.large_->value : backend::Number(value.small_);
     }
 
+    static void set_word(Integer& value, std::int64_t word) {
+        if (value.large_) value.release();
+        value.small_ = word;
+    }
+
+    /// Two words: the value if it fits in one, otherwise 0, and the address of what is larger, or null.
+    static constexpr bool is_word_and_address =
+        offsetof(Integer, small_) == 0 && offsetof(Integer, large_) == 8 && sizeof(Integer) == 16;
+
     /// Of a value beyond 64 bits.
     static const backend::Number& large(const Integer& value) { return value.large_->value; }
 

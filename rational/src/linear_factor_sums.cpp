@@ -1,7 +1,6 @@
 #include <blossom/rational/linear_factor_sums.hpp>
 #include <blossom/rational/row_recurrences.hpp>
 
-#include <array>
 #include <utility>
 
 #include "fixed_width_rows.hpp"
@@ -12,7 +11,6 @@
 #include "numerator_bounds.hpp"
 #include "prepared_rows.hpp"
 #include "quotient_reduction.hpp"
-#include "word_lanes.hpp"
 
 namespace blossom {
 
@@ -53,15 +51,19 @@ Rational reduced(std::span<std::uint64_t> numerator, bool negated, const Denomin
 
 /// Whether the kernel `word` sufficed.
 template <std::size_t Count>
-bool evaluate_fixed(const Prepared& rows, std::span<const WordFactor, Count> factors, std::size_t first_row,
-                    std::span<Rational> sums) {
+[[gnu::always_inline]] inline bool evaluate_fixed(const Prepared& rows,
+                                                  std::span<const WordFactor, Count> factors,
+                                                  std::size_t first_row, std::span<Rational> sums) {
     const machine_sums::WordDenominator denominator =
         machine_sums::word_denominator(rows.words_of(0), factors);
     if (denominator.value == 0) return false;
     const machine_sums::FactorProduct<Count> product(factors);
-    for (std::size_t j = 0; j < sums.size(); ++j) {
-        const std::uint64_t sum = product.sum_of_products(rows.words_of(first_row + j).words);
-        set_reduced(sums[j], static_cast<std::int64_t>(sum), denominator.value, denominator.primes);
+    const std::int64_t* row = rows.words.data() + first_row * rows.size;
+    for (Rational& value : sums) {
+        const std::uint64_t sum = product.sum_of_products({row, rows.size});
+        set_reduced(value, static_cast<std::int64_t>(sum), static_cast<std::uint64_t>(denominator.value),
+                    denominator.primes);
+        row += rows.size;
     }
     return true;
 }
@@ -188,28 +190,22 @@ void evaluate_integers(const Prepared& rows, std::span<const IntegerFactor> fact
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
 }
 
-/// What computes eight sums at a time here; nothing on processors without.
-word_lanes::Sums chosen_word_lanes() {
-    static const word_lanes::Sums chosen = []() -> word_lanes::Sums {
-#if defined(BLOSSOM_AVX512_WORDS)
-        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return word_lanes::avx512_sums;
-#endif
-        return nullptr;
-    }();
-    return chosen;
+/// Kept apart from the kernel `word`, which needs neither its registers nor its memory.
+[[gnu::noinline]] void evaluate_beyond_words(const Prepared& rows, std::span<const WordFactor> factors,
+                                             std::size_t first_row, std::span<Rational> sums) {
+    const Bounds bits = bounds(rows, factors);
+    switch (kernel_beyond_words(rows, factors, bits)) {
+        case SumKernel::word:
+        case SumKernel::wide:
+            return evaluate_wide(rows, factors, first_row, sums);
+        case SumKernel::limbs:
+            return evaluate_limbs(rows, factors, bits, first_row, sums);
+        case SumKernel::residues:
+            return evaluate_residues(rows, factors, first_row, sums);
+        case SumKernel::integers:
+            return evaluate_integers(rows, factors, first_row, sums);
+    }
 }
-
-constexpr auto small_divisors = [] {
-    std::array<word_lanes::Divisor, small_primes::count> divisors{};
-    for (std::size_t i = 0; i < divisors.size(); ++i)
-        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most};
-    return divisors;
-}();
-constexpr word_lanes::Divisors lane_divisors{small_primes::table.of_odd, small_primes::greatest_known,
-                                             small_divisors.data()};
 
 constexpr SumKernelRule rules[] = {
     {SumKernel::word, "word",
@@ -228,29 +224,6 @@ constexpr SumKernelRule rules[] = {
 }  // namespace
 
 std::span<const SumKernelRule> sum_kernel_rules() { return rules; }
-
-bool LinearFactorSums::evaluate_eight(std::span<const WordFactorOctet> factors,
-                                      std::span<Rational> sums) const {
-    using word_lanes::lanes;
-    const Prepared& rows = *prepared_;
-    const word_lanes::Sums sums_of_eight = chosen_word_lanes();
-    if (sums_of_eight == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
-        factors.empty() || factors.size() > word_lanes::most_factors)
-        return false;
-    std::uint64_t denominator = 1;
-    for (const std::uint64_t factor : rows.denominators)
-        if (__builtin_mul_overflow(denominator, factor, &denominator)) return false;
-    word_lanes::Quotients quotients[word_lanes::most_rows];
-    const word_lanes::Rows given{rows.words.data(), rows.rows, rows.greatest, denominator, rows.primes};
-    if (!sums_of_eight(given, factors.data(), factors.size(), lane_divisors, quotients)) return false;
-    for (std::size_t l = 0; l < lanes; ++l) {
-        for (std::size_t j = 0; j < rows.rows; ++j) {
-            RationalAccess::set_words(sums[l * rows.rows + j], quotients[j].numerators[l],
-                                      quotients[j].denominators[l]);
-        }
-    }
-    return true;
-}
 
 LinearFactorSums::LinearFactorSums(RationalVector numbers, std::size_t rows, Use use)
     : prepared_(std::make_shared<const Prepared>(std::move(numbers), rows, use)) {}
@@ -271,19 +244,24 @@ SumKernel LinearFactorSums::kernel(std::span<const WordFactor> factors) const {
 void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t first_row,
                                 std::span<Rational> sums) const {
     const Prepared& rows = *prepared_;
-    if (!rows.words.empty() && evaluate_words(rows, factors, first_row, sums)) return;
-    const Bounds bits = bounds(rows, factors);
-    switch (kernel_beyond_words(rows, factors, bits)) {
-        case SumKernel::word:
-        case SumKernel::wide:
-            return evaluate_wide(rows, factors, first_row, sums);
-        case SumKernel::limbs:
-            return evaluate_limbs(rows, factors, bits, first_row, sums);
-        case SumKernel::residues:
-            return evaluate_residues(rows, factors, first_row, sums);
-        case SumKernel::integers:
-            return evaluate_integers(rows, factors, first_row, sums);
-    }
+    if (rows.words.empty() || !evaluate_words(rows, factors, first_row, sums))
+        evaluate_beyond_words(rows, factors, first_row, sums);
+}
+
+bool LinearFactorSums::evaluate_pairs(const Rational* pairs, std::size_t first_row,
+                                      std::span<Rational> sums) const {
+    const Prepared& rows = *prepared_;
+    if (rows.words.empty()) return false;
+    return with_small_constant(rows.size - 1, [&](auto count) {
+        if constexpr (count == std::dynamic_extent) {
+            return false;
+        } else {
+            WordFactor factors[count];
+            for (std::size_t i = 0; i < count; ++i)
+                if (!read_factor(pairs[2 * i], pairs[2 * i + 1], factors[i])) return false;
+            return evaluate_fixed(rows, std::span<const WordFactor, count>(factors), first_row, sums);
+        }
+    });
 }
 
 void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,

@@ -22,7 +22,10 @@ WordRow row_of(std::span<const std::int64_t> words, std::span<const std::uint64_
     for (const std::int64_t word : words) greatest = std::max(greatest, magnitude(word));
     small_primes::Set primes = 0;
     for (const std::uint64_t factor : denominators) primes |= small_primes::primes_of(factor);
-    return {words, greatest, denominators, primes};
+    std::int64_t product = 1;
+    for (const std::uint64_t factor : denominators)
+        if (__builtin_mul_overflow(product, factor, &product)) product = 0;
+    return {words, static_cast<std::int64_t>(greatest), denominators, product, primes};
 }
 
 /// The value in the narrowest word that holds it: `numerator(Word{})` computes it.
@@ -31,12 +34,12 @@ std::optional<Rational> value_in_words(const WordRow& row, std::span<const WordF
                                        const Numerator& numerator) {
     if (const WordDenominator denominator = word_denominator(row, factors); denominator.value != 0) {
         Rational value;
-        set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})), denominator.value,
-                    denominator.primes);
+        set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})),
+                    static_cast<std::uint64_t>(denominator.value), denominator.primes);
         return value;
     }
     fixed_width::BitBound bound;
-    bound.multiply(row.greatest);
+    bound.multiply(static_cast<std::uint64_t>(row.greatest));
     for (const WordFactor& factor : factors) bound.multiply(size_of(factor));
     if (factors.size() > most_factors || bound.bits() > 127) return std::nullopt;
     return reduced(numerator(Wide{}), denominator_words(row.denominators, row.primes, factors));

@@ -16,8 +16,9 @@ namespace blossom {
 /// One row of numbers words[k] / prod denominators.
 struct WordRow {
     std::span<const std::int64_t> words;
-    std::uint64_t greatest;  ///< magnitude
+    std::int64_t greatest;  ///< magnitude
     std::span<const std::uint64_t> denominators;
+    std::int64_t denominator;  ///< their product, if it is below 2^63; otherwise 0
     small_primes::Set primes;  ///< of the denominators
 };
 
@@ -28,26 +29,30 @@ inline constexpr std::size_t most_factors = 64;
 
 /// A denominator of one word and its odd primes; no denominator is 0.
 struct WordDenominator {
-    std::uint64_t value = 0;
+    std::int64_t value = 0;
     small_primes::Set primes = 0;
 };
 
 /// The denominator of the sum, if it and the bound on the numerator are below 2^63; otherwise 0.
 template <std::size_t Count>
-WordDenominator word_denominator(const WordRow& row, std::span<const WordFactor, Count> factors) {
-    std::uint64_t bound = row.greatest;
-    WordDenominator denominator{1, row.primes};
+[[gnu::always_inline]] inline WordDenominator word_denominator(const WordRow& row,
+                                                               std::span<const WordFactor, Count> factors) {
+    std::int64_t bound = row.greatest;
+    std::int64_t denominator = row.denominator;
+    small_primes::SetOfFactors primes(row.primes);
     if (factors.size() > most_factors) return {};
-    for (const std::uint64_t factor : row.denominators)
-        if (__builtin_mul_overflow(denominator.value, factor, &denominator.value)) return {};
+    // The sign of a size that is no word of 63 bits spoils only products that do not count then.
+    std::int64_t sizes = 0;
     for (const WordFactor& factor : factors) {
-        const auto bottom = static_cast<std::uint64_t>(factor.denominator);
-        if (__builtin_mul_overflow(bound, size_of(factor), &bound)) return {};
-        if (__builtin_mul_overflow(denominator.value, bottom, &denominator.value)) return {};
-        denominator.primes |= small_primes::primes_of(bottom);
+        const auto size = static_cast<std::int64_t>(size_of(factor));
+        sizes |= size;
+        if (__builtin_mul_overflow(bound, size, &bound) ||
+            __builtin_mul_overflow(denominator, factor.denominator, &denominator))
+            return {};
+        primes.add(static_cast<std::uint64_t>(factor.denominator));
     }
-    if (((bound | denominator.value) >> 63) != 0) return {};
-    return denominator;
+    if (sizes < 0) return {};
+    return {denominator, primes.set()};
 }
 
 /// The denominators of the row and of the factors.

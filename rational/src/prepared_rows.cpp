@@ -1,6 +1,5 @@
 #include "prepared_rows.hpp"
 
-#include <bit>
 #include <limits>
 
 #include "backend.hpp"
@@ -59,13 +58,14 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
         further_denominator = numbers.denominator();
     }
     for (const std::uint64_t factor : denominators) {
-        primes |= small_primes::table.factored(factor >> std::countr_zero(factor));
+        primes |= small_primes::table.factored(factor);
+        if (__builtin_mul_overflow(word_denominator, factor, &word_denominator)) word_denominator = 0;
     }
     if (bits < 64 && further_denominator.is_one()) {
         words.reserve(numbers.size());
         for (const Integer& numerator : numbers.numerators()) {
             words.push_back(*numerator.to_int64());
-            greatest = std::max(greatest, magnitude(words.back()));
+            greatest = std::max(greatest, std::abs(words.back()));
         }
     }
     if (width <= most_sum_limbs) {

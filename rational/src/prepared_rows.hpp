@@ -20,7 +20,7 @@ struct LinearFactorSums::Prepared {
     }
     /// Only if there are words.
     WordRow words_of(std::size_t row) const {
-        return {std::span(words).subspan(row * size, size), greatest, denominators, primes};
+        return {std::span(words).subspan(row * size, size), greatest, denominators, word_denominator, primes};
     }
     /// `width` words of two's complement a number.
     const std::uint64_t* limbs_of(std::size_t row) const { return limbs.data() + row * size * width; }
@@ -31,11 +31,12 @@ struct LinearFactorSums::Prepared {
     std::size_t size;                  ///< the length of a row, n + 1
     std::size_t bits;                  ///< of the greatest magnitude
     std::vector<std::int64_t> words;   ///< empty unless all numerators are words
-    std::uint64_t greatest = 0;        ///< the greatest magnitude among `words`
+    std::int64_t greatest = 0;         ///< the greatest magnitude among `words`
     std::size_t width;                 ///< of one number in `limbs`
     std::vector<std::uint64_t> limbs;  ///< empty when the numbers are too wide
     DigitRows digits;
     std::vector<std::uint64_t> denominators;  ///< factors of the common denominator
+    std::int64_t word_denominator = 1;        ///< their product, if it is below 2^63; otherwise 0
     small_primes::Set primes = 0;             ///< of `denominators`
     Integer further_denominator;              ///< the common denominator divided by them
     ResidueCache residues;

@@ -9,6 +9,11 @@ namespace blossom {
 
 /// The private door of Rational for the sources of this layer.
 struct RationalAccess {
+    /// Two integers, each a word and an address.
+    static constexpr bool is_four_words = IntegerAccess::is_word_and_address &&
+                                          offsetof(Rational, numerator_) == 0 &&
+                                          offsetof(Rational, denominator_) == 16 && sizeof(Rational) == 32;
+
     /// numerator / denominator as they are: in lowest terms, with a positive denominator.
     static Rational from_lowest_terms(Integer numerator, Integer denominator) {
         return {std::move(numerator), std::move(denominator), Rational::Reduced{}};
@@ -16,8 +21,8 @@ struct RationalAccess {
     /// By a factor > 0 that has no prime in common with the numerator, which is not 0.
     static void multiply_denominator(Rational& value, const Integer& factor) { value.denominator_ *= factor; }
     static void set_words(Rational& value, std::int64_t numerator, std::int64_t denominator) {
-        value.numerator_ = numerator;
-        value.denominator_ = denominator;
+        IntegerAccess::set_word(value.numerator_, numerator);
+        IntegerAccess::set_word(value.denominator_, denominator);
     }
 };
 

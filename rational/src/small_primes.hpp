@@ -28,7 +28,7 @@ struct Prime {
 
 struct Table {
     Prime primes[count] = {};
-    Set of_odd[(greatest_known + 1) / 2] = {};  ///< of 2 i + 1
+    Set of[greatest_known + 1] = {};  ///< the odd primes of i > 0
 
     constexpr Table() {
         std::size_t found = 0;
@@ -38,12 +38,13 @@ struct Table {
             if (is_prime)
                 primes[found++] = {candidate, inverse_of_odd(candidate), ~std::uint64_t{0} / candidate};
         }
-        for (std::size_t i = 0; i < sizeof(of_odd) / sizeof(Set); ++i) of_odd[i] = factored(2 * i + 1);
+        for (std::uint64_t i = 1; i <= greatest_known; ++i) of[i] = i % 2 == 0 ? of[i / 2] : factored(i);
     }
 
-    /// The primes of an odd number.
-    constexpr Set factored(std::uint64_t odd) const {
+    /// The odd primes of a number > 0.
+    constexpr Set factored(std::uint64_t number) const {
         Set set = 0;
+        std::uint64_t odd = number >> std::countr_zero(number);
         for (std::size_t i = 0; i < count; ++i) {
             while (odd % primes[i].prime == 0) {
                 odd /= primes[i].prime;
@@ -57,9 +58,27 @@ inline constexpr Table table;
 
 /// The odd primes of a factor > 0 of a denominator, from the table.
 inline Set primes_of(std::uint64_t factor) {
-    const std::uint64_t odd = factor >> std::countr_zero(factor);
-    return odd <= greatest_known ? table.of_odd[odd / 2] : any_primes;
+    return factor <= greatest_known ? table.of[factor] : any_primes;
 }
+
+/// The odd primes of a product.
+class SetOfFactors {
+public:
+    explicit SetOfFactors(Set set) : set_(set) {}
+
+    /// A factor > 0. Whether all are in the table is asked in the end only.
+    void add(std::uint64_t factor) {
+        set_ |= table.of[factor & greatest_known];
+        all_ |= factor;
+    }
+    Set set() const { return all_ <= greatest_known ? set_ : any_primes; }
+
+private:
+    static_assert((greatest_known & (greatest_known + 1)) == 0);
+
+    Set set_;
+    std::uint64_t all_ = 0;
+};
 
 /// Calls visit(prime) for the primes in `set`.
 template <class Visit>

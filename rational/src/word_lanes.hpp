@@ -18,16 +18,18 @@ inline constexpr std::size_t most_factors = 8;
 /// The most rows.
 inline constexpr std::size_t most_rows = 8;
 
-/// x * inverse modulo 2^64 is x / p if that is at most `most`, and otherwise p does not divide x.
+/// x * inverse modulo 2^64 is x / p if that is at most `most`, and otherwise p does not divide x; the same
+/// modulo 2^52.
 struct Divisor {
     std::uint64_t inverse;
     std::uint64_t most;
+    std::uint64_t most_of_52;
 };
 
 /// The odd prime divisors of numbers: bit i of a set stands for divisors[i], and all bits for numbers that
 /// may have others.
 struct Divisors {
-    const std::uint32_t* of_odd;  ///< of 1, 3, 5, ..., greatest_known
+    const std::uint32_t* of;  ///< of 0, 1, ..., greatest_known
     std::uint64_t greatest_known;
     const Divisor* divisors;
 };
@@ -36,7 +38,7 @@ struct Divisors {
 struct Rows {
     const std::int64_t* numbers;
     std::size_t rows;
-    std::uint64_t greatest;  ///< magnitude
+    std::size_t bits;  ///< of the greatest number and of the denominator
     std::uint64_t denominator;
     std::uint32_t divisors;  ///< of the denominator
 };
@@ -49,12 +51,17 @@ struct alignas(64) Quotients {
 
 /// The sums of all rows for eight tuples of `count` <= most_factors factors, in lowest terms. Nothing, and
 /// false, unless words suffice by a bound and all divisors of the denominators are known.
-using Sums = bool (*)(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
-                      const Divisors& divisors, Quotients* sums);
+struct Operations {
+    bool (*sums)(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
+                 const Divisors& divisors, Quotients* quotients);
+    /// Each tuple is `count` times eight words, those of the numbers u and m of a factor m + u X, each a
+    /// numerator and a denominator, each a word and an address that is not 0 where there is no word.
+    bool (*sums_of_pairs)(const Rows& rows, const void* const* tuples, std::size_t count,
+                          const Divisors& divisors, Quotients* quotients);
+};
 
 #if defined(BLOSSOM_AVX512_WORDS)
-bool avx512_sums(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
-                 const Divisors& divisors, Quotients* sums);
+extern const Operations avx512_operations;
 #endif
 
 }  // namespace blossom::word_lanes

@@ -10,8 +10,6 @@ namespace blossom::word_lanes {
 
 namespace {
 
-__m512i load(const std::int64_t* words) { return _mm512_load_si512(words); }
-
 __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
 
 /// Numbers modulo 2^64.
@@ -21,7 +19,7 @@ struct Full {
         return _mm512_add_epi64(sum, _mm512_mullo_epi64(a, b));
     }
     static __m512i number(__m512i residue) { return residue; }
-    static __m512i most(std::uint64_t quotient) { return broadcast(quotient); }
+    static __m512i most(const Divisor& divisor) { return broadcast(divisor.most); }
 };
 
 /// Numbers modulo 2^52, in the lower bits of their lanes: products take a third of the time.
@@ -31,7 +29,7 @@ struct Short {
     static __m512i number(__m512i residue) {
         return _mm512_srai_epi64(_mm512_slli_epi64(residue, 64 - bits), 64 - bits);
     }
-    static __m512i most(std::uint64_t quotient) { return broadcast(quotient >> (64 - bits)); }
+    static __m512i most(const Divisor& divisor) { return broadcast(divisor.most_of_52); }
 };
 
 template <class Numbers>
@@ -46,7 +44,7 @@ std::size_t width(std::uint64_t word) {
 template <class Numbers>
 void divide_by_common_powers(const Divisor& divisor, __m512i& top, __m512i& bottom) {
     const __m512i inverse = broadcast(divisor.inverse);
-    const __m512i most = Numbers::most(divisor.most);
+    const __m512i most = Numbers::most(divisor);
     __m512i top_quotient = product<Numbers>(top, inverse);
     __mmask8 divisible = _mm512_cmple_epu64_mask(top_quotient, most);
     while (divisible != 0) {
@@ -65,25 +63,34 @@ __m512i trailing_zeros(__m512i words) {
     return _mm512_sub_epi64(broadcast(63), _mm512_lzcnt_epi64(lowest));
 }
 
-/// The divisors of all lanes; all bits if one is beyond the table.
-std::uint32_t divisors_of(const Divisors& divisors, __m512i numbers) {
-    const __m512i odd = _mm512_srlv_epi64(numbers, trailing_zeros(numbers));
-    if (_mm512_cmpgt_epu64_mask(odd, broadcast(divisors.greatest_known)) != 0) return ~std::uint32_t{0};
-    const __m256i sets = _mm512_i64gather_epi32(_mm512_srli_epi64(odd, 1), divisors.of_odd, 4);
-    return static_cast<std::uint32_t>(_mm512_reduce_or_epi32(_mm512_zextsi256_si512(sets)));
+/// All lanes together.
+std::uint64_t united(__m512i words) {
+    words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0x4e));
+    words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0xb1));
+    words = _mm512_or_si512(words, _mm512_unpackhi_epi64(words, words));
+    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti64x2_epi64(words, 0)));
 }
 
+/// The factors of eight tuples, one tuple a lane.
+template <std::size_t Count>
+struct Factors {
+    __m512i constants[Count];
+    __m512i slopes[Count];
+    __m512i denominators[Count];
+};
+
 template <std::size_t Count, class Numbers>
-void reduced_sums(const Rows& rows, const WordFactorOctet* factors, const Divisors& divisors,
-                  std::uint32_t set, Quotients* sums) {
+[[gnu::always_inline]] inline void reduced_sums(const Rows& rows, const Factors<Count>& factors,
+                                                const Divisors& divisors, std::uint32_t set,
+                                                Quotients* quotients) {
     __m512i coefficients[Count + 1];
     __m512i denominator = broadcast(rows.denominator);
     coefficients[0] = broadcast(1);
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) {
-        const __m512i constant = load(factors[i].constants);
-        const __m512i slope = load(factors[i].slopes);
-        denominator = product<Numbers>(denominator, load(factors[i].denominators));
+        const __m512i constant = factors.constants[i];
+        const __m512i slope = factors.slopes[i];
+        denominator = product<Numbers>(denominator, factors.denominators[i]);
         coefficients[i + 1] = product<Numbers>(coefficients[i], slope);
 #pragma GCC unroll 8
         for (std::size_t k = i; k > 0; --k) {
@@ -107,66 +114,143 @@ void reduced_sums(const Rows& rows, const WordFactorOctet* factors, const Diviso
         for (std::uint32_t rest = set; rest != 0; rest &= rest - 1)
             divide_by_common_powers<Numbers>(divisors.divisors[__builtin_ctz(rest)], top, bottom);
         const __mmask8 negative = _mm512_movepi64_mask(sum);
-        _mm512_store_si512(sums[j].numerators,
+        _mm512_store_si512(quotients[j].numerators,
                            _mm512_mask_sub_epi64(top, negative, _mm512_setzero_si512(), top));
-        _mm512_store_si512(sums[j].denominators, bottom);
+        _mm512_store_si512(quotients[j].denominators, bottom);
     }
 }
 
 template <std::size_t Count>
-bool sums_of(const Rows& rows, const WordFactorOctet* factors, const Divisors& divisors, Quotients* sums) {
-    std::uint32_t set = rows.divisors;
-    __m512i sizes = _mm512_setzero_si512();
-    __m512i denominators = _mm512_setzero_si512();
+[[gnu::always_inline]] inline bool sums_of(const Rows& rows, const Factors<Count>& factors,
+                                           const Divisors& divisors, Quotients* quotients) {
+    __m512i all_sizes = _mm512_setzero_si512();
+    __m512i all_denominators = _mm512_setzero_si512();
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) {
-        const __m512i denominator = load(factors[i].denominators);
-        set |= divisors_of(divisors, denominator);
-        denominators = _mm512_or_si512(denominators, denominator);
-        sizes = _mm512_or_si512(sizes, _mm512_add_epi64(_mm512_abs_epi64(load(factors[i].constants)),
-                                                        _mm512_abs_epi64(load(factors[i].slopes))));
+        all_denominators = _mm512_or_si512(all_denominators, factors.denominators[i]);
+        all_sizes = _mm512_or_si512(all_sizes, _mm512_add_epi64(_mm512_abs_epi64(factors.constants[i]),
+                                                                _mm512_abs_epi64(factors.slopes[i])));
     }
-    if (set == ~std::uint32_t{0}) return false;
+    if (_mm512_cmpgt_epu64_mask(all_denominators, broadcast(divisors.greatest_known)) != 0) return false;
     // The bits of a product of one number of each octet, bounded by those of all numbers together.
-    const auto bits = [](__m512i all, std::uint64_t further) {
-        return Count * width(static_cast<std::uint64_t>(_mm512_reduce_or_epi64(all))) + width(further);
-    };
-    const std::size_t top = bits(sizes, rows.greatest);
-    const std::size_t bottom = bits(denominators, rows.denominator);
-    const std::size_t most = top > bottom ? top : bottom;
+    const std::size_t most = Count * width(united(_mm512_or_si512(all_sizes, all_denominators))) + rows.bits;
+    if (most >= Full::bits) return false;
+    __m256i sets = _mm256_setzero_si256();
+#pragma GCC unroll 8
+    for (std::size_t i = 0; i < Count; ++i)
+        sets = _mm256_or_si256(sets, _mm512_i64gather_epi32(factors.denominators[i], divisors.of, 4));
+    const std::uint64_t two_sets = united(_mm512_zextsi256_si512(sets));
+    const std::uint32_t set = rows.divisors | static_cast<std::uint32_t>(two_sets | two_sets >> 32);
+    if (set == ~std::uint32_t{0}) return false;
     if (most < Short::bits) {
-        reduced_sums<Count, Short>(rows, factors, divisors, set, sums);
-    } else if (most < Full::bits) {
-        reduced_sums<Count, Full>(rows, factors, divisors, set, sums);
+        reduced_sums<Count, Short>(rows, factors, divisors, set, quotients);
+    } else {
+        reduced_sums<Count, Full>(rows, factors, divisors, set, quotients);
     }
-    return most < Full::bits;
+    return true;
 }
 
-}  // namespace
+struct OfOctets {
+    const WordFactorOctet* octets;
 
-bool avx512_sums(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
-                 const Divisors& divisors, Quotients* sums) {
+    template <std::size_t Count>
+    [[gnu::always_inline]] bool read(Factors<Count>& factors) const {
+#pragma GCC unroll 8
+        for (std::size_t i = 0; i < Count; ++i) {
+            factors.constants[i] = _mm512_load_si512(octets[i].constants);
+            factors.slopes[i] = _mm512_load_si512(octets[i].slopes);
+            factors.denominators[i] = _mm512_load_si512(octets[i].denominators);
+        }
+        return true;
+    }
+};
+
+struct OfPairs {
+    const void* const* tuples;
+
+    template <std::size_t Count>
+    [[gnu::always_inline]] bool read(Factors<Count>& factors) const {
+        // Of a pair of numbers u, m: the bits that are 0 if u is a quotient of words and m is 0 or 1, but for
+        // the lowest bit of the denominator of m.
+        const __m512i surplus = _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0);
+        const __m512i least = broadcast(std::uint64_t{1} << 63);
+        __m512i all = _mm512_setzero_si512();
+        __mmask8 beyond = 0;
+#pragma GCC unroll 8
+        for (std::size_t i = 0; i < Count; ++i) {
+            __m512i pairs[lanes];
+#pragma GCC unroll 8
+            for (std::size_t l = 0; l < lanes; ++l) {
+                pairs[l] = _mm512_loadu_si512(static_cast<const char*>(tuples[l]) + 64 * i);
+                all = _mm512_or_si512(all, pairs[l]);
+            }
+            // The even words of two pairs: numerators and denominators of u, then of m.
+            __m512i twos[4];
+#pragma GCC unroll 4
+            for (std::size_t l = 0; l < 4; ++l)
+                twos[l] = _mm512_unpacklo_epi64(pairs[2 * l], pairs[2 * l + 1]);
+            constexpr int lower = 0x44;   // the first and second 128 bits of both operands
+            constexpr int third = 0xaa;   // the third ones
+            constexpr int first = 0x88;   // the first and third ones
+            constexpr int second = 0xdd;  // the second and fourth ones
+            const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
+            const __m512i back = _mm512_shuffle_i64x2(twos[2], twos[3], lower);
+            const __m512i masses = _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
+                                                        _mm512_shuffle_i64x2(twos[2], twos[3], third), first);
+            factors.slopes[i] = _mm512_shuffle_i64x2(front, back, first);
+            factors.denominators[i] = _mm512_shuffle_i64x2(front, back, second);
+            factors.constants[i] =
+                _mm512_and_si512(factors.denominators[i], _mm512_sub_epi64(_mm512_setzero_si512(), masses));
+            beyond |= _mm512_cmpeq_epi64_mask(factors.slopes[i], least);
+        }
+        return (beyond | _mm512_test_epi64_mask(all, surplus)) == 0;
+    }
+};
+
+template <std::size_t Count, class Source>
+bool sums_from(const Rows& rows, const Source& source, const Divisors& divisors, Quotients* quotients) {
+    Factors<Count> factors;
+    return source.read(factors) && sums_of<Count>(rows, factors, divisors, quotients);
+}
+
+template <class Source>
+bool sums_from_any(const Rows& rows, const Source& source, std::size_t count, const Divisors& divisors,
+                   Quotients* quotients) {
     switch (count) {
         case 1:
-            return sums_of<1>(rows, factors, divisors, sums);
+            return sums_from<1>(rows, source, divisors, quotients);
         case 2:
-            return sums_of<2>(rows, factors, divisors, sums);
+            return sums_from<2>(rows, source, divisors, quotients);
         case 3:
-            return sums_of<3>(rows, factors, divisors, sums);
+            return sums_from<3>(rows, source, divisors, quotients);
         case 4:
-            return sums_of<4>(rows, factors, divisors, sums);
+            return sums_from<4>(rows, source, divisors, quotients);
         case 5:
-            return sums_of<5>(rows, factors, divisors, sums);
+            return sums_from<5>(rows, source, divisors, quotients);
         case 6:
-            return sums_of<6>(rows, factors, divisors, sums);
+            return sums_from<6>(rows, source, divisors, quotients);
         case 7:
-            return sums_of<7>(rows, factors, divisors, sums);
+            return sums_from<7>(rows, source, divisors, quotients);
         case 8:
-            return sums_of<8>(rows, factors, divisors, sums);
+            return sums_from<8>(rows, source, divisors, quotients);
         default:
             return false;
     }
 }
+
+bool sums(const Rows& rows, const WordFactorOctet* factors, std::size_t count, const Divisors& divisors,
+          Quotients* quotients) {
+    return sums_from_any(rows, OfOctets{factors}, count, divisors, quotients);
+}
+
+bool sums_of_pairs(const Rows& rows, const void* const* tuples, std::size_t count, const Divisors& divisors,
+                   Quotients* quotients) {
+    return sums_from_any(rows, OfPairs{tuples}, count, divisors, quotients);
+}
+
+}  // namespace
+
+const Operations avx512_operations{sums, sums_of_pairs};
 
 }  // namespace blossom::word_lanes
 

@@ -137,6 +137,14 @@ Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& den
 
 }  // namespace
 
+void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
+    const std::uint64_t size = magnitude(numerator);
+    const std::uint64_t common = gcd_of_words(size % denominator, denominator);
+    const auto top = static_cast<std::int64_t>(common == 1 ? size : size / common);
+    RationalAccess::set_words(value, numerator < 0 ? -top : top,
+                              static_cast<std::int64_t>(common == 1 ? denominator : denominator / common));
+}
+
 Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
                           const DenominatorWords& denominator, const Integer& further) {
     const std::span<const std::uint64_t> factors = denominator.words();

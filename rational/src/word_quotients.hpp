@@ -38,39 +38,28 @@ private:
     std::uint64_t words_[most_words];
 };
 
-/// Divides the powers of `prime` that both have in common out of both.
-inline void divide_by_common_powers(const small_primes::Prime& prime, std::uint64_t& numerator,
-                                    std::uint64_t& denominator) {
-    for (;;) {
-        const std::uint64_t top = numerator * prime.inverse;
-        if (top > prime.most) return;
-        const std::uint64_t bottom = denominator * prime.inverse;
-        if (bottom > prime.most) return;
-        numerator = top;
-        denominator = bottom;
-    }
-}
+/// numerator / denominator in lowest terms, the denominator positive and below 2^63.
+void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator);
 
-/// numerator / denominator, both below 2^63 in magnitude, the denominator positive with these odd primes.
-inline void set_reduced(Rational& value, std::int64_t numerator, std::uint64_t denominator,
-                        small_primes::Set primes) {
+/// The same for a denominator with these odd primes.
+[[gnu::always_inline]] inline void set_reduced(Rational& value, std::int64_t numerator,
+                                               std::uint64_t denominator, small_primes::Set primes) {
+    if (numerator == 0 || primes == small_primes::any_primes)
+        return set_reduced_by_gcd(value, numerator, denominator);
     std::uint64_t size = magnitude(numerator);
-    if (size == 0) {
-        denominator = 1;
-    } else if (primes == small_primes::any_primes) {
-        const std::uint64_t common = gcd_of_words(size % denominator, denominator);
-        if (common != 1) {
-            size /= common;
-            denominator /= common;
+    const int twos = std::countr_zero(size | denominator);
+    size >>= twos;
+    denominator >>= twos;
+    small_primes::for_each(primes, [&](const small_primes::Prime& prime) {
+        for (;;) {
+            const std::uint64_t top = size * prime.inverse;
+            if (top > prime.most) return;
+            const std::uint64_t bottom = denominator * prime.inverse;
+            if (bottom > prime.most) return;
+            size = top;
+            denominator = bottom;
         }
-    } else {
-        const int twos = std::countr_zero(size | denominator);
-        size >>= twos;
-        denominator >>= twos;
-        small_primes::for_each(primes, [&](const small_primes::Prime& prime) {
-            divide_by_common_powers(prime, size, denominator);
-        });
-    }
+    });
     const auto top = static_cast<std::int64_t>(size);
     RationalAccess::set_words(value, numerator < 0 ? -top : top, static_cast<std::int64_t>(denominator));
 }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -23,6 +24,18 @@ struct LinearFactor {
 /// In machine words, none of which is the least value of 64 bits.
 using WordFactor = LinearFactor<std::int64_t>;
 using IntegerFactor = LinearFactor<Integer>;
+
+/// m + u X, if u is a quotient of such words and m is 0 or 1; otherwise `factor` is left in between.
+inline bool read_factor(const Rational& u, const Rational& m, WordFactor& factor) {
+    const Integer& top = u.numerator();
+    const Integer& bottom = u.denominator();
+    if (!top.is_word() || !bottom.is_word() || top.word() == std::numeric_limits<std::int64_t>::min())
+        return false;
+    const bool is_one = m.numerator().is_one() && m.is_integer();
+    if (!is_one && !m.is_zero()) return false;
+    factor = {is_one ? bottom.word() : 0, top.word(), bottom.word()};
+    return true;
+}
 
 /// The ways to compute the sums below; the first that provably suffices is taken.
 enum class SumKernel { word, wide, limbs, residues, integers };
@@ -64,12 +77,22 @@ public:
     void evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
                   std::span<Rational> sums) const;
 
+    /// The same for factors m + u X: `pairs` points to the u of the first one, its m follows, then the
+    /// others. False, and nothing is done, unless there are few factors, every u is a quotient of words,
+    /// every m is 0 or 1, and the kernel `word` suffices.
+    bool evaluate_pairs(const Rational* pairs, std::size_t first_row, std::span<Rational> sums) const;
+
     /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: `factors` are
     /// the first ones of each tuple in their order, then the second ones, and so on.
     ///
     /// False, and nothing is done, unless the kernel `word` suffices for all of them by one bound and this
     /// processor computes eight at a time.
     bool evaluate_eight(std::span<const WordFactorOctet> factors, std::span<Rational> sums) const;
+
+    /// The same for factors m + u X, pairs of numbers: tuples[l] points to the u of the first pair of tuple
+    /// l, its m follows, then the other pairs. False as well unless every u is a quotient of words and every
+    /// m is 0 or 1.
+    bool evaluate_eight(std::span<const Rational* const, 8> tuples, std::span<Rational> sums) const;
 
     /// What `evaluate` chooses.
     SumKernel kernel(std::span<const WordFactor> factors) const;

@@ -1,0 +1,131 @@
+// Factors read from pairs of numbers, one tuple and eight of them at a time, against the evident formula.
+
+#include "rational/linear_factor_cases.hpp"
+
+#include <algorithm>
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+/// u and m of each factor, one behind the other.
+using Pairs = std::vector<Rational>;
+
+/// Mostly of few bits; now and then at the ends of words, beyond them, or with a mass that is neither 0 nor
+/// 1.
+Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_ones) {
+    const Integer large = Integer(1) << 64;
+    Pairs pairs;
+    for (std::size_t i = 0; i < n; ++i) {
+        Rational u(word_of_bits(random, bits), denominator_of_bits(random, bits));
+        Rational m = random.one_in(4) ? 0 : 1;
+        if (odd_ones && random.one_in(n)) {
+            const Rational odd[] = {std::numeric_limits<std::int64_t>::min(),
+                                    std::numeric_limits<std::int64_t>::max(), Rational(large),
+                                    Rational(1, large), Rational(-large - 1, large)};
+            const Rational masses[] = {-1, 2, Rational(1, 2), Rational(large), Rational(1, large), 3};
+            random.one_in(2) ? u = odd[random.below(std::size(odd))]
+                             : m = masses[random.below(std::size(masses))];
+        }
+        pairs.push_back(u);
+        pairs.push_back(m);
+    }
+    return pairs;
+}
+
+/// Whether factors can be read, as the documentation says.
+bool can_be_read(const Pairs& pairs) {
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+        const Rational& u = pairs[i];
+        const bool is_word = u.numerator().to_int64() && u.denominator().to_int64() &&
+                             u.numerator() != std::numeric_limits<std::int64_t>::min();
+        if (!is_word || (pairs[i + 1] != 0 && pairs[i + 1] != 1)) return false;
+    }
+    return true;
+}
+
+std::vector<WordFactor> factors_of(const Pairs& pairs) {
+    std::vector<WordFactor> factors;
+    for (std::size_t i = 0; i < pairs.size(); i += 2) {
+        const std::int64_t denominator = *pairs[i].denominator().to_int64();
+        factors.push_back(
+            {pairs[i + 1] == 0 ? 0 : denominator, *pairs[i].numerator().to_int64(), denominator});
+    }
+    return factors;
+}
+
+struct Given {
+    std::size_t rows;
+    std::vector<Rational> numbers;
+};
+
+Given random_rows(Random& random, std::size_t n) {
+    Given given{1 + random.below(3), {}};
+    const std::size_t bits = 1 + random.below(20);
+    for (std::size_t k = 0; k < given.rows * (n + 1); ++k)
+        given.numbers.push_back(Rational(word_of_bits(random, bits)) / Rational(1 + random.below(3)));
+    return given;
+}
+
+void check_values(const Given& given, const Pairs& pairs, std::span<const Rational> values) {
+    REQUIRE(can_be_read(pairs));
+    const std::size_t size = given.numbers.size() / given.rows;
+    for (std::size_t j = 0; j < given.rows; ++j)
+        CHECK(values[j] == evident_sum(std::span(given.numbers).subspan(j * size, size), factors_of(pairs)));
+}
+
+}  // namespace
+
+TEST_CASE("pairs of numbers as factors", "[linear_factor_sums]") {
+    Random random(19);
+    int computed = 0;
+    const Rational before(7, 9);
+    for (int i = 0; i < 4'000; ++i) {
+        const std::size_t n = 1 + random.below(9);
+        const Given given = random_rows(random, n);
+        const LinearFactorSums sums(RationalVector(given.numbers), given.rows);
+        const Pairs pairs = random_pairs(random, n, 1 + random.below(std::clamp<std::size_t>(66 / n, 2, 62)),
+                                         random.one_in(3));
+        std::vector<Rational> values(given.rows, before);
+        if (sums.evaluate_pairs(pairs.data(), 0, values)) {
+            ++computed;
+            check_values(given, pairs, values);
+            std::vector<Rational> last(1);
+            CHECK(sums.evaluate_pairs(pairs.data(), given.rows - 1, last));
+            CHECK(last[0] == values.back());
+        } else {
+            CHECK(values == std::vector<Rational>(given.rows, before));
+            if (can_be_read(pairs) && n < 8) CHECK(sums.kernel(factors_of(pairs)) != SumKernel::word);
+        }
+    }
+    CHECK(computed > 1'500);
+}
+
+TEST_CASE("eight tuples of pairs of numbers", "[linear_factor_sums]") {
+    Random random(20);
+    int computed = 0;
+    const Rational before(7, 9);
+    for (int i = 0; i < 2'000; ++i) {
+        const std::size_t n = 1 + random.below(9);
+        const Given given = random_rows(random, n);
+        const LinearFactorSums sums(RationalVector(given.numbers), given.rows);
+        const bool odd_ones = random.one_in(3);
+        const std::size_t bits = 1 + random.below(std::clamp<std::size_t>(60 / n, 2, 12));
+        std::vector<Pairs> tuples;
+        const Rational* addresses[8];
+        for (std::size_t l = 0; l < 8; ++l)
+            tuples.push_back(random_pairs(random, n, bits, odd_ones && random.one_in(8)));
+        for (std::size_t l = 0; l < 8; ++l) addresses[l] = tuples[l].data();
+        std::vector<Rational> values(8 * given.rows, before);
+        if (!sums.evaluate_eight(std::span<const Rational* const, 8>(addresses), values)) {
+            CHECK(values == std::vector<Rational>(8 * given.rows, before));
+            continue;
+        }
+        ++computed;
+        for (std::size_t l = 0; l < 8; ++l)
+            check_values(given, tuples[l], std::span(values).subspan(l * given.rows, given.rows));
+    }
+    // Where the processor has no lanes nothing is computed.
+    CHECK((computed == 0 || computed > 800));
+}
