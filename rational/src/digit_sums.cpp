@@ -1,6 +1,5 @@
 #include "digit_sums.hpp"
 
-#include "backend.hpp"
 #include "fixed_width_rows.hpp"
 #include "residue_system.hpp"
 
@@ -43,21 +42,17 @@ std::uint64_t word_of(std::span<const std::uint64_t> digits, std::size_t i) {
 
 }  // namespace
 
-DigitRows::DigitRows(std::span<const Integer> numbers, std::size_t size, std::size_t bits)
+DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits)
     : size_(size), bits_(bits), width_(bits / fold_bits + 1) {
-    if (chosen_fold() == nullptr || size <= least_factors || size > digit_folds::most_factors + 1 ||
-        width_ >= digit_folds::most_digits)
-        return;
+    if (chosen_fold() == nullptr || size <= least_factors || size > digit_folds::most_factors + 1) return;
     // Whole vectors, and one behind them.
     stride_ = (size + 7) / 8 * 8 + 8;
-    digits_.resize(numbers.size() / size * width_ * stride_);
-    std::uint64_t words[digit_folds::most_digits + 1];
-    const std::span<std::uint64_t> used = std::span(words).first(bits / 64 + 1);
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-        IntegerAccess::to_twos_complement(numbers[i], used);
+    digits_.resize(count / size * width_ * stride_);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::uint64_t* const words = numbers.words + i * numbers.stride;
+        const std::uint64_t sign = words[numbers.width - 1] >> 63 == 0 ? 0 : ~std::uint64_t{0};
+        const auto word = [&](std::size_t k) { return k < numbers.width ? words[k] : sign; };
         std::uint64_t* const place = digits_.data() + i / size * width_ * stride_ + i % size;
-        const std::uint64_t sign = used.back() >> 63 == 0 ? 0 : ~std::uint64_t{0};
-        const auto word = [&](std::size_t k) { return k < used.size() ? used[k] : sign; };
         for (std::size_t d = 0; d < width_; ++d) {
             const std::size_t bit = d * fold_bits;
             const Wide pair = Wide{word(bit / 64 + 1)} << 64 | word(bit / 64);

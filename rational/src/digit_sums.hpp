@@ -9,6 +9,7 @@
 
 #include "digit_folds.hpp"
 #include "factor_blocks.hpp"
+#include "limb_sums.hpp"
 
 namespace blossom {
 
@@ -19,9 +20,9 @@ inline constexpr std::size_t most_digit_words = digit_folds::most_digits * digit
 class DigitRows {
 public:
     DigitRows() = default;
-    /// For rows of `size` numbers of at most `bits` bits; empty for too many or too long ones, and where the
-    /// processor has no lanes for them.
-    DigitRows(std::span<const Integer> numbers, std::size_t size, std::size_t bits);
+    /// For rows of `size` numbers of at most `bits` bits, `count` in all; empty for too few or too many in a
+    /// row, and where the processor has no lanes for them.
+    DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits);
 
     /// Whether numerators of `bits` bits are summed over these factors.
     bool suffice(std::span<const WordFactor> factors, std::size_t bits) const;

@@ -49,7 +49,6 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
       size(numbers.size() / row_count),
       bits(greatest_bit_length(numbers.numerators())),
       width(bits / 64 + 1),
-      digits(numbers.numerators(), size, bits),
       further_denominator(numbers.denominator()) {
     if (use == Use::many || further_denominator.to_int64())
         denominators = split_into_words(further_denominator);
@@ -74,6 +73,7 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
             IntegerAccess::to_twos_complement(numbers.numerators()[k],
                                               std::span(limbs).subspan(k * width, width));
         }
+        digits = DigitRows({limbs.data(), width, width}, numbers.size(), size, bits);
     }
 }
 
