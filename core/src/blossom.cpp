@@ -37,8 +37,9 @@ Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> ar
     require_arity(degree_of(map), arguments.size());
     if (auto value = value_in_words(map, arguments, construction, limits)) return *std::move(value);
     if (construction == Construction::symmetric) {
-        const auto* bezier = std::get_if<BezierCurve>(&map);
-        return Blossom::value_once(bezier ? monomial_form(*bezier, limits) : map, arguments, limits);
+        if (const auto* bezier = std::get_if<BezierCurve>(&map))
+            return Blossom::value_once(monomial_form(*bezier, limits), arguments, limits);
+        return Blossom::value_once(map, arguments, limits);
     }
     if (construction != Construction::casteljau)
         return polarization_value(map, arguments, construction, limits);

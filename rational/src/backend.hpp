@@ -5,6 +5,7 @@
 #include <blossom/rational/integer.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -105,7 +106,12 @@ inline void set_twos_complement(Number& value, std::span<const std::uint64_t> wo
 }
 
 /// Of the magnitude.
-inline std::size_t bit_length(const Number& value) { return mpz_sizeinbase(value.backend().data(), 2); }
+inline std::size_t bit_length(const Number& value) {
+    const mpz_srcptr data = value.backend().data();
+    const std::size_t size = mpz_size(data);
+    return size == 0 ? 1
+                     : 64 * size - static_cast<std::size_t>(std::countl_zero(mpz_limbs_read(data)[size - 1]));
+}
 
 /// The binary digits of the magnitude at the front of `words`; the words beyond keep what they hold.
 inline void to_words(const Number& value, std::span<std::uint64_t> words) {
