@@ -3,8 +3,8 @@
 #include <blossom/core/taylor_curve.hpp>
 #include <blossom/rational/form_values.hpp>
 
+#include <algorithm>
 #include <atomic>
-#include <bit>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -27,25 +27,24 @@ public:
     std::size_t dimension() const { return forms_.rows(); }
 
     void evaluate(const Rational& t, std::span<Rational> values) const {
-        const auto numerator = t.numerator().to_int64();
-        const auto denominator = t.denominator().to_int64();
-        if (numerator && denominator) return evaluate(*numerator, *denominator, values);
-        const std::size_t bits = std::max(t.numerator().bit_length(), t.denominator().bit_length());
-        require_result_bits(forms_.value_bits(bits), limits_, values.size());
-        forms_.evaluate(t, values);
+        if (t.numerator().is_word() && t.denominator().is_word())
+            return evaluate(t.numerator().word(), t.denominator().word(), values);
+        evaluate_any(t, values);
     }
     /// At numerator / denominator in lowest terms.
     void evaluate(std::int64_t numerator, std::int64_t denominator, std::span<Rational> values) const {
         if (words_are_within_ && numerator != std::numeric_limits<std::int64_t>::min())
             return forms_.evaluate(numerator, denominator, values);
-        const auto bits = static_cast<std::size_t>(
-            std::bit_width(static_cast<std::uint64_t>(numerator < 0 ? ~numerator : numerator) |
-                           static_cast<std::uint64_t>(denominator)));
-        require_result_bits(forms_.value_bits(bits + 1), limits_, values.size());
-        forms_.evaluate(Rational(numerator, denominator), values);
+        evaluate_any(Rational(numerator, denominator), values);
     }
 
 private:
+    [[gnu::noinline]] void evaluate_any(const Rational& t, std::span<Rational> values) const {
+        const std::size_t bits = std::max(t.numerator().bit_length(), t.denominator().bit_length());
+        require_result_bits(forms_.value_bits(bits), limits_, values.size());
+        forms_.evaluate(t, values);
+    }
+
     FormValues forms_;
     Limits limits_;
     bool words_are_within_;
@@ -92,8 +91,6 @@ std::vector<Rational> CurveValues::at(std::span<const Rational> parameters, std:
                      [&](const Rational& t, std::span<Rational> value) { forms_->evaluate(t, value); });
 }
 
-__extension__ using SignedWide = __int128;
-
 /// What all copies share: the curve and its segments, each prepared once.
 class SplineValues::Segments {
 public:
@@ -103,30 +100,27 @@ public:
           segments_(std::make_unique<Segment[]>(curve.knots().size())),
           knots_(curve.knots().knots()) {
         for (const Integer& knot : knots_.numerators()) {
-            const auto word = knot.to_int64();
-            if (!word) return;
-            words_.push_back(*word);
-            greatest_ = std::max(greatest_, *word < 0 ? ~*word : *word);
+            if (!knot.is_word()) return;
+            words_.push_back(knot.word());
         }
-        if (const auto word = knots_.denominator().to_int64()) denominator_ = *word;
+        denominator_ = knots_.denominator().word();
+        list_spans();
     }
 
     std::size_t dimension() const { return curve_.dimension(); }
 
     void evaluate(const Rational& t, std::span<Rational> values) const {
-        const auto numerator = t.numerator().to_int64();
-        const auto denominator = t.denominator().to_int64();
-        if (denominator_ == 0 || !numerator || !denominator) {
-            const Segment& segment = prepared(curve_.knots().span_at(t));
-            return segment.forms->evaluate(t - segment.origin, values);
-        }
-        const Segment& segment = prepared(span_of(t, *numerator, *denominator));
+        if (denominator_ == 0 || !t.numerator().is_word() || !t.denominator().is_word())
+            return evaluate_any(t, values);
+        const std::int64_t numerator = t.numerator().word();
+        const std::int64_t denominator = t.denominator().word();
+        const Segment& segment = prepared(span_of(t, numerator, denominator));
         // t less an integer is in lowest terms too.
         std::int64_t moved = 0;
-        if (__builtin_mul_overflow(segment.word_origin, *denominator, &moved) ||
-            __builtin_sub_overflow(*numerator, moved, &moved))
-            return segment.forms->evaluate(t - segment.origin, values);
-        segment.forms->evaluate(moved, *denominator, values);
+        if (__builtin_mul_overflow(segment.word_origin, denominator, &moved) ||
+            __builtin_sub_overflow(numerator, moved, &moved))
+            return evaluate_any(t, values);
+        segment.forms->evaluate(moved, denominator, values);
     }
 
 private:
@@ -138,11 +132,19 @@ private:
         std::optional<CurveValues::Forms> forms;
     };
 
+    [[gnu::noinline]] void evaluate_any(const Rational& t, std::span<Rational> values) const {
+        const Segment& segment = prepared(curve_.knots().span_at(t));
+        segment.forms->evaluate(t - segment.origin, values);
+    }
+
     const Segment& prepared(std::size_t span) const {
         Segment& segment = segments_[span];
-        if (!segment.is_ready.load(std::memory_order_acquire))
-            std::call_once(segment.once, [&] { prepare(span, segment); });
+        if (!segment.is_ready.load(std::memory_order_acquire)) prepare_once(span, segment);
         return segment;
+    }
+
+    [[gnu::noinline]] void prepare_once(std::size_t span, Segment& segment) const {
+        std::call_once(segment.once, [&] { prepare(span, segment); });
     }
 
     void prepare(std::size_t span, Segment& segment) const {
@@ -156,45 +158,44 @@ private:
         segment.is_ready.store(true, std::memory_order_release);
     }
 
-    /// As KnotVector::span_at, by products of words, for t = numerator / denominator.
-    std::size_t span_of(const Rational& t, std::int64_t numerator, std::int64_t denominator) const {
-        const SignedWide place = SignedWide{numerator} * denominator_;
-        // 128 bits in words of 64 where they suffice.
-        constexpr std::int64_t most = std::int64_t{1} << 31;
-        const bool small = greatest_ < most && denominator < most &&
-                           place == static_cast<SignedWide>(static_cast<std::int64_t>(place));
-        const std::size_t span = small ? span_of(static_cast<std::int64_t>(place), denominator)
-                                       : span_of(place, SignedWide{denominator});
-        return span == 0 ? curve_.knots().span_at(t) : span;
+    /// The spans of all integers from the first knot of the domain up to the last, if they are not too many.
+    void list_spans() {
+        constexpr std::uint64_t most = 1024;
+        const std::size_t begin = curve_.knots().begin_index();
+        const std::size_t end = curve_.knots().end_index();
+        first_ = words_[begin];
+        last_ = words_[end];
+        if (static_cast<std::uint64_t>(last_) - static_cast<std::uint64_t>(first_) > most) return;
+        std::size_t span = begin;
+        for (std::int64_t place = first_; place < last_; ++place) {
+            while (words_[span + 1] <= place) ++span;
+            spans_.push_back(static_cast<std::uint32_t>(span));
+        }
     }
 
-    /// The last span whose beginning is not above place / denominator, and 0 outside of the domain and at its
-    /// end. A bisection whose steps do not depend on what is found, so that none is mispredicted; of the last
-    /// few knots those below are counted, which need not wait for each other.
-    template <class Word>
-    std::size_t span_of(Word place, Word denominator) const {
-        const auto is_above = [&](std::size_t i) { return place < Word{words_[i]} * denominator; };
-        std::size_t begin = curve_.knots().begin_index();
-        std::size_t size = curve_.knots().end_index() - begin;
-        if (is_above(begin) || !is_above(begin + size)) return 0;
-        constexpr std::size_t most_counted = 12;
-        while (size > most_counted) {
-            const std::size_t half = size / 2;
-            begin += is_above(begin + half) ? 0 : half;
-            size -= half;
-        }
-        std::size_t below = 0;
-        for (std::size_t i = 1; i < size; ++i) below += is_above(begin + i) ? 0U : 1U;
-        return begin + below;
+    /// As KnotVector::span_at for t = numerator / denominator: no knot lies between t and its floor, once both
+    /// are multiplied by the denominator of the knots.
+    std::size_t span_of(const Rational& t, std::int64_t numerator, std::int64_t denominator) const {
+        std::int64_t place = 0;
+        if (__builtin_mul_overflow(numerator, denominator_, &place)) return curve_.knots().span_at(t);
+        const std::int64_t quotient = place / denominator;
+        const std::int64_t floor = quotient - (quotient * denominator > place ? 1 : 0);
+        if (floor < first_ || floor >= last_) return curve_.knots().span_at(t);
+        if (!spans_.empty()) return spans_[static_cast<std::size_t>(floor - first_)];
+        const auto* const first = words_.data() + curve_.knots().begin_index();
+        const auto* const last = words_.data() + curve_.knots().end_index();
+        return static_cast<std::size_t>(std::upper_bound(first, last, floor) - words_.data()) - 1;
     }
 
     BSplineCurve curve_;
     Limits limits_;
     std::unique_ptr<Segment[]> segments_;
     RationalVector knots_;
-    std::vector<std::int64_t> words_;  ///< the knots over `denominator_`
-    std::int64_t greatest_ = 0;        ///< bounds their magnitudes, up to one
-    std::int64_t denominator_ = 0;     ///< 0 unless all are words
+    std::vector<std::int64_t> words_;   ///< the knots over `denominator_`
+    std::int64_t denominator_ = 0;      ///< 0 unless all are words
+    std::int64_t first_ = 0;            ///< the ends of the domain over it
+    std::int64_t last_ = 0;
+    std::vector<std::uint32_t> spans_;  ///< of first_, first_ + 1, ..., last_ - 1; or empty
 };
 
 SplineValues::SplineValues(const BSplineCurve& curve, const Limits& limits)

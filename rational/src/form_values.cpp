@@ -44,7 +44,8 @@ bool set_in_word(const PreparedForms& form, const FormRow& row, const WordParame
     const std::uint64_t sum = form_in(row.words, t, denominator);
     if (__builtin_mul_overflow(denominator, form.word_denominator, &denominator) || denominator >> 63 != 0)
         return false;
-    const small_primes::Set primes = form.denominator_primes | row.greatest.primes;
+    const small_primes::Set primes =
+        form.denominator_primes | (row.greatest.primes & small_primes::primes_of(t.v));
     set_reduced(value, static_cast<std::int64_t>(sum), denominator,
                 row.greatest.rest_meets(t.v) ? small_primes::any_primes : primes);
     return true;
@@ -113,6 +114,12 @@ bool set_in_limbs(const PreparedForms& form, const FormRow& row, const WordParam
     const bool negative = row.limbs.evaluate(t.u, static_cast<std::int64_t>(t.v), numerator);
     set_reduced(form, row, t, numerator, negative, value);
     return true;
+}
+
+/// Kept apart from what few words need.
+[[gnu::noinline]] void set_beyond_words(const PreparedForms& form, const FormRow& row, const WordParameter& t,
+                                        Rational& value) {
+    if (!set_in_limbs(form, row, t, value)) value = row.value_by_halves(t.u, t.v);
 }
 
 }  // namespace
@@ -192,10 +199,10 @@ std::size_t FormValues::value_bits(std::size_t bits_of_t) const {
 void FormValues::evaluate(std::int64_t numerator, std::int64_t denominator,
                           std::span<Rational> values) const {
     const WordParameter t(numerator, static_cast<std::uint64_t>(denominator));
-    for (std::size_t j = 0; j < values.size(); ++j) {
-        const FormRow& row = prepared_->rows[j];
-        if (!set_in_word(*prepared_, row, t, values[j]) && !set_in_limbs(*prepared_, row, t, values[j]))
-            values[j] = row.value_by_halves(numerator, denominator);
+    auto row = prepared_->rows.begin();
+    for (Rational& value : values) {
+        if (!set_in_word(*prepared_, *row, t, value)) set_beyond_words(*prepared_, *row, t, value);
+        ++row;
     }
 }
 
