@@ -173,8 +173,8 @@ private:
         }
     }
 
-    /// As KnotVector::span_at for t = numerator / denominator: no knot lies between t and its floor, once both
-    /// are multiplied by the denominator of the knots.
+    /// As KnotVector::span_at for t = numerator / denominator: no knot lies between t and its floor, once
+    /// both are multiplied by the denominator of the knots.
     std::size_t span_of(const Rational& t, std::int64_t numerator, std::int64_t denominator) const {
         std::int64_t place = 0;
         if (__builtin_mul_overflow(numerator, denominator_, &place)) return curve_.knots().span_at(t);
@@ -191,9 +191,9 @@ private:
     Limits limits_;
     std::unique_ptr<Segment[]> segments_;
     RationalVector knots_;
-    std::vector<std::int64_t> words_;   ///< the knots over `denominator_`
-    std::int64_t denominator_ = 0;      ///< 0 unless all are words
-    std::int64_t first_ = 0;            ///< the ends of the domain over it
+    std::vector<std::int64_t> words_;  ///< the knots over `denominator_`
+    std::int64_t denominator_ = 0;     ///< 0 unless all are words
+    std::int64_t first_ = 0;           ///< the ends of the domain over it
     std::int64_t last_ = 0;
     std::vector<std::uint32_t> spans_;  ///< of first_, first_ + 1, ..., last_ - 1; or empty
 };

@@ -77,6 +77,29 @@ TEST_CASE("splines whose knots are at the limits of a word", "[curve_values]") {
     }
 }
 
+TEST_CASE("splines over few and over many integers", "[curve_values]") {
+    Random random(4);
+    for (const std::int64_t length : {3, 1023, 1024, 1025, 5000}) {
+        for (const std::int64_t begin :
+             {std::int64_t{-5000}, std::int64_t{-2}, std::int64_t{0}, INT64_MAX - 9000}) {
+            for (const Rational& scale : {Rational(1), Rational(1, 6)}) {
+                std::vector<Rational> knots;
+                for (const std::int64_t place : {std::int64_t{-1}, std::int64_t{0}, std::int64_t{0},
+                                                 length / 3, length / 3, length / 2, length, length + 2})
+                    knots.push_back(scale * (begin + place));
+                const BSplineCurve curve(2, knots, {{1}, {-2}, {5}, {0}, {7}});
+                std::vector<Rational> parameters{curve.knots().domain().a(), curve.knots().domain().b()};
+                for (int i = 0; i < 20; ++i) parameters.push_back(parameter(random, curve.knots()));
+                for (const Rational& knot : curve.knots().knots())
+                    if (knot >= curve.knots().domain().a() && knot <= curve.knots().domain().b())
+                        parameters.push_back(knot);
+                check(random, SplineValues(curve), parameters,
+                      [&](const Rational& t) { return de_boor(curve, t); });
+            }
+        }
+    }
+}
+
 TEST_CASE("prepared curves keep to the domain and to the limits", "[curve_values]") {
     const BSplineCurve spline(1, {0, 0, 1, 1}, {{0}, {1}});
     const SplineValues values(spline);
