@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
 
 #include "residue_system.hpp"
 
@@ -69,37 +70,45 @@ void transform_numbers(const Moduli& moduli, const Roots& roots, const Octet* nu
     operations().scale(moduli, values, inverse_power_of_two(moduli, k), size, values);
 }
 
-void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan, const Octet* leaves,
+void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan, Octet* leaves,
                     Octet* values) {
     const Operations& run = operations();
-    const Buffer room(2 * plan.size());
-    const Buffer twists(plan.size());
-    // Each polynomial has `size` values; twice as many are wanted of a product.
+    const Buffer room(plan.size());
+    const Buffer twists(plan.size() / 2);
+    // Each polynomial has `size` values; twice as many are wanted of a product. The last go to `values`.
     std::size_t size = plan.leaf;
-    std::copy(leaves, leaves + plan.size(), values);
+    Octet* from = leaves;
+    Octet* to = plan.levels % 2 == 1 ? values : room.data();
     for (std::size_t count = plan.leaves(); count > 1; count /= 2, size *= 2) {
         const bool are_coefficients = size == plan.leaf;
         const auto k = static_cast<std::size_t>(std::countr_zero(size));
         const Octet factor = are_coefficients ? moduli.radix : inverse_power_of_two(moduli, k);
         run.scale(moduli, roots.data() + size, factor, size, twists.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            Octet* const polynomial = values + i * size;
-            Octet* const first = room.data() + 2 * i * size;
-            Octet* const second = first + size;
-            // NOLINTNEXTLINE(readability-suspicious-call-argument): `first` is the first half
-            std::copy_n(polynomial, size, first);
-            if (are_coefficients) {
-                run.transform(moduli, roots.data(), first, size);
-            } else {
-                run.inverse_transform(moduli, roots.data(), polynomial, size);
-            }
-            run.multiply_each(moduli, polynomial, twists.data(), size, second);
-            run.transform(moduli, roots.data(), second, size);
-        }
         for (std::size_t i = 0; i < count; i += 2) {
-            const Octet* const left = room.data() + 2 * i * size;
-            run.multiply_each(moduli, left, left + 2 * size, 2 * size, values + i * size);
+            Octet* const left = from + i * size;
+            Octet* const right = left + size;
+            Octet* const first = to + i * size;
+            Octet* const second = first + size;
+            if (are_coefficients) {
+                run.multiply_each(moduli, left, twists.data(), size, first);
+                run.multiply_each(moduli, right, twists.data(), size, second);
+                run.transform(moduli, roots.data(), first, size);
+                run.transform(moduli, roots.data(), second, size);
+                run.multiply_each(moduli, first, second, size, second);
+                run.transform(moduli, roots.data(), left, size);
+                run.transform(moduli, roots.data(), right, size);
+                run.multiply_each(moduli, left, right, size, first);
+            } else {
+                run.multiply_each(moduli, left, right, size, first);
+                for (Octet* const polynomial : {left, right}) {
+                    run.inverse_transform(moduli, roots.data(), polynomial, size);
+                    run.multiply_each(moduli, polynomial, twists.data(), size, polynomial);
+                    run.transform(moduli, roots.data(), polynomial, size);
+                }
+                run.multiply_each(moduli, left, right, size, second);
+            }
         }
+        from = std::exchange(to, to == values ? room.data() : values);
     }
 }
 

@@ -46,8 +46,8 @@ void transform_numbers(const Moduli& moduli, const Roots& roots, const Octet* nu
                        std::size_t size, Octet* values);
 
 /// The values of the product of the leaves at the roots of unity of order plan.size(); `leaves` has plan.leaf
-/// coefficients of each.
-void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan, const Octet* leaves,
+/// coefficients of each, which are used up.
+void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan, Octet* leaves,
                     Octet* values);
 
 }  // namespace blossom::residues
