@@ -10,7 +10,7 @@ namespace {
 RationalVector trimmed(const RationalVector& coefficients) {
     std::vector<Integer> numerators = coefficients.numerators();
     while (!numerators.empty() && numerators.back().is_zero()) numerators.pop_back();
-    RationalVector result(std::move(numerators), coefficients.denominator());
+    RationalVector result = coefficients.over_same_denominator(std::move(numerators));
     result.make_canonical();
     return result;
 }
@@ -96,7 +96,7 @@ Polynomial derivative(const Polynomial& polynomial) {
     if (numerators.size() < 2) return {};
     for (std::size_t k = 1; k < numerators.size(); ++k) numerators[k - 1] = numerators[k] * Integer(k);
     numerators.pop_back();
-    return Polynomial(RationalVector(std::move(numerators), polynomial.coefficients().denominator()));
+    return Polynomial(polynomial.coefficients().over_same_denominator(std::move(numerators)));
 }
 
 // Pseudo-division: every step multiplies by the leading coefficient of b instead of dividing by it.

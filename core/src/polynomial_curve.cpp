@@ -31,7 +31,7 @@ PointArray padded(std::span<const Coordinates> coefficients, std::optional<std::
         numerators.insert(numerators.end(), row.begin(), row.end());
         numerators.resize((j + 1) * (formal + 1));
     }
-    return {given.dimension(), RationalVector(std::move(numerators), given.denominator())};
+    return {given.dimension(), given.numbers().over_same_denominator(std::move(numerators))};
 }
 
 PointArray stacked(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree) {
@@ -76,7 +76,7 @@ std::size_t PolynomialCurve::actual_degree() const {
 
 Polynomial PolynomialCurve::coordinate(std::size_t j) const {
     const auto row = coefficients_.coordinate(j);
-    return Polynomial(RationalVector({row.begin(), row.end()}, coefficients_.denominator()));
+    return Polynomial(coefficients_.numbers().over_same_denominator({row.begin(), row.end()}));
 }
 
 }  // namespace blossom

@@ -22,12 +22,7 @@ LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
         return {bezier->control_points().numbers(), bezier->dimension(), use};
     const PointArray& coefficients = std::get<PolynomialCurve>(map).coefficients();
     const auto weights = binomial_weights(coefficients.size() - 1);
-    std::vector<Integer> numerators;
-    numerators.reserve(coefficients.numbers().size());
-    for (const auto row : coefficients.rows()) {
-        for (std::size_t k = 0; k < row.size(); ++k) numerators.push_back(row[k] * weights->numerators[k]);
-    }
-    RationalVector numbers(std::move(numerators), weights->denominator * coefficients.denominator());
+    RationalVector numbers = coefficients.numbers().weighted(weights->numerators, weights->denominator);
     if (use == LinearFactorSums::Use::many) numbers.make_canonical();
     return {std::move(numbers), coefficients.dimension(), use};
 }

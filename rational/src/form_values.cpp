@@ -92,7 +92,7 @@ void set_reduced(const PreparedForms& form, const FormRow& row, const WordParame
     const std::uint64_t rest = set_denominators(form, row, t, denominators);
     std::size_t used = magnitude.size();
     while (used > 1 && magnitude[used - 1] == 0) --used;
-    value = reduced_quotient(magnitude.first(used), negative, denominators, 1);
+    value = reduced_quotient(magnitude.first(used), negative, denominators, {});
     if (rest != 1 && !value.is_zero())
         RationalAccess::multiply_denominator(value, pow(Integer(rest), form.degree));
 }
@@ -166,10 +166,10 @@ FormValues::Prepared::Prepared(RationalVector given, std::size_t row_count)
     sum_bits = bits + static_cast<std::size_t>(std::bit_width(size));
     if (const auto word = numbers.denominator().to_int64())
         word_denominator = static_cast<std::uint64_t>(*word);
-    Integer rest = numbers.denominator();
-    denominators = split_into_words(rest);
-    if (denominators.empty()) denominators.push_back(1);
-    if (!rest.is_one()) denominators.clear();
+    if (const DenominatorParts split = split_denominator(numbers, true); split.longer.empty()) {
+        denominators = split.words;
+        if (denominators.empty()) denominators.push_back(1);
+    }
     const PrimeParts parts(numbers.denominator());
     denominator_primes = parts.rest.is_one() ? parts.primes : small_primes::any_primes;
     if (bits < 64) {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 #include <type_traits>
+#include <utility>
 
 #include "backend.hpp"
 #include "wide.hpp"
@@ -111,6 +112,23 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
 }
 
 #endif
+
+/// product[0..m + n) = a b for factors of any sizes other than 0; the product lies apart.
+inline void multiply_any(Limb* product, std::span<const Limb> a, std::span<const Limb> b) {
+    if (a.size() < b.size()) std::swap(a, b);
+    multiply(product, a.data(), a.size(), b.data(), b.size());
+}
+
+/// number[0..size) *= factor, where a size of 0 stands for 1; the size grows with the number.
+inline void multiply_by_word(Limb* number, std::size_t& size, Limb factor) {
+    Wide carry = size == 0 ? Wide{factor} : Wide{0};
+    for (std::size_t i = 0; i < size; ++i) {
+        carry += Wide{number[i]} * factor;
+        number[i] = static_cast<Limb>(carry);
+        carry >>= 64;
+    }
+    if (carry != 0) number[size++] = static_cast<Limb>(carry);
+}
 
 /// The number of limbs of a value, at least 1.
 inline std::size_t size_of(const Integer& value) {

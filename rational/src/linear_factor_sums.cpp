@@ -36,17 +36,15 @@ SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> 
     if (on_stack && !rows.words.empty() && bits.sum < 128) return SumKernel::wide;
     if (rows.digits.suffice(factors, bits.sum)) return SumKernel::limbs;
     if (!on_stack) return kernel_without_limbs(rows, factors);
-    if (bits.sum / 64 < most_sum_limbs) return SumKernel::limbs;
+    if (!rows.limbs.empty() && bits.sum / 64 < most_sum_limbs) return SumKernel::limbs;
     return kernel_without_limbs(rows, factors);
 }
 
 /// A numerator in two's complement, or its negative, over the denominator in lowest terms.
 Rational reduced(std::span<std::uint64_t> numerator, bool negated, const DenominatorWords& denominator,
-                 const Integer& further) {
+                 std::span<const Integer> further) {
     const bool negative = limbs::take_magnitude(numerator);
-    const std::size_t used = limbs::used(numerator.data(), numerator.size());
-    return reduced_quotient(numerator.first(std::max<std::size_t>(used, 1)), negative != negated, denominator,
-                            further);
+    return reduced_quotient(numerator, negative != negated, denominator, further);
 }
 
 /// Whether the kernel `word` sufficed.
@@ -81,7 +79,7 @@ void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, st
                    std::span<Rational> sums) {
     const machine_sums::WideFactorProduct product(factors);
     const DenominatorWords denominator =
-        machine_sums::denominator_words(rows.denominators, rows.primes, factors);
+        machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         sums[j] =
             machine_sums::reduced(product.sum_of_products(rows.words_of(first_row + j).words), denominator);
@@ -99,12 +97,12 @@ void evaluate_digits(const Prepared& rows, std::span<const WordFactor> factors, 
                      std::size_t first_row, std::span<Rational> sums) {
     const DigitBlocks blocks(rows.digits, factors, bits.sum);
     const DenominatorWords denominator =
-        machine_sums::denominator_words(rows.denominators, rows.primes, factors);
+        machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     std::uint64_t words[most_digit_words];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         blocks.sum(rows.digits.row(first_row + j), numerator);
-        sums[j] = reduced(numerator, false, denominator, rows.further_denominator);
+        sums[j] = reduced(numerator, false, denominator, rows.denominator.longer);
     }
 }
 
@@ -113,42 +111,38 @@ void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, c
     if (rows.digits.suffice(factors, bits.sum)) return evaluate_digits(rows, factors, bits, first_row, sums);
     const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     const DenominatorWords denominator =
-        machine_sums::denominator_words(rows.denominators, rows.primes, factors);
+        machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     std::uint64_t words[most_sum_limbs];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         limb_dot({rows.limbs_of(first_row + j), rows.width, rows.width}, product.limbs(), rows.size,
                  numerator);
-        sums[j] = reduced(numerator, product.negated(), denominator, rows.further_denominator);
+        sums[j] = reduced(numerator, product.negated(), denominator, rows.denominator.longer);
     }
 }
 
-/// Factors of the denominator of all sums, each positive, words gathered as far as they stay words; and
-/// whether their product is the negative of the denominator.
+/// Factors of the denominator of all sums, words gathered as far as they stay words; and whether their
+/// product is the negative of the denominator.
 template <class R>
-std::pair<std::vector<Integer>, bool> denominator_factors(const Prepared& rows,
-                                                          std::span<const LinearFactor<R>> factors) {
-    std::vector<Integer> result;
+std::pair<DenominatorParts, bool> denominator_factors(const Prepared& rows,
+                                                      std::span<const LinearFactor<R>> factors) {
+    DenominatorParts result = rows.denominator;
     bool negative = false;
-    Integer gathered = 1;
-    const auto multiply = [&](const Integer& factor) {
-        Integer size = abs(factor);
-        negative ^= factor.sign() < 0;
-        if (!size.to_int64()) {
-            result.push_back(std::move(size));
-            return;
+    for (const LinearFactor<R>& factor : factors) {
+        const Integer size = abs(Integer(factor.denominator));
+        negative ^= Integer(factor.denominator).sign() < 0;
+        const auto word = size.to_int64();
+        std::uint64_t product = 0;
+        if (!word) {
+            result.longer.push_back(size);
+        } else if (!result.words.empty() &&
+                   !__builtin_mul_overflow(result.words.back(), static_cast<std::uint64_t>(*word),
+                                           &product)) {
+            result.words.back() = product;
+        } else {
+            result.words.push_back(static_cast<std::uint64_t>(*word));
         }
-        Integer product = gathered * size;
-        if (!product.to_int64()) {
-            if (!gathered.is_one()) result.push_back(gathered);
-            product = size;
-        }
-        gathered = std::move(product);
-    };
-    if (!rows.further_denominator.is_one()) result.push_back(rows.further_denominator);
-    for (const std::uint64_t factor : rows.denominators) multiply(factor);
-    for (const LinearFactor<R>& factor : factors) multiply(factor.denominator);
-    if (!gathered.is_one()) result.push_back(gathered);
+    }
     return {std::move(result), negative};
 }
 
@@ -159,8 +153,13 @@ void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> fa
         residue_sums(rows.numbers, rows.use == LinearFactorSums::Use::many ? &rows.residues : nullptr,
                      blocks_of(factors), closer_sum_bits(rows, factors), first_row, sums.size());
     const auto [denominators, negative] = denominator_factors(rows, factors);
-    for (std::size_t j = 0; j < sums.size(); ++j)
-        sums[j] = reduced_quotient(negative ? -numerators[j] : numerators[j], denominators);
+    std::vector<std::uint64_t> numerator;
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        numerator.resize(limbs::size_of(numerators[j]));
+        limbs::write_magnitude(numerators[j], numerator.data(), numerator.size());
+        sums[j] = reduced_quotient(numerator, (numerators[j].sign() < 0) != negative, denominators.words,
+                                   denominators.longer);
+    }
 }
 
 /// The sums of products with the coefficients in `product`, or with their negatives.
@@ -172,7 +171,8 @@ void set_large_sums(const Prepared& rows, std::span<const LinearFactor<R>> facto
     for (std::size_t j = 0; j < sums.size(); ++j) {
         large_dot(rows.integers_of(first_row + j), product, numerator);
         const bool below_zero = limbs::take_magnitude(numerator);
-        sums[j] = reduced_quotient(numerator, (below_zero != negated) != negative, denominators);
+        sums[j] = reduced_quotient(numerator, (below_zero != negated) != negative, denominators.words,
+                                   denominators.longer);
     }
 }
 

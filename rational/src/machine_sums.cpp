@@ -12,7 +12,7 @@ Rational reduced(Wide numerator, const DenominatorWords& denominator) {
     const auto value = static_cast<SignedWide>(numerator);
     const Wide size = magnitude(value);
     std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-    return reduced_quotient(std::span(words).first(words[1] == 0 ? 1 : 2), value < 0, denominator, 1);
+    return reduced_quotient(std::span(words).first(words[1] == 0 ? 1 : 2), value < 0, denominator, {});
 }
 
 namespace {

@@ -1,6 +1,12 @@
 #include "prepared_rows.hpp"
 
+<<<<<<< HEAD
 #include <limits>
+=======
+#include <algorithm>
+#include <bit>
+#include <optional>
+>>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
 
 #include "backend.hpp"
 #include "limb_sums.hpp"
@@ -13,33 +19,38 @@ namespace {
 /// Denominators of up to ten bits, and the binomials of any likely degree, have no larger prime factors.
 constexpr std::int64_t greatest_trial = 1023;
 
-constexpr std::size_t most_denominators = 16;
-
 }  // namespace
 
-std::vector<std::uint64_t> split_into_words(Integer& value) {
-    std::vector<std::uint64_t> words;
+DenominatorParts split_denominator(const RationalVector& numbers, bool search) {
+    DenominatorParts parts;
     std::uint64_t gathered = 1;
     const auto gather = [&](std::uint64_t factor) {
         std::uint64_t product = 0;
         if (__builtin_mul_overflow(gathered, factor, &product)) {
-            words.push_back(gathered);
+            parts.words.push_back(gathered);
             product = factor;
         }
         gathered = product;
     };
-    for (std::int64_t trial = 2; trial <= greatest_trial && !value.to_int64(); trial += trial == 2 ? 1 : 2) {
-        while (!value.to_int64() && (value % trial).is_zero()) {
-            value = divide_exactly(value, trial);
-            gather(static_cast<std::uint64_t>(trial));
+    for (const Integer& factor : numbers.denominator_factors()) {
+        std::optional<std::int64_t> word = factor.to_int64();
+        if (!word && search) {
+            Integer rest = factor;
+            for (std::int64_t trial = 2; trial <= greatest_trial && !word; trial += trial == 2 ? 1 : 2) {
+                while (!word && (rest % trial).is_zero()) {
+                    rest = divide_exactly(rest, trial);
+                    gather(static_cast<std::uint64_t>(trial));
+                    word = rest.to_int64();
+                }
+            }
+            if (!word) parts.longer.push_back(std::move(rest));
+        } else if (!word) {
+            parts.longer.push_back(factor);
         }
+        if (word) gather(static_cast<std::uint64_t>(*word));
     }
-    if (const auto word = value.to_int64()) {
-        gather(static_cast<std::uint64_t>(*word));
-        value = 1;
-    }
-    if (gathered != 1) words.push_back(gathered);
-    return words;
+    if (gathered != 1) parts.words.push_back(gathered);
+    return parts;
 }
 
 LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count, Use use_of_rows)
@@ -49,6 +60,7 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
       size(numbers.size() / row_count),
       bits(greatest_bit_length(numbers.numerators())),
       width(bits / 64 + 1),
+<<<<<<< HEAD
       further_denominator(numbers.denominator()) {
     if (use == Use::many || further_denominator.to_int64())
         denominators = split_into_words(further_denominator);
@@ -59,15 +71,22 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
     for (const std::uint64_t factor : denominators) {
         primes |= small_primes::table.factored(factor);
         if (__builtin_mul_overflow(word_denominator, factor, &word_denominator)) word_denominator = 0;
+=======
+      denominator(split_denominator(numbers, use_of_rows == Use::many)) {
+    for (const std::uint64_t factor : denominator.words) {
+        if (primes == small_primes::any_primes) break;
+        primes |= small_primes::table.factored(factor >> std::countr_zero(factor));
+>>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
     }
-    if (bits < 64 && further_denominator.is_one()) {
+    if (bits < 64 && denominator.longer.empty() && has_few_words()) {
         words.reserve(numbers.size());
         for (const Integer& numerator : numbers.numerators()) {
             words.push_back(*numerator.to_int64());
             greatest = std::max(greatest, std::abs(words.back()));
         }
     }
-    if (width <= most_sum_limbs) {
+    if (has_few_words()) digits = DigitRows(numbers.numerators(), size, bits);
+    if (width <= most_sum_limbs && has_few_words()) {
         limbs.resize(numbers.size() * width);
         for (std::size_t k = 0; k < numbers.size(); ++k) {
             IntegerAccess::to_twos_complement(numbers.numerators()[k],

@@ -12,6 +12,15 @@
 
 namespace blossom {
 
+/// Positive numbers whose product is a denominator.
+struct DenominatorParts {
+    std::vector<std::uint64_t> words;
+    std::vector<Integer> longer;
+};
+
+/// From the factors that are known. `search` splits small primes off those that are longer than a word.
+DenominatorParts split_denominator(const RationalVector& numbers, bool search);
+
 struct LinearFactorSums::Prepared {
     Prepared(RationalVector numbers, std::size_t rows, Use use);
 
@@ -20,10 +29,18 @@ struct LinearFactorSums::Prepared {
     }
     /// Only if there are words.
     WordRow words_of(std::size_t row) const {
+<<<<<<< HEAD
         return {std::span(words).subspan(row * size, size), greatest, denominators, word_denominator, primes};
+=======
+        return {std::span(words).subspan(row * size, size), greatest, denominator.words, primes};
+>>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
     }
+    /// Whether the words of the denominator are few enough to be held in place.
+    bool has_few_words() const { return denominator.words.size() <= most_denominators; }
     /// `width` words of two's complement a number.
     const std::uint64_t* limbs_of(std::size_t row) const { return limbs.data() + row * size * width; }
+
+    static constexpr std::size_t most_denominators = 32;
 
     RationalVector numbers;
     Use use;
@@ -35,15 +52,16 @@ struct LinearFactorSums::Prepared {
     std::size_t width;                 ///< of one number in `limbs`
     std::vector<std::uint64_t> limbs;  ///< empty when the numbers are too wide
     DigitRows digits;
+<<<<<<< HEAD
     std::vector<std::uint64_t> denominators;  ///< factors of the common denominator
     std::int64_t word_denominator = 1;        ///< their product, if it is below 2^63; otherwise 0
     small_primes::Set primes = 0;             ///< of `denominators`
     Integer further_denominator;              ///< the common denominator divided by them
+=======
+    DenominatorParts denominator;
+    small_primes::Set primes = 0;  ///< of the words of the denominator
+>>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
     ResidueCache residues;
 };
-
-/// Splits off the small prime factors of `value` > 0, gathered in words; what is left stays in `value`, or
-/// becomes one more word.
-std::vector<std::uint64_t> split_into_words(Integer& value);
 
 }  // namespace blossom

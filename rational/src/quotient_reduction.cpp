@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <optional>
 #include <vector>
 
 #include "limb_arithmetic.hpp"
 #include "rational_access.hpp"
+#include "word_gcds.hpp"
 
 namespace blossom {
 
@@ -13,23 +15,26 @@ namespace {
 
 using limbs::Limb;
 
-/// A number > 0 in limbs, none of which is 0 at the top.
+/// A number > 0 in limbs, none of which is 0 at the top; 1 to begin with, which needs no memory.
 class Natural {
 public:
-    explicit Natural(Limb value) : limbs_{value} {}
+    Natural() = default;
     explicit Natural(std::span<const Limb> limbs)
         : limbs_(limbs.begin(),
-                 limbs.begin() + static_cast<std::ptrdiff_t>(limbs::used(limbs.data(), limbs.size()))) {}
+                 limbs.begin() + static_cast<std::ptrdiff_t>(limbs::used(limbs.data(), limbs.size()))) {
+        if (limbs_.size() == 1 && limbs_[0] == 1) limbs_.clear();
+    }
 
+    bool is_one() const { return limbs_.empty(); }
+    /// Of a number other than 1.
     std::span<const Limb> span() const { return limbs_; }
-    bool is_one() const { return limbs_.size() == 1 && limbs_[0] == 1; }
     void multiply(std::span<const Limb> factor) {
-        std::vector<Limb> product(limbs_.size() + factor.size());
-        if (factor.size() > limbs_.size()) {
-            limbs::multiply(product.data(), factor.data(), factor.size(), limbs_.data(), limbs_.size());
-        } else {
-            limbs::multiply(product.data(), limbs_.data(), limbs_.size(), factor.data(), factor.size());
+        if (is_one()) {
+            *this = Natural(factor);
+            return;
         }
+        std::vector<Limb> product(limbs_.size() + factor.size());
+        limbs::multiply_any(product.data(), limbs_, factor);
         product.resize(limbs::used(product.data(), product.size()));
         limbs_ = std::move(product);
     }
@@ -42,7 +47,10 @@ private:
 Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
     const std::size_t a_size = limbs::used(a.data(), a.size());
     if (a_size == 0) return Natural(b);
-    if (a_size == 1 && b.size() == 1) return Natural(gcd_of_words(a[0], b[0]));
+    if (b.size() == 1) {
+        const Limb common = gcd_of_words(limbs::remainder(a.data(), a_size, b[0]), b[0]);
+        return Natural({&common, 1});
+    }
     std::vector<Limb> room(2 * (a_size + b.size()));
     Limb* const x = room.data();
     Limb* const y = x + a_size;
@@ -65,89 +73,87 @@ Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
     return common;
 }
 
-/// The products of 1, 2, 4, ... neighbouring factors.
+/// The factors of a denominator at the leaves, words in groups, and above them the products of neighbours.
 class FactorTree {
 public:
-    explicit FactorTree(std::span<const Integer> factors) {
-        std::size_t all = 0;
-        for (const Integer& factor : factors) all += limbs::size_of(factor);
-        const auto depth = static_cast<std::size_t>(std::bit_width(factors.size()));
-        limbs_.resize(all * (depth + 1) + 1);
+    FactorTree(std::span<const std::uint64_t> words, std::span<const Integer> longer) {
+        const std::size_t leaves = (words.size() + words_of_leaf - 1) / words_of_leaf + longer.size();
+        std::size_t all = words.size();
+        for (const Integer& factor : longer) all += limbs::size_of(factor);
+        limbs_.resize((all + 1) * static_cast<std::size_t>(std::bit_width(leaves) + 1));
+        nodes_.reserve(2 * leaves);
         Limb* next = limbs_.data();
-        levels_.emplace_back();
-        for (const Integer& factor : factors) {
+        for (; !words.empty(); words = words.subspan(nodes_.back().words.size()))
+            next = add_leaf(words.first(std::min(words.size(), words_of_leaf)), next);
+        for (const Integer& factor : longer) {
             const std::size_t size = limbs::size_of(factor);
             limbs::write_magnitude(factor, next, size);
-            levels_[0].emplace_back(next, size);
+            nodes_.push_back({{next, size}, {}, {}});
             next += size;
         }
-        while (levels_.back().size() > 1) {
-            const std::vector<std::span<const Limb>>& below = levels_.back();
-            std::vector<std::span<const Limb>> level;
-            level.reserve((below.size() + 1) / 2);
-            for (std::size_t i = 0; i + 1 < below.size(); i += 2) {
-                const bool swap = below[i].size() < below[i + 1].size();
-                const auto& a = below[i + (swap ? 1 : 0)];
-                const auto& b = below[i + (swap ? 0 : 1)];
-                limbs::multiply(next, a.data(), a.size(), b.data(), b.size());
-                level.emplace_back(next, limbs::used(next, a.size() + b.size()));
-                next += level.back().size();
-            }
-            if (below.size() % 2 == 1) level.push_back(below.back());
-            levels_.push_back(std::move(level));
+        for (std::size_t i = 0; i + 1 < nodes_.size(); i += 2) {
+            const std::span<const Limb> a = nodes_[i].product;
+            const std::span<const Limb> b = nodes_[i + 1].product;
+            limbs::multiply_any(next, a, b);
+            nodes_.push_back({{next, limbs::used(next, a.size() + b.size())}, {}, i});
+            next += nodes_.back().product.size();
         }
     }
 
-    std::span<const Limb> product() const { return levels_.back()[0]; }
+    std::span<const Limb> product() const { return nodes_.back().product; }
 
-    /// A multiple of gcd(numerator, product) whose prime factors divide both: itself for short products, and
-    /// prod gcd(numerator, factor) for longer ones.
+    /// prod gcd(numerator, factor)
     Natural common(std::span<const Limb> numerator) {
-        if (product().size() <= longest_direct) return gcd_of(numerator, product());
-        Natural result(1);
-        room_.resize(numerator.size() + levels_.size() * (product().size() + 2));
-        gather(numerator, levels_.size() - 1, 0, room_.data(), result);
+        const auto depth = static_cast<std::size_t>(std::bit_width(nodes_.size()));
+        room_.resize(numerator.size() + depth * product().size() + 1);
+        Natural result;
+        gather(numerator, nodes_.back(), room_.data(), result);
         return result;
     }
 
 private:
-    /// In limbs, by measurement.
-    static constexpr std::size_t longest_direct = 32;
+    struct Node {
+        std::span<const Limb> product;
+        std::span<const std::uint64_t> words;  ///< of a leaf that has words
+        std::optional<std::size_t> below;      ///< the first of two nodes, unless this is a leaf
+    };
 
-    Natural gcd_of(std::span<const Limb> number, std::span<const Limb> divisor) {
-        if (number.size() < divisor.size()) return gcd(number, divisor);
-        room_.resize(number.size() + 1);
-        limbs::divide(room_.data() + divisor.size(), room_.data(), number.data(), number.size(),
-                      divisor.data(), divisor.size());
-        return gcd({room_.data(), divisor.size()}, divisor);
+    /// Fewer limbs than this are not worth a division on the way down.
+    static constexpr std::size_t least_taken_off = 4;
+    static constexpr std::size_t words_of_leaf = 16;
+
+    Limb* add_leaf(std::span<const std::uint64_t> words, Limb* next) {
+        std::size_t size = 0;
+        for (const std::uint64_t word : words) limbs::multiply_by_word(next, size, word);
+        nodes_.push_back({{next, size}, words, {}});
+        return next + size;
     }
 
-    void gather(std::span<const Limb> number, std::size_t level, std::size_t i, Limb* room, Natural& result) {
-        const std::span<const Limb> node = levels_[level][i];
-        if (node.size() == 1) {
-            const std::uint64_t common =
-                gcd_of_words(limbs::remainder(number.data(), number.size(), node[0]), node[0]);
-            // A product of factors that is prime to the number ends the search.
-            if (common == 1) return;
+    void gather(std::span<const Limb> number, const Node& node, Limb* room, Natural& result) {
+        const std::size_t size = node.product.size();
+        if (number.size() >= size + least_taken_off) {
+            limbs::divide(room + size, room, number.data(), number.size(), node.product.data(), size);
+            number = {room, limbs::used(room, size)};
+            room += size;
+            if (number.empty()) return result.multiply(node.product);
         }
-        std::span<const Limb> rest = number;
-        if (number.size() >= node.size()) {
-            limbs::divide(room + node.size(), room, number.data(), number.size(), node.data(), node.size());
-            rest = {room, node.size()};
-            room += node.size();
-        }
-        if (level == 0) {
-            const Natural common = gcd(rest, node);
+        if (node.below) {
+            gather(number, nodes_[*node.below], room, result);
+            gather(number, nodes_[*node.below + 1], room, result);
+        } else if (node.words.empty()) {
+            const Natural common = gcd(number, node.product);
             if (!common.is_one()) result.multiply(common.span());
-            return;
+        } else {
+            Limb common[words_of_leaf];
+            gcds_with_words(number, node.words, common);
+            for (const Limb& factor : std::span(common).first(node.words.size()))
+                if (factor != 1) result.multiply({&factor, 1});
         }
-        gather(rest, level - 1, 2 * i, room, result);
-        if (2 * i + 1 < levels_[level - 1].size()) gather(rest, level - 1, 2 * i + 1, room, result);
     }
 
     std::vector<Limb> limbs_;
     std::vector<Limb> room_;
-    std::vector<std::vector<std::span<const Limb>>> levels_;
+    std::vector<Node> nodes_;
 };
 
 Integer quotient(std::span<const Limb> dividend, std::span<const Limb> divisor, bool negative) {
@@ -160,17 +166,12 @@ Integer quotient(std::span<const Limb> dividend, std::span<const Limb> divisor, 
 
 }  // namespace
 
-Rational reduced_quotient(const Integer& numerator, std::span<const Integer> factors) {
-    std::vector<Limb> words(limbs::size_of(numerator));
-    limbs::write_magnitude(numerator, words.data(), words.size());
-    return reduced_quotient(words, numerator.sign() < 0, factors);
-}
-
-Rational reduced_quotient(std::span<const Limb> numerator, bool negative, std::span<const Integer> factors) {
+Rational reduced_quotient(std::span<const Limb> numerator, bool negative, std::span<const Limb> words,
+                          std::span<const Integer> longer) {
     const std::span<const Limb> top = numerator.first(limbs::used(numerator.data(), numerator.size()));
     if (top.empty()) return 0;
-    if (factors.empty()) return IntegerAccess::from_magnitude(top, negative);
-    FactorTree tree(factors);
+    if (words.empty() && longer.empty()) return IntegerAccess::from_magnitude(top, negative);
+    FactorTree tree(words, longer);
     Natural shared = tree.common(top);
     if (!shared.is_one()) shared = gcd(top, shared.span());
     if (shared.is_one()) {

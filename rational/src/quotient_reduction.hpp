@@ -10,11 +10,10 @@
 
 namespace blossom {
 
-/// numerator / prod factors, all factors positive. Cost: the remainders of the numerator by a tree of the
-/// factors, and one gcd a factor.
-Rational reduced_quotient(const Integer& numerator, std::span<const Integer> factors);
-/// The same for a numerator in words, least significant first, and its sign.
+/// sign * numerator / (prod words * prod longer), where the numerator is in words, least significant first,
+/// and all factors are positive. Cost: the remainders of the numerator by a tree of the factors, and one gcd
+/// a factor, those of words many at a time.
 Rational reduced_quotient(std::span<const std::uint64_t> numerator, bool negative,
-                          std::span<const Integer> factors);
+                          std::span<const std::uint64_t> words, std::span<const Integer> longer);
 
 }  // namespace blossom

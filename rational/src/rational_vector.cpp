@@ -9,7 +9,11 @@ namespace blossom {
 
 RationalVector::RationalVector(std::span<const Rational> values) {
     for (const Rational& value : values) {
-        if (!value.is_integer()) denominator_ = lcm(denominator_, value.denominator());
+        if (value.is_integer()) continue;
+        const Integer factor = divide_exactly(value.denominator(), gcd(denominator_, value.denominator()));
+        if (factor.is_one()) continue;
+        denominator_ *= factor;
+        factors_.push_back(factor);
     }
     numerators_.reserve(values.size());
     for (const Rational& value : values) {
@@ -33,6 +37,27 @@ std::vector<Rational> RationalVector::to_rationals() const {
     return values;
 }
 
+RationalVector RationalVector::over_same_denominator(std::vector<Integer> numerators) const {
+    RationalVector result;
+    result.numerators_ = std::move(numerators);
+    result.denominator_ = denominator_;
+    result.factors_ = factors_;
+    return result;
+}
+
+RationalVector RationalVector::weighted(std::span<const Integer> weights, const Integer& divisor) const {
+    std::vector<Integer> numerators;
+    numerators.reserve(size());
+    for (std::size_t i = 0; i < size(); ++i)
+        numerators.push_back(numerators_[i] * weights[i % weights.size()]);
+    RationalVector result = over_same_denominator(std::move(numerators));
+    if (divisor.is_one()) return result;
+    if (factors_.empty() && !denominator_.is_one()) result.factors_.push_back(denominator_);
+    result.factors_.push_back(divisor);
+    result.denominator_ *= divisor;
+    return result;
+}
+
 void RationalVector::make_canonical() {
     Integer common = denominator_;
     // Neighbours often share much, like control points over an interval, whose ends have powers of their own
@@ -46,6 +71,13 @@ void RationalVector::make_canonical() {
     if (common.is_one()) return;
     for (Integer& numerator : numerators_) numerator = divide_exactly(numerator, common);
     denominator_ = divide_exactly(denominator_, common);
+    for (Integer& factor : factors_) {
+        const Integer shared = gcd(factor, common);
+        if (shared.is_one()) continue;
+        factor = divide_exactly(factor, shared);
+        common = divide_exactly(common, shared);
+    }
+    std::erase_if(factors_, [](const Integer& factor) { return factor.is_one(); });
 }
 
 bool operator==(const RationalVector& a, const RationalVector& b) {

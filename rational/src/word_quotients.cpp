@@ -1,10 +1,11 @@
 #include "word_quotients.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <optional>
 
 #include "limb_arithmetic.hpp"
 #include "quotient_reduction.hpp"
+#include "word_gcds.hpp"
 
 namespace blossom {
 
@@ -19,15 +20,7 @@ struct Words {
 
     std::span<const std::uint64_t> span() const { return {words, size}; }
 
-    void multiply(std::uint64_t factor) {
-        Wide carry = 0;
-        for (std::size_t i = 0; i < size; ++i) {
-            carry += Wide{words[i]} * factor;
-            words[i] = static_cast<std::uint64_t>(carry);
-            carry >>= 64;
-        }
-        if (carry != 0) words[size++] = static_cast<std::uint64_t>(carry);
-    }
+    void multiply(std::uint64_t factor) { limbs::multiply_by_word(words, size, factor); }
     void divide(std::uint64_t divisor) const {
         Wide rest = 0;
         for (std::size_t i = size; i-- > 0;) {
@@ -135,6 +128,7 @@ Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& den
     return quotient(top, negative, product(factors, words));
 }
 
+<<<<<<< HEAD
 }  // namespace
 
 void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
@@ -156,18 +150,18 @@ Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
 
     std::uint64_t words[most_words];
     Words bottom = product(factors, words);
+=======
+/// The same in general; nothing if what is common to both is longer than a word.
+std::optional<Rational> reduced_in_place(const Words& top, bool negative,
+                                         std::span<const std::uint64_t> factors) {
+    std::uint64_t common[most_words];
+    gcds_with_words(top.span(), factors, common);
+>>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
     std::uint64_t shared = 1;
-    bool shared_fits = further.is_one();
-    for (const std::uint64_t factor : factors) {
-        if (!shared_fits) break;
-        const std::uint64_t common = gcd_of_words(limbs::remainder(top.words, top.size, factor), factor);
-        shared_fits = !__builtin_mul_overflow(shared, common, &shared);
-    }
-    if (!shared_fits) {
-        std::vector<Integer> all{further};
-        for (const std::uint64_t factor : factors) all.emplace_back(factor);
-        return reduced_quotient(numerator, negative, all);
-    }
+    for (const std::uint64_t factor : std::span(common).first(factors.size()))
+        if (__builtin_mul_overflow(shared, factor, &shared)) return std::nullopt;
+    std::uint64_t words[most_words];
+    const Words bottom = product(factors, words);
     if (shared != 1 && factors.size() > 1)
         shared = gcd_of_words(limbs::remainder(top.words, top.size, shared), shared);
     if (shared != 1) {
@@ -175,6 +169,21 @@ Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
         bottom.divide(shared);
     }
     return quotient(top, negative, bottom);
+}
+
+}  // namespace
+
+Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
+                          const DenominatorWords& denominator, std::span<const Integer> further) {
+    const std::span<const std::uint64_t> factors = denominator.words();
+    const Words top{numerator.data(), limbs::used(numerator.data(), numerator.size())};
+    if (top.size == 0) return 0;
+    if (!further.empty()) return reduced_quotient(top.span(), negative, factors, further);
+    if (factors.empty()) return IntegerAccess::from_magnitude(top.span(), negative);
+    if (denominator.primes() != small_primes::any_primes)
+        return reduced_by_primes(top, negative, denominator);
+    if (auto value = reduced_in_place(top, negative, factors)) return *std::move(value);
+    return reduced_quotient(top.span(), negative, factors, further);
 }
 
 }  // namespace blossom

@@ -64,9 +64,9 @@ void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t d
     RationalAccess::set_words(value, numerator < 0 ? -top : top, static_cast<std::int64_t>(denominator));
 }
 
-/// sign * numerator / (denominator * further), where `numerator` is in words, least significant first, which
-/// are used up.
+/// sign * numerator / (denominator * prod further), where `numerator` is in words, least significant first,
+/// which are used up.
 Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
-                          const DenominatorWords& denominator, const Integer& further);
+                          const DenominatorWords& denominator, std::span<const Integer> further);
 
 }  // namespace blossom

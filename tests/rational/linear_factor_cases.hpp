@@ -15,9 +15,10 @@ namespace blossom::testing {
 inline constexpr std::int64_t greatest_word = INT64_MAX;
 
 /// sum_k c_k e_k from the definition: multiply out, one factor after the other, in lowest terms throughout.
-inline Rational evident_sum(std::span<const Rational> numbers, std::span<const WordFactor> factors) {
+template <class R>
+Rational evident_sum(std::span<const Rational> numbers, const std::vector<LinearFactor<R>>& factors) {
     std::vector<Rational> product{1};
-    for (const WordFactor& factor : factors) {
+    for (const LinearFactor<R>& factor : factors) {
         const Rational constant(factor.constant, factor.denominator);
         const Rational slope(factor.slope, factor.denominator);
         product.emplace_back();

@@ -95,12 +95,11 @@ TEST_CASE("rows are taken from the one asked for", "[linear_factor_sums]") {
     const LinearFactorSums sums(RationalVector(numbers), 3);
     CHECK(sums.rows() == 3);
     CHECK(sums.degree() == 1);
-    const WordFactor factor{2, 3, 5};
+    const std::vector<WordFactor> factor{{2, 3, 5}};
     std::vector<Rational> values(2);
-    sums.evaluate({&factor, 1}, 1, values);
+    sums.evaluate(factor, 1, values);
     for (std::size_t j = 0; j < 2; ++j) {
-        CHECK(values[j] ==
-              evident_sum(std::span<const Rational>(numbers).subspan(2 * j + 2, 2), {&factor, 1}));
+        CHECK(values[j] == evident_sum(std::span<const Rational>(numbers).subspan(2 * j + 2, 2), factor));
     }
 }
 

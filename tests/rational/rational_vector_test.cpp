@@ -37,6 +37,39 @@ TEST_CASE("a vector of rational numbers keeps its elements", "[rational_vector]"
     }
 }
 
+TEST_CASE("the factors of a denominator have it as their product", "[rational_vector]") {
+    const auto check_factors = [](const RationalVector& vector) {
+        Integer product = 1;
+        for (const Integer& factor : vector.denominator_factors()) {
+            CHECK(factor.sign() == 1);
+            product *= factor;
+        }
+        CHECK(product == vector.denominator());
+    };
+    Random random(53);
+    for (int i = 0; i < 1500; ++i) {
+        const std::vector<Rational> values = rationals(random);
+        const RationalVector vector(values);
+        check_factors(vector);
+        const Integer divisor = abs(integer(random)) + 1;
+        const std::vector<Integer> weights{divisor * 6, divisor * 10};
+        RationalVector weighted = vector.weighted(weights, divisor);
+        check_factors(weighted);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            CHECK(weighted[k] == values[k] * (k % 2 == 0 ? 6 : 10));
+        weighted.make_canonical();
+        check_factors(weighted);
+        for (std::size_t k = 0; k < values.size(); ++k)
+            CHECK(weighted[k] == values[k] * (k % 2 == 0 ? 6 : 10));
+        const RationalVector same = vector.over_same_denominator({1, -2});
+        check_factors(same);
+        CHECK(same[1] == Rational(-2, vector.denominator()));
+    }
+    CHECK(
+        RationalVector(std::vector<Rational>{Rational(1, 6), Rational(1, 10)}).denominator_factors().size() ==
+        2);
+}
+
 TEST_CASE("the common denominator of rational numbers is the least", "[rational_vector]") {
     const std::vector<Rational> values{Rational(1, 4), Rational(1, 6), Rational(5)};
     const RationalVector vector(values);

@@ -26,9 +26,20 @@ public:
     bool empty() const { return numerators_.empty(); }
     const std::vector<Integer>& numerators() const { return numerators_; }
     const Integer& denominator() const { return denominator_; }
+    /// Positive numbers whose product is the denominator, as it came about: those that the denominators of
+    /// the numbers given brought in one after the other, and what it was divided by since. For reductions,
+    /// which are cheaper by short factors; there is one alone when nothing is known.
+    std::span<const Integer> denominator_factors() const {
+        return factors_.empty() ? std::span(&denominator_, 1) : std::span(factors_);
+    }
     /// Element i in lowest terms. Cost: one gcd.
     Rational operator[](std::size_t i) const { return {numerators_[i], denominator_}; }
     std::vector<Rational> to_rationals() const;
+
+    /// Other numerators over the same denominator.
+    RationalVector over_same_denominator(std::vector<Integer> numerators) const;
+    /// Element i times weights[i mod weights.size()] / divisor, with divisor > 0; nothing is reduced.
+    RationalVector weighted(std::span<const Integer> weights, const Integer& divisor) const;
 
     /// Divides by the greatest common divisor of the denominator and all numerators: the least common
     /// denominator.
@@ -39,6 +50,7 @@ public:
 private:
     std::vector<Integer> numerators_;
     Integer denominator_ = 1;
+    std::vector<Integer> factors_;  ///< of the denominator, none of them 1; empty when it is the only one
 };
 
 /// The largest bit length among `values`; 0 when there is none.

@@ -1,0 +1,98 @@
+// Sums whose numerators share long and short factors with denominators of many words, against the evident
+// formula.
+
+#include <array>
+
+#include "rational/linear_factor_cases.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+namespace {
+
+/// Primes on both sides of the table of small ones, and such that fill a word.
+constexpr std::array<std::int64_t, 8> primes{2,     3,          137,        139,
+                                             65537, 2147483647, 1000000007, 2305843009213693951};
+
+/// A product of those primes below 2^62, now and then 1.
+std::int64_t smooth_word(Random& random) {
+    std::int64_t product = 1;
+    while (!random.one_in(9)) {
+        std::int64_t next = 0;
+        if (__builtin_mul_overflow(product, primes[random.below(primes.size())], &next) || next >> 62 != 0)
+            break;
+        product = next;
+    }
+    return product;
+}
+
+Integer smooth(Random& random, std::size_t words) {
+    Integer product = 1;
+    for (std::size_t i = 0; i < words; ++i) product *= smooth_word(random);
+    return product;
+}
+
+/// Numbers and factors of up to `words` words each.
+std::vector<Rational> smooth_numbers(Random& random, std::size_t count, std::size_t words) {
+    std::vector<Rational> numbers;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Integer top = random.one_in(9) ? Integer() : smooth(random, random.below(words + 1));
+        numbers.emplace_back(random.one_in(2) ? top : -top, smooth(random, random.below(words + 1)));
+    }
+    return numbers;
+}
+
+void check_integer_factors(const std::vector<Rational>& numbers, const std::vector<IntegerFactor>& factors) {
+    const Rational expected = evident_sum<Integer>(numbers, factors);
+    for (const auto use : {LinearFactorSums::Use::many, LinearFactorSums::Use::once}) {
+        Rational value;
+        LinearFactorSums(RationalVector(numbers), 1, use).evaluate(factors, 0, {&value, 1});
+        CHECK(value == expected);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("sums over denominators of many words that share factors with the numerator",
+          "[quotient_reduction]") {
+    Random random(31);
+    Met met;
+    for (int i = 0; i < 2000; ++i) {
+        const std::size_t n = random.below(i % 50 == 0 ? 40 : 9);
+        Case given{smooth_numbers(random, n + 1, 1), {}};
+        for (std::size_t k = 0; k < n; ++k) {
+            const std::int64_t sign = random.one_in(2) ? 1 : -1;
+            given.factors.push_back({smooth_word(random), sign * smooth_word(random), smooth_word(random)});
+        }
+        check(given, met);
+    }
+    CHECK(met[SumKernel::limbs] > 100);
+    CHECK(met[SumKernel::integers] > 100);
+}
+
+TEST_CASE("sums over long denominators that share factors with the numerator", "[quotient_reduction]") {
+    Random random(32);
+    for (int i = 0; i < 1000; ++i) {
+        const std::size_t n = random.below(i % 50 == 0 ? 30 : 7);
+        const std::size_t words = 1 + random.below(8);
+        std::vector<IntegerFactor> factors;
+        for (std::size_t k = 0; k < n; ++k) {
+            const Integer denominator = smooth(random, 1 + random.below(words));
+            factors.push_back({smooth(random, random.below(words)), -smooth(random, random.below(words)),
+                               random.one_in(4) ? -denominator : denominator});
+        }
+        check_integer_factors(smooth_numbers(random, n + 1, words), factors);
+    }
+}
+
+TEST_CASE("a numerator that the whole denominator divides", "[quotient_reduction]") {
+    for (const std::size_t n : {1U, 2U, 5U, 20U, 40U}) {
+        const std::int64_t word = (std::int64_t{1} << 61) - 1;
+        const std::vector<IntegerFactor> factors(n, IntegerFactor{word, 0, word});
+        std::vector<Rational> numbers(n + 1);
+        numbers[0] = Rational(7, 5);
+        check_integer_factors(numbers, factors);
+        const Integer longer = pow(Integer(word), 5);
+        check_integer_factors(numbers, std::vector<IntegerFactor>(n, IntegerFactor{longer, 0, longer}));
+    }
+}
