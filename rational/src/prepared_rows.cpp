@@ -1,12 +1,9 @@
 #include "prepared_rows.hpp"
 
-<<<<<<< HEAD
-#include <limits>
-=======
-#include <algorithm>
-#include <bit>
-#include <optional>
->>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
+      denominator(split_denominator(numbers, use_of_rows == Use::many)) {
+    for (const std::uint64_t factor : denominator.words) {
+        if (primes != small_primes::any_primes) primes |= small_primes::table.factored(factor);
+        if (__builtin_mul_overflow(word_denominator, factor, &word_denominator)) word_denominator = 0;
 
 #include "backend.hpp"
 #include "limb_sums.hpp"
@@ -60,23 +57,10 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
       size(numbers.size() / row_count),
       bits(greatest_bit_length(numbers.numerators())),
       width(bits / 64 + 1),
-<<<<<<< HEAD
-      further_denominator(numbers.denominator()) {
-    if (use == Use::many || further_denominator.to_int64())
-        denominators = split_into_words(further_denominator);
-    if (denominators.size() > most_denominators) {
-        denominators.clear();
-        further_denominator = numbers.denominator();
-    }
-    for (const std::uint64_t factor : denominators) {
-        primes |= small_primes::table.factored(factor);
-        if (__builtin_mul_overflow(word_denominator, factor, &word_denominator)) word_denominator = 0;
-=======
       denominator(split_denominator(numbers, use_of_rows == Use::many)) {
     for (const std::uint64_t factor : denominator.words) {
-        if (primes == small_primes::any_primes) break;
-        primes |= small_primes::table.factored(factor >> std::countr_zero(factor));
->>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
+        if (primes != small_primes::any_primes) primes |= small_primes::table.factored(factor);
+        if (__builtin_mul_overflow(word_denominator, factor, &word_denominator)) word_denominator = 0;
     }
     if (bits < 64 && denominator.longer.empty() && has_few_words()) {
         words.reserve(numbers.size());
@@ -85,7 +69,6 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
             greatest = std::max(greatest, std::abs(words.back()));
         }
     }
-    if (has_few_words()) digits = DigitRows(numbers.numerators(), size, bits);
     if (width <= most_sum_limbs && has_few_words()) {
         limbs.resize(numbers.size() * width);
         for (std::size_t k = 0; k < numbers.size(); ++k) {

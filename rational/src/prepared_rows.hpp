@@ -29,11 +29,8 @@ struct LinearFactorSums::Prepared {
     }
     /// Only if there are words.
     WordRow words_of(std::size_t row) const {
-<<<<<<< HEAD
-        return {std::span(words).subspan(row * size, size), greatest, denominators, word_denominator, primes};
-=======
-        return {std::span(words).subspan(row * size, size), greatest, denominator.words, primes};
->>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
+        return {std::span(words).subspan(row * size, size), greatest, denominator.words, word_denominator,
+                primes};
     }
     /// Whether the words of the denominator are few enough to be held in place.
     bool has_few_words() const { return denominator.words.size() <= most_denominators; }
@@ -52,15 +49,9 @@ struct LinearFactorSums::Prepared {
     std::size_t width;                 ///< of one number in `limbs`
     std::vector<std::uint64_t> limbs;  ///< empty when the numbers are too wide
     DigitRows digits;
-<<<<<<< HEAD
-    std::vector<std::uint64_t> denominators;  ///< factors of the common denominator
-    std::int64_t word_denominator = 1;        ///< their product, if it is below 2^63; otherwise 0
-    small_primes::Set primes = 0;             ///< of `denominators`
-    Integer further_denominator;              ///< the common denominator divided by them
-=======
     DenominatorParts denominator;
-    small_primes::Set primes = 0;  ///< of the words of the denominator
->>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
+    std::int64_t word_denominator = 1;  ///< the product of its words, if it is below 2^63; otherwise 0
+    small_primes::Set primes = 0;       ///< of its words
     ResidueCache residues;
 };
 

@@ -3,32 +3,18 @@
 #include <algorithm>
 #include <bit>
 
+#include "gcd_lanes.hpp"
 #include "limb_arithmetic.hpp"
-#include "residue_system.hpp"
 #include "small_primes.hpp"
-#include "word_gcd_lanes.hpp"
 
 namespace blossom {
 
 namespace {
 
-using word_gcd_lanes::pairs_at_once;
-
-/// What computes sixteen gcds at a time here; nothing on processors without.
-word_gcd_lanes::Gcds chosen_gcds() {
-    static const word_gcd_lanes::Gcds chosen = []() -> word_gcd_lanes::Gcds {
-#if defined(BLOSSOM_AVX512_GCDS)
-        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512cd"))
-            return word_gcd_lanes::avx512_gcds;
-#endif
-        return nullptr;
-    }();
-    return chosen;
-}
+using gcd_lanes::word_pairs;
 
 /// The fewest for which lanes pay.
-constexpr std::size_t least_for_lanes = 3;
+constexpr std::size_t least_words_for_lanes = 3;
 
 /// Numbers congruent to `number` times a power of 2^-64 modulo `Count` odd words: its words are taken off one
 /// by one from below, for all at once since each waits for the one before.
@@ -51,8 +37,8 @@ void set_remainders(std::span<const std::uint64_t> number, const std::uint64_t* 
 
 void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std::uint64_t> factors,
                      std::uint64_t* common) {
-    const word_gcd_lanes::Gcds gcds_in_lanes = factors.size() < least_for_lanes ? nullptr : chosen_gcds();
-    if (gcds_in_lanes == nullptr) {
+    const auto gcds_in_lanes = gcd_lanes::chosen().words;
+    if (factors.size() < least_words_for_lanes || gcds_in_lanes == nullptr) {
         for (std::size_t i = 0; i < factors.size(); ++i) {
             common[i] = gcd_of_words(limbs::remainder(number.data(), number.size(), factors[i]), factors[i]);
         }
@@ -60,10 +46,10 @@ void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std:
     }
     const std::size_t twos = limbs::trailing_zeros(number.data());
     while (!factors.empty()) {
-        const std::span<const std::uint64_t> some = factors.first(std::min(pairs_at_once, factors.size()));
-        std::uint64_t odd[pairs_at_once];
-        std::uint64_t rests[pairs_at_once] = {};
-        std::fill_n(odd, pairs_at_once, std::uint64_t{1});
+        const std::span<const std::uint64_t> some = factors.first(std::min(word_pairs, factors.size()));
+        std::uint64_t odd[word_pairs];
+        std::uint64_t rests[word_pairs] = {};
+        std::fill_n(odd, word_pairs, std::uint64_t{1});
         for (std::size_t i = 0; i < some.size(); ++i) odd[i] = some[i] >> std::countr_zero(some[i]);
         for (std::size_t i = 0; i < some.size(); i += 4) set_remainders<4>(number, odd + i, rests + i);
         gcds_in_lanes(odd, rests);

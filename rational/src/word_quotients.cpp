@@ -128,35 +128,11 @@ Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& den
     return quotient(top, negative, product(factors, words));
 }
 
-<<<<<<< HEAD
-}  // namespace
-
-void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
-    const std::uint64_t size = magnitude(numerator);
-    const std::uint64_t common = gcd_of_words(size % denominator, denominator);
-    const auto top = static_cast<std::int64_t>(common == 1 ? size : size / common);
-    RationalAccess::set_words(value, numerator < 0 ? -top : top,
-                              static_cast<std::int64_t>(common == 1 ? denominator : denominator / common));
-}
-
-Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
-                          const DenominatorWords& denominator, const Integer& further) {
-    const std::span<const std::uint64_t> factors = denominator.words();
-    const Words top{numerator.data(), numerator.size()};
-    if (std::ranges::all_of(numerator, [](std::uint64_t word) { return word == 0; })) return 0;
-    if (factors.empty()) return {IntegerAccess::from_magnitude(numerator, negative), further};
-    if (further.is_one() && denominator.primes() != small_primes::any_primes)
-        return reduced_by_primes(top, negative, denominator);
-
-    std::uint64_t words[most_words];
-    Words bottom = product(factors, words);
-=======
 /// The same in general; nothing if what is common to both is longer than a word.
 std::optional<Rational> reduced_in_place(const Words& top, bool negative,
                                          std::span<const std::uint64_t> factors) {
     std::uint64_t common[most_words];
     gcds_with_words(top.span(), factors, common);
->>>>>>> 71a2486 (Reduce quotients by gcds of words in vector lanes, and keep the factors of common denominators)
     std::uint64_t shared = 1;
     for (const std::uint64_t factor : std::span(common).first(factors.size()))
         if (__builtin_mul_overflow(shared, factor, &shared)) return std::nullopt;
@@ -172,6 +148,14 @@ std::optional<Rational> reduced_in_place(const Words& top, bool negative,
 }
 
 }  // namespace
+
+void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
+    const std::uint64_t size = magnitude(numerator);
+    const std::uint64_t common = gcd_of_words(size % denominator, denominator);
+    const auto top = static_cast<std::int64_t>(common == 1 ? size : size / common);
+    RationalAccess::set_words(value, numerator < 0 ? -top : top,
+                              static_cast<std::int64_t>(common == 1 ? denominator : denominator / common));
+}
 
 Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
                           const DenominatorWords& denominator, std::span<const Integer> further) {
