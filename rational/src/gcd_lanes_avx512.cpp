@@ -40,8 +40,7 @@ struct Numbers {
         const __m512i rest = _mm512_sub_epi64(all, shift);
         for (std::size_t i = 0; i + 1 < Digits; ++i) {
             const __m512i high = _mm512_sllv_epi64(digits[i + 1], rest);
-            digits[i] =
-                _mm512_and_si512(_mm512_or_si512(_mm512_srlv_epi64(digits[i], shift), high), mask);
+            digits[i] = _mm512_and_si512(_mm512_or_si512(_mm512_srlv_epi64(digits[i], shift), high), mask);
         }
         digits[Digits - 1] = _mm512_srlv_epi64(digits[Digits - 1], shift);
     }
@@ -97,8 +96,8 @@ void run(Numbers<Digits>& odd, Numbers<Digits>& other) {
     }
 }
 
-/// Numbers congruent to `number` times a power of 2^-52 modulo the factors, and not above them: its digits are
-/// taken off one by one from below. Sums wait in 64 bits, of which each digit needs few more than 52.
+/// Numbers congruent to `number` times a power of 2^-52 modulo the factors, and not above them: its digits
+/// are taken off one by one from below. Sums wait in 64 bits, of which each digit needs few more than 52.
 template <std::size_t Digits>
 Numbers<Digits> remainders(const std::uint64_t* number, std::size_t count, const Numbers<Digits>& factors,
                            __m512i negative_inverses) {
@@ -106,13 +105,11 @@ Numbers<Digits> remainders(const std::uint64_t* number, std::size_t count, const
     Numbers<Digits> rest;
     for (__m512i& digit : rest.digits) digit = zero;
     for (std::size_t j = 0; j < count; ++j) {
-        const __m512i lowest =
-            _mm512_add_epi64(rest.digits[0], constant(static_cast<long long>(number[j])));
+        const __m512i lowest = _mm512_add_epi64(rest.digits[0], constant(static_cast<long long>(number[j])));
         const __m512i quotient = _mm512_madd52lo_epu64(zero, lowest, negative_inverses);
         const __m512i cleared = _mm512_madd52lo_epu64(lowest, quotient, factors.digits[0]);
         for (std::size_t i = 0; i + 1 < Digits; ++i) {
-            const __m512i low =
-                _mm512_madd52lo_epu64(rest.digits[i + 1], quotient, factors.digits[i + 1]);
+            const __m512i low = _mm512_madd52lo_epu64(rest.digits[i + 1], quotient, factors.digits[i + 1]);
             rest.digits[i] = _mm512_madd52hi_epu64(low, quotient, factors.digits[i]);
         }
         rest.digits[Digits - 1] = _mm512_madd52hi_epu64(zero, quotient, factors.digits[Digits - 1]);
@@ -135,8 +132,7 @@ void gcds(const std::uint64_t* number, std::size_t count, Factors& given) {
     if constexpr (Digits > 1) {
         if (is_zero(odd.digits[Digits - 1])) return gcds<Digits - 1>(number, count, given);
     }
-    Numbers<Digits> rest =
-        remainders(number, count, odd, _mm512_load_si512(given.negative_inverses));
+    Numbers<Digits> rest = remainders(number, count, odd, _mm512_load_si512(given.negative_inverses));
     run(odd, rest);
     for (std::size_t i = 0; i < Digits; ++i) _mm512_store_si512(given.digits[i], odd.digits[i]);
 }

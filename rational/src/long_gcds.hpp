@@ -19,10 +19,9 @@ public:
     /// Whether this processor has the lanes; otherwise there is nothing to construct.
     static bool are_quick() { return gcd_lanes::chosen().longer != nullptr; }
 
-    /// gcd(number, factors[i]) for a number > 0 and at most 8 factors > 0 of at most 5 limbs, all without zeros
-    /// at the top.
-    LongGcds(std::span<const std::uint64_t> number,
-             std::span<const std::span<const std::uint64_t>> factors);
+    /// gcd(number, factors[i]) for a number > 0 and at most 8 factors > 0 of at most 5 limbs, all without
+    /// zeros at the top.
+    LongGcds(std::span<const std::uint64_t> number, std::span<const std::span<const std::uint64_t>> factors);
 
     /// Calls visit(gcd) for each.
     template <class Visit>

@@ -96,3 +96,19 @@ TEST_CASE("a numerator that the whole denominator divides", "[quotient_reduction
         check_integer_factors(numbers, std::vector<IntegerFactor>(n, IntegerFactor{longer, 0, longer}));
     }
 }
+
+TEST_CASE("factors of as many limbs as are taken together, and one more", "[quotient_reduction]") {
+    Random random(33);
+    for (const std::size_t bits : {52U, 53U, 104U, 105U, 255U, 256U, 257U, 319U, 320U, 321U, 384U}) {
+        for (int i = 0; i < 20; ++i) {
+            std::vector<IntegerFactor> factors;
+            for (std::size_t k = random.below(20); k > 0; --k) {
+                const Integer full = (Integer(1) << bits) - 1;
+                const Integer shared = smooth(random, bits / 100);
+                const Integer denominator = random.one_in(2) ? full : shared << random.below(bits / 4);
+                factors.push_back({random.one_in(2) ? full * shared : shared, shared, denominator});
+            }
+            check_integer_factors(smooth_numbers(random, factors.size() + 1, 2), factors);
+        }
+    }
+}
