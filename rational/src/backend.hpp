@@ -109,8 +109,7 @@ inline void set_twos_complement(Number& value, std::span<const std::uint64_t> wo
 inline std::size_t bit_length(const Number& value) {
     const mpz_srcptr data = value.backend().data();
     const std::size_t size = mpz_size(data);
-    return size == 0 ? 1
-                     : 64 * size - static_cast<std::size_t>(std::countl_zero(data->_mp_d[size - 1]));
+    return size == 0 ? 1 : 64 * size - static_cast<std::size_t>(std::countl_zero(data->_mp_d[size - 1]));
 }
 
 /// The binary digits of the magnitude at the front of `words`; the words beyond keep what they hold.

@@ -1,9 +1,8 @@
 #include "prepared_rows.hpp"
 
-      denominator(split_denominator(numbers, use_of_rows == Use::many)) {
-    for (const std::uint64_t factor : denominator.words) {
-        if (primes != small_primes::any_primes) primes |= small_primes::table.factored(factor);
-        if (__builtin_mul_overflow(word_denominator, factor, &word_denominator)) word_denominator = 0;
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
 
 #include "backend.hpp"
 #include "limb_sums.hpp"
