@@ -71,27 +71,38 @@ std::optional<WordQuotient> as_words(const Rational& value) {
     return WordQuotient{*numerator, *denominator};
 }
 
-/// The Bernstein coefficients from the form on the line through the ends p/q and r/s, where the denominator
-/// of coefficient k is q^(n-k) s^k times a binomial coefficient.
-std::optional<Quotients<Integer>> bernstein_by_form(std::span<const Integer> coefficients,
-                                                    const Interval& interval) {
+/// The numerators of the Bernstein coefficients from the form on the line through the ends p/q and r/s, where
+/// coefficient k has the denominator q^(n-k) s^k.
+std::optional<Row> numerators_by_form(std::span<const Integer> coefficients, const WordQuotient& a,
+                                      const WordQuotient& b, std::span<const Integer> weights) {
+    if (coefficients.size() < least_coefficients_of_form) return std::nullopt;
+    auto row = form_on_line(coefficients, a, b);
+    if (!row) return std::nullopt;
+    const std::size_t n = coefficients.size() - 1;
+    const std::int64_t common = std::gcd(a.denominator, b.denominator);
+    const Integer rising = a.denominator / common;
+    const Integer falling = b.denominator / common;
+    Integer scale = pow(falling, n);
+    for (std::size_t k = 0; k <= n; ++k) {
+        (*row)[k] *= weights[k] * scale;
+        if (k < n) scale = divide_exactly(scale, falling) * rising;
+    }
+    return row;
+}
+
+/// The Bernstein coefficients over an interval whose ends are quotients of words.
+std::optional<Quotients<Integer>> bernstein_between_words(std::span<const Integer> coefficients,
+                                                          const Interval& interval) {
     const auto a = as_words(interval.a());
     const auto b = as_words(interval.b());
     if (!a || !b) return std::nullopt;
-    auto row = form_on_line(coefficients, *a, *b);
-    if (!row) return std::nullopt;
     const std::size_t n = coefficients.size() - 1;
     const auto weights = binomial_weights(n);
-    const std::int64_t common = std::gcd(a->denominator, b->denominator);
-    const Integer rising = a->denominator / common;
-    const Integer falling = b->denominator / common;
-    Integer scale = pow(falling, n);
-    for (std::size_t k = 0; k <= n; ++k) {
-        (*row)[k] *= weights->numerators[k] * scale;
-        if (k < n) scale = divide_exactly(scale, falling) * rising;
-    }
-    return Quotients<Integer>{std::move(*row),
-                              weights->denominator * pow(rising * interval.b().denominator(), n)};
+    auto row = bernstein_in_words(coefficients, *a, *b, weights->numerators);
+    if (!row) row = numerators_by_form(coefficients, *a, *b, weights->numerators);
+    if (!row) return std::nullopt;
+    const Integer denominator = lcm(interval.a().denominator(), interval.b().denominator());
+    return Quotients<Integer>{std::move(*row), weights->denominator * pow(denominator, n)};
 }
 
 }  // namespace
@@ -103,9 +114,7 @@ Quotients<Integer> taylor_coefficients(std::span<const Integer> coefficients, co
 }
 
 Quotients<Integer> bernstein_from_monomial(std::span<const Integer> coefficients, const Interval& interval) {
-    if (coefficients.size() >= least_coefficients_of_form) {
-        if (auto quotients = bernstein_by_form(coefficients, interval)) return std::move(*quotients);
-    }
+    if (auto quotients = bernstein_between_words(coefficients, interval)) return std::move(*quotients);
     const std::size_t n = coefficients.size() - 1;
     Row row = unscaled_taylor_coefficients(coefficients, interval.a());
     // t - a = length s; what the denominators of a and of the length share cancels.

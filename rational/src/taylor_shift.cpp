@@ -195,20 +195,18 @@ private:
 template <class Word>
 std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
     constexpr std::size_t size = sizeof(Word) / sizeof(std::uint64_t);
-    std::vector<Word> row;
-    row.reserve(coefficients.size());
-    for (const Integer& coefficient : coefficients) {
-        std::uint64_t words[size];
-        IntegerAccess::to_twos_complement(coefficient, words);
-        Word value = 0;
-        std::memcpy(&value, words, sizeof value);
-        row.push_back(value);
+    std::uint64_t words[size];
+    Word in_place[most_coefficients_in_words];
+    const std::span<Word> row = std::span(in_place).first(coefficients.size());
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        IntegerAccess::to_twos_complement(coefficients[k], words);
+        std::memcpy(&row[k], words, sizeof words);
     }
+    row_recurrences::shift_by_one(row);
     std::vector<Integer> result;
     result.reserve(row.size());
-    for (const Word& value : row_recurrences::shifted_by_one<Word>(row)) {
-        std::uint64_t words[size];
-        std::memcpy(words, &value, sizeof value);
+    for (const Word& value : row) {
+        std::memcpy(words, &value, sizeof words);
         result.push_back(IntegerAccess::from_twos_complement(words));
     }
     return result;

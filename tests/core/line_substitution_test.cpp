@@ -64,7 +64,7 @@ TEST_CASE("control points of high degree are those of the recurrences", "[conver
                              Rational(word, 3),
                              Rational(2, word - 1),
                              Rational(2, word + 1)};
-    for (const std::size_t n : {62U, 63U, 64U, 100U}) {
+    for (const std::size_t n : {31U, 32U, 62U, 63U, 64U, 100U}) {
         std::vector<Coordinates> coefficients(n + 1);
         for (Coordinates& coefficient : coefficients) coefficient = {number(random, Size::small)};
         const PolynomialCurve curve(coefficients);

@@ -105,6 +105,34 @@ TEST_CASE("forms on lines: numbers that end where groups of primes do", "[differ
     });
 }
 
+TEST_CASE("Bernstein coefficients: rows that end where words do", "[differential]") {
+    each_case("Bernstein coefficients in words", [&](Random& random) {
+        const std::size_t size = 1 + random.below(random.one_in(4) ? 33 : 8);
+        const std::size_t bits_of_ends = 1 + random.below(random.one_in(4) ? 48 : 8);
+        const WordQuotient a = word_quotient(random, bits_of_ends);
+        const WordQuotient b = word_quotient(random, bits_of_ends);
+        const std::size_t limit = 64 * (1 + random.below(random.one_in(2) ? 10 : 3));
+        const std::size_t growth = (size - 1) * (2 * bits_of_ends + 1);
+        const std::size_t bits = std::max<std::size_t>(limit + 3, growth + random.below(12)) - growth;
+        const int sign = static_cast<int>(random.below(3)) - 1;
+        std::vector<Integer> coefficients;
+        std::vector<Integer> weights;
+        for (std::size_t k = 0; k < size; ++k) {
+            coefficients.push_back(number_near(random, std::min(bits, limit), sign));
+            weights.emplace_back(1 + random.below(random.one_in(2) ? 1 : 1000));
+        }
+        const auto result = bernstein_in_words(coefficients, a, b, weights);
+        if (!result) return;
+        const Integer common = gcd(a.denominator, b.denominator);
+        const std::vector<Integer> form = substituted(coefficients, a, b);
+        REQUIRE(result->size() == size);
+        for (std::size_t k = 0; k < size; ++k) {
+            CHECK((*result)[k] == form[k] * weights[k] * pow(a.denominator / common, k) *
+                                      pow(b.denominator / common, size - 1 - k));
+        }
+    });
+}
+
 TEST_CASE("form values: values that end where words and rows of words do", "[differential]") {
     each_case("form values", [&](Random& random) {
         const std::size_t limits[] = {63, 64, 127, 128, 191, 256, 511, 512, 1024, 4096};

@@ -25,4 +25,12 @@ struct WordQuotient {
 std::optional<std::vector<Integer>> form_on_line(std::span<const Integer> coefficients, const WordQuotient& a,
                                                  const WordQuotient& b);
 
+/// weights[k] w_k q^k s^(n-k) with the w_k of `form_on_line`, where q and s are the denominators of a and b
+/// over their greatest common divisor: numerators of Bernstein coefficients for positive weights 1 / C(n, k)
+/// over a common denominator. Nothing unless all fit in a few words. Cost: n^2 multiply-adds of fixed width;
+/// no memory but that of the result.
+std::optional<std::vector<Integer>> bernstein_in_words(std::span<const Integer> coefficients,
+                                                       const WordQuotient& a, const WordQuotient& b,
+                                                       std::span<const Integer> weights);
+
 }  // namespace blossom

@@ -16,13 +16,18 @@ std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients);
 
 namespace row_recurrences {
 
-/// The same for any commutative ring, by Horner's rule in X + 1.
+/// The same in place for any commutative ring, by Horner's rule in X + 1.
+template <class R>
+void shift_by_one(std::span<R> row) {
+    for (std::size_t level = 1; level < row.size(); ++level) {
+        for (std::size_t k = row.size() - 1; k-- + 1 > level;) row[k] += row[k + 1];
+    }
+}
+
 template <class R>
 std::vector<R> shifted_by_one(std::span<const R> coefficients) {
     std::vector<R> result(coefficients.begin(), coefficients.end());
-    for (std::size_t level = 1; level < result.size(); ++level) {
-        for (std::size_t k = result.size() - 1; k-- + 1 > level;) result[k] += result[k + 1];
-    }
+    shift_by_one(std::span(result));
     return result;
 }
 
