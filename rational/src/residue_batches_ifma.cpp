@@ -10,7 +10,7 @@ namespace blossom::residues {
 namespace {
 
 constexpr std::size_t step = BatchTables::digits_at_once;
-constexpr unsigned digit_bits = BatchTables::digit_bits;
+constexpr std::size_t digit_bits = BatchTables::digit_bits;
 
 __m512i load(const Octet& from) { return _mm512_load_si512(&from); }
 void store(Octet& to, __m512i value) { _mm512_store_si512(&to, value); }

@@ -119,9 +119,9 @@ struct LineResidues {
     }
 
     Octet denominator_of_a;
-    Octet start;  ///< a, or nothing of use if that is 0
-    Octet slope;  ///< length / a, or length if a is 0
-    Octet ratio;  ///< the denominator of b by that of a
+    Octet start{};  ///< a, or nothing of use if that is 0
+    Octet slope{};  ///< length / a, or length if a is 0
+    Octet ratio{};  ///< the denominator of b by that of a
 };
 
 }  // namespace
