@@ -54,6 +54,7 @@ bool evaluate_lanes(const LinearFactorSums::Prepared& rows, std::span<Rational> 
                                  rows.primes};
     if (!sums_of(*operations, given, quotients)) return false;
     const std::size_t stride = given.rows;
+    if (stride == 1 && operations->store(quotients[0], sums.data())) return true;
     for (std::size_t j = 0; j < stride; ++j) {
         Rational* sum = sums.data() + j;
         for (std::size_t l = 0; l < lanes; ++l, sum += stride)

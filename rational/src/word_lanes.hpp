@@ -58,6 +58,9 @@ struct Operations {
     /// numerator and a denominator, each a word and an address that is not 0 where there is no word.
     bool (*sums_of_pairs)(const Rows& rows, const void* const* tuples, std::size_t count,
                           const Divisors& divisors, Quotients* quotients);
+    /// Sets eight numbers one behind the other, each four words as above, to the quotients; nothing, and
+    /// false, if one of them holds an address.
+    bool (*store)(const Quotients& quotients, void* numbers);
 };
 
 #if defined(BLOSSOM_AVX512_WORDS)

@@ -84,10 +84,11 @@ template <std::size_t Count, class Numbers>
                                                 const Divisors& divisors, std::uint32_t set,
                                                 Quotients* quotients) {
     __m512i coefficients[Count + 1];
-    __m512i denominator = broadcast(rows.denominator);
-    coefficients[0] = broadcast(1);
+    __m512i denominator = product<Numbers>(broadcast(rows.denominator), factors.denominators[0]);
+    coefficients[0] = factors.constants[0];
+    coefficients[1] = factors.slopes[0];
 #pragma GCC unroll 8
-    for (std::size_t i = 0; i < Count; ++i) {
+    for (std::size_t i = 1; i < Count; ++i) {
         const __m512i constant = factors.constants[i];
         const __m512i slope = factors.slopes[i];
         denominator = product<Numbers>(denominator, factors.denominators[i]);
@@ -101,11 +102,15 @@ template <std::size_t Count, class Numbers>
     }
     const std::int64_t* row = rows.numbers;
     for (std::size_t j = 0; j < rows.rows; ++j, row += Count + 1) {
-        __m512i sum = _mm512_setzero_si512();
+        // Two sums, which need not wait for each other.
+        __m512i even = _mm512_setzero_si512();
+        __m512i odd = _mm512_setzero_si512();
 #pragma GCC unroll 9
-        for (std::size_t k = 0; k <= Count; ++k)
-            sum = Numbers::add_product(sum, coefficients[k], _mm512_set1_epi64(row[k]));
-        sum = Numbers::number(sum);
+        for (std::size_t k = 0; k <= Count; ++k) {
+            __m512i& part = k % 2 == 0 ? even : odd;
+            part = Numbers::add_product(part, coefficients[k], _mm512_set1_epi64(row[k]));
+        }
+        const __m512i sum = Numbers::number(_mm512_add_epi64(even, odd));
         __m512i top = _mm512_abs_epi64(sum);
         __m512i bottom = denominator;
         const __m512i twos = trailing_zeros(_mm512_or_si512(top, bottom));
@@ -248,9 +253,32 @@ bool sums_of_pairs(const Rows& rows, const void* const* tuples, std::size_t coun
     return sums_from_any(rows, OfPairs{tuples}, count, divisors, quotients);
 }
 
+/// Two numbers in four words each, of which every second is 0: from the lanes 2 i and 2 i + 1 of both.
+__m512i two_numbers(__m512i even, __m512i odd, long long i) {
+    const __m512i places = _mm512_set_epi64(0, 9 + 2 * i, 0, 8 + 2 * i, 0, 1 + 2 * i, 0, 2 * i);
+    return _mm512_maskz_permutex2var_epi64(0x55, even, places, odd);
+}
+
+bool store(const Quotients& quotients, void* numbers) {
+    auto* words = static_cast<std::int64_t*>(numbers);
+    __m512i held = _mm512_loadu_si512(words);
+#pragma GCC unroll 3
+    for (std::size_t i = 1; i < 4; ++i) held = _mm512_or_si512(held, _mm512_loadu_si512(words + 8 * i));
+    if (_mm512_mask_test_epi64_mask(0xaa, held, held) != 0) return false;
+    const __m512i tops = _mm512_load_si512(quotients.numerators);
+    const __m512i bottoms = _mm512_load_si512(quotients.denominators);
+    const __m512i even = _mm512_unpacklo_epi64(tops, bottoms);
+    const __m512i odd = _mm512_unpackhi_epi64(tops, bottoms);
+    _mm512_storeu_si512(words, two_numbers(even, odd, 0));
+    _mm512_storeu_si512(words + 8, two_numbers(even, odd, 1));
+    _mm512_storeu_si512(words + 16, two_numbers(even, odd, 2));
+    _mm512_storeu_si512(words + 24, two_numbers(even, odd, 3));
+    return true;
+}
+
 }  // namespace
 
-const Operations avx512_operations{sums, sums_of_pairs};
+const Operations avx512_operations{sums, sums_of_pairs, store};
 
 }  // namespace blossom::word_lanes
 
