@@ -71,6 +71,7 @@ bool DigitRows::suffice(std::span<const WordFactor> factors, std::size_t bits) c
     });
 }
 
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only what is used of the arrays is set
 DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits) {
     fixed_width::BitBound bound(rows.bits());
     while (!factors.empty()) {

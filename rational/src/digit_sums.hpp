@@ -40,8 +40,6 @@ private:
 };
 
 /// Factors for which `suffice` holds, multiplied out in blocks.
-// What is not used yet of the arrays stays as it is: clearing it would cost more than the work.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class DigitBlocks {
 public:
     DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits);
