@@ -99,12 +99,7 @@ public:
           limits_(limits),
           segments_(std::make_unique<Segment[]>(curve.knots().size())),
           knots_(curve.knots().knots()) {
-        for (const Integer& knot : knots_.numerators()) {
-            if (!knot.is_word()) return;
-            words_.push_back(knot.word());
-        }
-        denominator_ = knots_.denominator().word();
-        list_spans();
+        read_words();
     }
 
     std::size_t dimension() const { return curve_.dimension(); }
@@ -156,6 +151,15 @@ private:
         segment.word_origin = segment.origin.to_int64().value_or(0);
         segment.forms.emplace(taylor_form(whole, segment.origin, limits_).coefficients, limits_);
         segment.is_ready.store(true, std::memory_order_release);
+    }
+
+    void read_words() {
+        for (const Integer& knot : knots_.numerators()) {
+            if (!knot.is_word()) return;
+            words_.push_back(knot.word());
+        }
+        denominator_ = knots_.denominator().word();
+        list_spans();
     }
 
     /// The spans of all integers from the first knot of the domain up to the last, if they are not too many.

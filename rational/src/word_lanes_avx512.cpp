@@ -214,7 +214,7 @@ struct OfPairs {
 
 template <std::size_t Count, class Source>
 bool sums_from(const Rows& rows, const Source& source, const Divisors& divisors, Quotients* quotients) {
-    Factors<Count> factors;
+    Factors<Count> factors;  // NOLINT(cppcoreguidelines-pro-type-member-init): the source sets it
     return source.read(factors) && sums_of<Count>(rows, factors, divisors, quotients);
 }
 
