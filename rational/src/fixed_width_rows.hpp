@@ -23,19 +23,19 @@ class BitBound {
 public:
     explicit BitBound(std::size_t bits = 0) : full_(bits) {}
 
-    void multiply(Wide factor) {
+    void multiply(std::uint64_t factor) {
         if (factor == 0) return;
-        const Wide product = open_ * factor;
-        if (factor >> 64 == 0 && product >> 64 == 0) {
-            open_ = product;
-        } else {
+        std::uint64_t product = 0;
+        if (__builtin_mul_overflow(open_, factor, &product)) {
             full_ += width(open_);
-            open_ = factor;
+            product = factor;
         }
-        if (open_ >> 64 != 0) {
-            full_ += width(open_);
-            open_ = 1;
-        }
+        open_ = product;
+    }
+    void multiply(Wide factor) {
+        if (factor >> 64 == 0) return multiply(static_cast<std::uint64_t>(factor));
+        full_ += width(open_) + width(factor);
+        open_ = 1;
     }
     std::size_t bits() const { return full_ + width(open_); }
 
@@ -47,7 +47,7 @@ private:
     }
 
     std::size_t full_;
-    Wide open_ = 1;  ///< at least 1 and below 2^64
+    std::uint64_t open_ = 1;  ///< at least 1
 };
 
 /// Entries of one machine word each; arithmetic wraps, and only intermediate values may.
