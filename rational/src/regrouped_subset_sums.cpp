@@ -11,11 +11,13 @@ using residues::Octet;
 using residues::operations;
 using subset_sums::group_residue;
 using subset_sums::Groups;
-using subset_sums::most_result_bits;
 using subset_sums::number_of_arguments;
 using subset_sums::octet_of;
 using subset_sums::result_bits;
 using subset_sums::Rows;
+
+/// Beyond, arithmetic on large integers is faster.
+constexpr std::size_t most_regrouped_bits = 1'000'000;
 
 /// a_Nk = sum (-1)^(n-|S|) (sum of S)^k / k! over the sub-multisets S with N points, modulo eight primes.
 class PowerSums {
@@ -86,7 +88,7 @@ private:
 std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups groups) {
     const std::size_t n = number_of_arguments(groups);
     const std::size_t bits = result_bits(rows, groups);
-    if (bits > most_result_bits || n >= residues::most_terms) return std::nullopt;
+    if (bits > most_regrouped_bits || n >= residues::most_terms) return std::nullopt;
     std::vector<std::vector<Octet>> residues_of_sums(rows.size());
     const std::size_t prime_groups = residues::groups_for(bits);
     for (std::size_t g = 0; g < prime_groups; ++g) {

@@ -13,7 +13,6 @@ using residues::Octet;
 using residues::operations;
 using subset_sums::group_residue;
 using subset_sums::Groups;
-using subset_sums::most_result_bits;
 using subset_sums::octet_of;
 using subset_sums::result_bits;
 using subset_sums::Rows;
@@ -177,6 +176,10 @@ private:
     PrimeField field_;
 };
 
+/// Beyond, the residues of the arguments and the integer from its own residues take longer than arithmetic on
+/// large integers.
+constexpr std::size_t most_strict_bits = 100'000;
+
 /// Integers by more and more residues. Primes come one by one, as each costs all terms once more, and where
 /// one divides a mass the next is taken.
 class GrowingResidues {
@@ -209,7 +212,7 @@ private:
 
 std::optional<std::vector<Integer>> strict_subset_sums(Rows rows, Groups groups) {
     const std::size_t bits = result_bits(rows, groups) + 1;
-    if (bits > most_result_bits) return std::nullopt;
+    if (bits > most_strict_bits) return std::nullopt;
     const StrictPlan plan(groups);
     GrowingResidues result(rows.size());
     for (std::size_t i = 0; result.bits() < bits; ++i) {

@@ -15,10 +15,6 @@ namespace blossom::subset_sums {
 using Rows = std::span<const std::span<const Integer>>;
 using Groups = std::span<const SubsetGroup>;
 
-/// Beyond, the residues of the arguments and the integer from its own residues take longer than arithmetic on
-/// large integers.
-inline constexpr std::size_t most_result_bits = 1'000'000;
-
 inline std::size_t number_of_arguments(Groups groups) {
     std::size_t n = 0;
     for (const SubsetGroup& group : groups) n += group.multiplicity;

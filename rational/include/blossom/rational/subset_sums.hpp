@@ -23,7 +23,7 @@ struct SubsetGroup {
 ///     sum over sub-multisets S of (-1)^(n-|S|) prod C(m_i, j_i) F(sum of S, number of points in S),
 ///     F(u, v) = sum_k c_k u^k v^(n-k).
 ///
-/// Every term is evaluated. Nothing for results beyond a million bits, for which integers are faster.
+/// Every term is evaluated. Nothing for results beyond 100,000 bits, for which integers are faster.
 /// Cost: prod(m_i + 1) values of a polynomial of degree n modulo each of as many primes as the result needs.
 /// Source: Fernandez-Jambrina, equation (20). Statement: fj-cor1.
 std::optional<std::vector<Integer>> strict_subset_sums(std::span<const std::span<const Integer>> rows,
