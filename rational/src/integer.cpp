@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <mutex>
 #include <vector>
 
 #include "backend.hpp"
@@ -21,9 +22,9 @@ struct Spares {
     std::size_t words;  ///< that all of them hold
     bool closed;
 };
-/// What one of them may hold, and all.
+/// What one of them may hold, and all of a thread.
 constexpr std::size_t most_words_of_spare = 64;
-constexpr std::size_t most_words_of_spares = std::size_t{1} << 17;
+constexpr std::size_t most_words_of_spares = std::size_t{1} << 13;
 thread_local Spares spares{};
 
 /// Frees them when the thread ends.
@@ -41,9 +42,39 @@ struct SparesOfThread {
 };
 thread_local const SparesOfThread spares_of_thread;
 
+/// Lists of spares that were too many for one thread, for those that have none: results are mostly given back
+/// by another thread than the one that computed them.
+class Depot {
+public:
+    /// Whether there was room.
+    bool put(const Spares& list) {
+        const std::lock_guard lock(mutex_);
+        if (size_ == most_lists) return false;
+        lists_[size_++] = list;
+        return true;
+    }
+    Spares take() {
+        const std::lock_guard lock(mutex_);
+        return size_ == 0 ? Spares{} : lists_[--size_];
+    }
+
+private:
+    static constexpr std::size_t most_lists = 16;
+
+    std::mutex mutex_;
+    std::size_t size_ = 0;
+    Spares lists_[most_lists] = {};
+};
+constinit Depot depot;
+
 /// A number of any value.
 Integer::Large* take_large() {
-    if (!spares.first) return new Integer::Large;
+    if (!spares.first) {
+        if (spares.closed) return new Integer::Large;
+        spares = depot.take();
+        if (!spares.first) return new Integer::Large;
+        spares_of_thread.start();
+    }
     Integer::Large* const number = std::exchange(spares.first, spares.first->next);
     spares.words -= backend::words_held(number->value);
     return number;
@@ -51,9 +82,16 @@ Integer::Large* take_large() {
 
 void give_back(Integer::Large* number) noexcept {
     const std::size_t words = backend::words_held(number->value);
-    if (spares.closed || words > most_words_of_spare || spares.words + words > most_words_of_spares) {
+    if (spares.closed || words > most_words_of_spare) {
         delete number;
         return;
+    }
+    if (spares.words + words > most_words_of_spares) {
+        if (!depot.put(spares)) {
+            delete number;
+            return;
+        }
+        spares = {};
     }
     if (!spares.first) spares_of_thread.start();
     number->next = std::exchange(spares.first, number);
