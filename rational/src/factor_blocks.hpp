@@ -38,7 +38,8 @@ decltype(auto) with_small_constant(std::size_t count, const Run& run) {
 
 /// Multiplies the polynomial in coefficients[0..i] by one factor after the other, i = 0, 1, ...
 template <class Word, std::size_t Count>
-void multiply_one_by_one(std::span<const WordFactor, Count> factors, Word* coefficients) {
+[[gnu::always_inline]] inline void multiply_one_by_one(std::span<const WordFactor, Count> factors,
+                                                       Word* coefficients) {
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const auto constant = static_cast<Word>(factors[i].constant);
         const auto slope = static_cast<Word>(factors[i].slope);

@@ -73,7 +73,7 @@ class FactorProduct {
 public:
     // What is not used of the array stays as it is: clearing it would cost more than the work.
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
-    explicit FactorProduct(std::span<const WordFactor, Count> factors) {
+    [[gnu::always_inline]] explicit FactorProduct(std::span<const WordFactor, Count> factors) {
         coefficients_[0] = 1;
         multiply_one_by_one(factors, coefficients_);
     }

@@ -20,7 +20,8 @@ struct RationalAccess {
     }
     /// By a factor > 0 that has no prime in common with the numerator, which is not 0.
     static void multiply_denominator(Rational& value, const Integer& factor) { value.denominator_ *= factor; }
-    static void set_words(Rational& value, std::int64_t numerator, std::int64_t denominator) {
+    [[gnu::always_inline]] static void set_words(Rational& value, std::int64_t numerator,
+                                                 std::int64_t denominator) {
         IntegerAccess::set_word(value.numerator_, numerator);
         IntegerAccess::set_word(value.denominator_, denominator);
     }

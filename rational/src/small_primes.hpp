@@ -82,7 +82,7 @@ private:
 
 /// Calls visit(prime) for the primes in `set`.
 template <class Visit>
-void for_each(Set set, const Visit& visit) {
+[[gnu::always_inline]] inline void for_each(Set set, const Visit& visit) {
     for (; set != 0; set &= set - 1) visit(table.primes[std::countr_zero(set)]);
 }
 

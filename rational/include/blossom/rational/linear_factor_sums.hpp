@@ -26,7 +26,7 @@ using WordFactor = LinearFactor<std::int64_t>;
 using IntegerFactor = LinearFactor<Integer>;
 
 /// m + u X, if u is a quotient of such words and m is 0 or 1; otherwise `factor` is left in between.
-inline bool read_factor(const Rational& u, const Rational& m, WordFactor& factor) {
+[[gnu::always_inline]] inline bool read_factor(const Rational& u, const Rational& m, WordFactor& factor) {
     const Integer& top = u.numerator();
     const Integer& bottom = u.denominator();
     if (!top.is_word() || !bottom.is_word() || top.word() == std::numeric_limits<std::int64_t>::min())
