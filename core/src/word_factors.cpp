@@ -1,5 +1,7 @@
 #include "word_factors.hpp"
 
+#include <algorithm>
+
 namespace blossom {
 
 // For b < a all three of a, b and q change sign: the factor and its denominator b - a then do as well.
@@ -7,13 +9,16 @@ WordFrame::WordFrame(const ClearedInterval& interval) : kind_(Kind::beyond_words
     const Integer length = interval.b - interval.a;
     const Integer sign = length.sign();
     const Integer numbers[] = {interval.a * sign, interval.b * sign, interval.q * sign, length * sign};
-    for (const Integer& number : numbers)
-        if (!number.is_word() || number.word() == least_word) return;
-    kind_ = Kind::interval;
-    a_ = numbers[0].word();
-    b_ = numbers[1].word();
-    q_ = numbers[2].word();
-    length_ = numbers[3].word();
+    const auto is_too_large = [](const Integer& number) {
+        return !number.is_word() || number.word() == least_word;
+    };
+    if (std::ranges::none_of(numbers, is_too_large)) {
+        kind_ = Kind::interval;
+        a_ = numbers[0].word();
+        b_ = numbers[1].word();
+        q_ = numbers[2].word();
+        length_ = numbers[3].word();
+    }
 }
 
 bool WordFrame::move_to_interval(std::span<WordFactor> factors) const {

@@ -2,6 +2,8 @@
 
 #include "gcd_lanes.hpp"
 
+// NOLINTBEGIN(portability-simd-intrinsics): elsewhere one gcd is taken after the other
+
 // The binary algorithm: while the other number is not 0, its twos are shifted out, and the two are replaced
 // by the lesser one and the difference.
 namespace blossom::gcd_lanes {
@@ -25,7 +27,7 @@ bool is_zero(__m512i x) { return _mm512_test_epi64_mask(x, x) == 0; }
 /// Eight numbers of a fixed number of digits.
 template <std::size_t Digits>
 struct Numbers {
-    __m512i digits[Digits];
+    __m512i digits[Digits] = {};
 
     bool are_zero() const {
         __m512i any = digits[0];
@@ -168,3 +170,5 @@ void avx512_word_gcds(std::uint64_t* odd, std::uint64_t* other) {
 }
 
 }  // namespace blossom::gcd_lanes
+
+// NOLINTEND(portability-simd-intrinsics)

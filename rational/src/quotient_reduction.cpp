@@ -94,7 +94,7 @@ public:
             if (size <= LongGcds::most_limbs && LongGcds::are_quick()) {
                 short_factors_.emplace_back(next, size);
             } else {
-                nodes_.push_back({.product = {next, size}});
+                nodes_.push_back({{next, size}, {}, {}, {}});
             }
             next += size;
         }
@@ -105,7 +105,7 @@ public:
             const Factor a = nodes_[i].product;
             const Factor b = nodes_[i + 1].product;
             limbs::multiply_any(next, a, b);
-            nodes_.push_back({.product = {next, limbs::used(next, a.size() + b.size())}, .below = i});
+            nodes_.push_back({{next, limbs::used(next, a.size() + b.size())}, {}, {}, i});
             next += nodes_.back().product.size();
         }
     }
@@ -126,9 +126,9 @@ private:
 
     struct Node {
         Factor product;
-        std::span<const std::uint64_t> words = {};  ///< of a leaf that has words
-        std::span<const Factor> factors = {};       ///< of a leaf that has longer factors
-        std::optional<std::size_t> below = {};      ///< the first of two nodes, unless this is a leaf
+        std::span<const std::uint64_t> words;  ///< of a leaf that has words
+        std::span<const Factor> factors;       ///< of a leaf that has longer factors
+        std::optional<std::size_t> below;      ///< the first of two nodes, unless this is a leaf
     };
 
     /// Fewer limbs than this are not worth a division on the way down.
@@ -138,7 +138,7 @@ private:
     Limb* add_leaf(std::span<const std::uint64_t> words, Limb* next) {
         std::size_t size = 0;
         for (const std::uint64_t word : words) limbs::multiply_by_word(next, size, word);
-        nodes_.push_back({.product = {next, size}, .words = words});
+        nodes_.push_back({{next, size}, words, {}, {}});
         return next + size;
     }
     Limb* add_leaf(std::span<const Factor> factors, Limb* next) {
@@ -148,7 +148,7 @@ private:
             product.assign(next, next + limbs::used(next, product.size() + factor.size()));
         }
         std::ranges::copy(product, next);
-        nodes_.push_back({.product = {next, product.size()}, .factors = factors});
+        nodes_.push_back({{next, product.size()}, {}, factors, {}});
         return next + product.size();
     }
 

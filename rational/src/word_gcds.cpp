@@ -54,7 +54,7 @@ void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std:
         for (std::size_t i = 0; i < some.size(); i += 4) set_remainders<4>(number, odd + i, rests + i);
         gcds_in_lanes(odd, rests);
         for (std::size_t i = 0; i < some.size(); ++i) {
-            const std::size_t own = static_cast<std::size_t>(std::countr_zero(some[i]));
+            const auto own = static_cast<std::size_t>(std::countr_zero(some[i]));
             *common++ = odd[i] << std::min(twos, own);
         }
         factors = factors.subspan(some.size());
