@@ -34,7 +34,7 @@ void compare_threads(const Report& report, const char* work, const Values& value
 }  // namespace
 
 void measure_threads(const Report& report) {
-    const std::size_t count = report.quick() ? 100 : 4000;
+    const std::size_t count = report.quick() ? 100 : 20000;
     const Case given = make_case(degree, bits);
     if (report.wants("blossom batch", degree, bits)) {
         const Blossom blossom(curve_of(given));
