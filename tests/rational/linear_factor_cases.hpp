@@ -31,6 +31,17 @@ Rational evident_sum(std::span<const Rational> numbers, const std::vector<Linear
     return sum;
 }
 
+/// The sum prepared for many uses and for one.
+template <class R>
+void check_quotient(const std::vector<Rational>& numbers, const std::vector<LinearFactor<R>>& factors) {
+    const Rational expected = evident_sum<R>(numbers, factors);
+    for (const auto use : {LinearFactorSums::Use::many, LinearFactorSums::Use::once}) {
+        Rational value;
+        LinearFactorSums(RationalVector(numbers), 1, use).evaluate(factors, 0, {&value, 1});
+        CHECK(value == expected);
+    }
+}
+
 inline std::int64_t word_of_bits(Random& random, std::size_t bits) {
     if (bits == 0 || random.one_in(12)) return 0;
     if (random.one_in(8)) return (std::int64_t{1} << bits) - 1;

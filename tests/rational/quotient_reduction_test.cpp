@@ -1,57 +1,11 @@
 // Sums whose numerators share long and short factors with denominators of many words, against the evident
 // formula.
 
-#include <array>
-
 #include "rational/linear_factor_cases.hpp"
+#include "support/smooth_numbers.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;
-
-namespace {
-
-/// Primes on both sides of the table of small ones, and such that fill a word.
-constexpr std::array<std::int64_t, 8> primes{2,     3,          137,        139,
-                                             65537, 2147483647, 1000000007, 2305843009213693951};
-
-/// A product of those primes below 2^62, now and then 1.
-std::int64_t smooth_word(Random& random) {
-    std::int64_t product = 1;
-    while (!random.one_in(9)) {
-        std::int64_t next = 0;
-        if (__builtin_mul_overflow(product, primes[random.below(primes.size())], &next) || next >> 62 != 0)
-            break;
-        product = next;
-    }
-    return product;
-}
-
-Integer smooth(Random& random, std::size_t words) {
-    Integer product = 1;
-    for (std::size_t i = 0; i < words; ++i) product *= smooth_word(random);
-    return product;
-}
-
-/// Numbers and factors of up to `words` words each.
-std::vector<Rational> smooth_numbers(Random& random, std::size_t count, std::size_t words) {
-    std::vector<Rational> numbers;
-    for (std::size_t k = 0; k < count; ++k) {
-        const Integer top = random.one_in(9) ? Integer() : smooth(random, random.below(words + 1));
-        numbers.emplace_back(random.one_in(2) ? top : -top, smooth(random, random.below(words + 1)));
-    }
-    return numbers;
-}
-
-void check_integer_factors(const std::vector<Rational>& numbers, const std::vector<IntegerFactor>& factors) {
-    const Rational expected = evident_sum<Integer>(numbers, factors);
-    for (const auto use : {LinearFactorSums::Use::many, LinearFactorSums::Use::once}) {
-        Rational value;
-        LinearFactorSums(RationalVector(numbers), 1, use).evaluate(factors, 0, {&value, 1});
-        CHECK(value == expected);
-    }
-}
-
-}  // namespace
 
 TEST_CASE("sums over denominators of many words that share factors with the numerator",
           "[quotient_reduction]") {
@@ -81,7 +35,7 @@ TEST_CASE("sums over long denominators that share factors with the numerator", "
             factors.push_back({smooth(random, random.below(words)), -smooth(random, random.below(words)),
                                random.one_in(4) ? -denominator : denominator});
         }
-        check_integer_factors(smooth_numbers(random, n + 1, words), factors);
+        check_quotient(smooth_numbers(random, n + 1, words), factors);
     }
 }
 
@@ -91,9 +45,9 @@ TEST_CASE("a numerator that the whole denominator divides", "[quotient_reduction
         const std::vector<IntegerFactor> factors(n, IntegerFactor{word, 0, word});
         std::vector<Rational> numbers(n + 1);
         numbers[0] = Rational(7, 5);
-        check_integer_factors(numbers, factors);
+        check_quotient(numbers, factors);
         const Integer longer = pow(Integer(word), 5);
-        check_integer_factors(numbers, std::vector<IntegerFactor>(n, IntegerFactor{longer, 0, longer}));
+        check_quotient(numbers, std::vector<IntegerFactor>(n, IntegerFactor{longer, 0, longer}));
     }
 }
 
@@ -108,7 +62,7 @@ TEST_CASE("factors of as many limbs as are taken together, and one more", "[quot
                 const Integer denominator = random.one_in(2) ? full : shared << random.below(bits / 4);
                 factors.push_back({random.one_in(2) ? full * shared : shared, shared, denominator});
             }
-            check_integer_factors(smooth_numbers(random, factors.size() + 1, 2), factors);
+            check_quotient(smooth_numbers(random, factors.size() + 1, 2), factors);
         }
     }
 }
