@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_lists = 64;
+    static constexpr std::size_t most_lists = 16;
 
     std::mutex mutex_;
     std::size_t size_ = 0;
