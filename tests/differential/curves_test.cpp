@@ -3,18 +3,13 @@
 #include <blossom/core/curve_values.hpp>
 
 #include "differential/each_case.hpp"
+#include "support/horner.hpp"
 #include "support/spline_generators.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;
 
 namespace {
-
-Rational horner_value(std::span<const Rational> coefficients, const Rational& t) {
-    Rational sum;
-    for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * t + coefficients[k];
-    return sum;
-}
 
 Rational rational_near(Random& random, std::size_t bits, std::size_t denominator_bits) {
     return {number_near(random, bits), abs(number_near(random, denominator_bits)) + 1};

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "support/horner.hpp"
 #include "support/number_generators.hpp"
 #include "support/number_printing.hpp"
 
@@ -12,12 +13,6 @@ using namespace blossom;
 using namespace blossom::testing;
 
 namespace {
-
-Rational horner(std::span<const Rational> coefficients, const Rational& t) {
-    Rational sum;
-    for (std::size_t k = coefficients.size(); k-- > 0;) sum = sum * t + coefficients[k];
-    return sum;
-}
 
 /// Now and then zero, or with factors that cancel.
 Rational number(Random& random, std::size_t bits) {
@@ -39,7 +34,7 @@ void check_values(const std::vector<Rational>& coefficients, const std::vector<R
             forms.evaluate(t, values);
             const std::size_t bits = std::max(t.numerator().bit_length(), t.denominator().bit_length());
             for (std::size_t j = 0; j < rows; ++j) {
-                CHECK(values[j] == horner(std::span(coefficients).subspan(j * size, size), t));
+                CHECK(values[j] == horner_value(std::span(coefficients).subspan(j * size, size), t));
                 CHECK(std::max(values[j].numerator().bit_length(), values[j].denominator().bit_length()) <=
                       forms.value_bits(bits));
             }

@@ -1,9 +1,6 @@
-// Sums over subsets by residues against the blossom written out in elementary symmetric functions, which
-// knows neither subsets nor residues.
+// Sums over subsets by residues against the blossom written out in elementary symmetric functions.
 
-#include <blossom/rational/combinatorics.hpp>
-#include <blossom/rational/subset_sums.hpp>
-
+#include "rational/subset_cases.hpp"
 #include "support/number_generators.hpp"
 #include "support/number_printing.hpp"
 
@@ -16,36 +13,8 @@ namespace {
 /// residues start at one level or another.
 constexpr std::int64_t first_primes[] = {(std::int64_t{1} << 50) - 16383, (std::int64_t{1} << 28) - 65535};
 
-struct Case {
-    std::vector<std::vector<Integer>> rows;
-    std::vector<SubsetGroup> groups;
-
-    std::vector<std::span<const Integer>> spans() const { return {rows.begin(), rows.end()}; }
-};
-
-/// sum_k c_k k! (n - k)! e_k, sum_k e_k X^k = prod (mass_i + u_i X).
-std::vector<Integer> evident_sums(const Case& given) {
-    std::vector<Integer> elementary{1};
-    for (const auto& [u, mass, multiplicity] : given.groups) {
-        for (std::size_t i = 0; i < multiplicity; ++i) {
-            elementary.emplace_back(0);
-            for (std::size_t k = elementary.size() - 1; k > 0; --k)
-                elementary[k] = mass * elementary[k] + u * elementary[k - 1];
-            elementary[0] *= mass;
-        }
-    }
-    const std::size_t n = elementary.size() - 1;
-    std::vector<Integer> sums;
-    for (const auto& row : given.rows) {
-        Integer sum;
-        for (std::size_t k = 0; k <= n; ++k) sum += row[k] * elementary[k] * factorial(k) * factorial(n - k);
-        sums.push_back(std::move(sum));
-    }
-    return sums;
-}
-
-Case random_case(Random& random, std::size_t groups, std::size_t bits) {
-    Case result;
+SubsetCase random_case(Random& random, std::size_t groups, std::size_t bits) {
+    SubsetCase result;
     std::size_t n = 0;
     for (std::size_t g = 0; g < groups; ++g) {
         const std::size_t multiplicity = random.one_in(3) ? 1 + random.below(4) : 1;
@@ -63,8 +32,8 @@ Case random_case(Random& random, std::size_t groups, std::size_t bits) {
     return result;
 }
 
-void check(const Case& given) {
-    const std::vector<Integer> expected = evident_sums(given);
+void check(const SubsetCase& given) {
+    const std::vector<Integer> expected = evident_subset_sums(given);
     CHECK(strict_subset_sums(given.spans(), given.groups) == expected);
     if (const auto regrouped = regrouped_subset_sums(given.spans(), given.groups))
         CHECK(*regrouped == expected);
@@ -86,10 +55,10 @@ TEST_CASE("more subsets than are lined up for the lanes", "[subset_sums]") {
     Random random(73);
     for (int i = 0; i < 20; ++i) check(random_case(random, 9 + random.below(5), 1 + random.below(20)));
     // One group with more copies than places.
-    Case copies{{std::vector<Integer>(601, 1)}, {{3, 2, 600}}};
-    CHECK(strict_subset_sums(copies.spans(), copies.groups) == evident_sums(copies));
-    Case long_result{{{0, 1}}, {{Integer(1) << 99'990, 1, 1}}};
-    CHECK(strict_subset_sums(long_result.spans(), long_result.groups) == evident_sums(long_result));
+    SubsetCase copies{{std::vector<Integer>(601, 1)}, {{3, 2, 600}}};
+    CHECK(strict_subset_sums(copies.spans(), copies.groups) == evident_subset_sums(copies));
+    SubsetCase long_result{{{0, 1}}, {{Integer(1) << 99'990, 1, 1}}};
+    CHECK(strict_subset_sums(long_result.spans(), long_result.groups) == evident_subset_sums(long_result));
     long_result.groups[0].u <<= 20;
     CHECK_FALSE(strict_subset_sums(long_result.spans(), long_result.groups));
     long_result.groups[0].u <<= 900'000;
@@ -110,7 +79,7 @@ TEST_CASE("masses that a prime of the residues divides", "[subset_sums]") {
     Random random(74);
     for (const std::int64_t prime : first_primes) {
         for (int i = 0; i < 100; ++i) {
-            Case given = random_case(random, 1 + random.below(5), 30);
+            SubsetCase given = random_case(random, 1 + random.below(5), 30);
             for (SubsetGroup& group : given.groups)
                 if (random.one_in(2)) group.mass *= prime;
             check(given);
@@ -118,7 +87,7 @@ TEST_CASE("masses that a prime of the residues divides", "[subset_sums]") {
     }
     // One of them is among the primes of this level.
     const auto is_met = [](std::int64_t prime) {
-        const Case given{{{1, 1}}, {{1, prime, 1}}};
+        const SubsetCase given{{{1, 1}}, {{1, prime, 1}}};
         return !regrouped_subset_sums(given.spans(), given.groups).has_value();
     };
     CHECK(is_met(first_primes[0]) != is_met(first_primes[1]));
