@@ -16,15 +16,11 @@ namespace {
 std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
     constexpr std::size_t digit_bits = BatchTables::digit_bits;
     constexpr std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
-    std::vector<std::uint64_t> words(count * digit_bits / 64 + 2);
+    std::vector<std::uint64_t> words(limbs::size_of(number));
     limbs::write_magnitude(number, words.data(), words.size());
     std::vector<std::uint64_t> digits;
     digits.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t bit = i * digit_bits;
-        const Wide pair = Wide{words[bit / 64 + 1]} << 64 | words[bit / 64];
-        digits.push_back(static_cast<std::uint64_t>(pair >> (bit % 64)) & mask);
-    }
+    for (std::size_t i = 0; i < count; ++i) digits.push_back(limbs::bits_from(words, i * digit_bits) & mask);
     return digits;
 }
 

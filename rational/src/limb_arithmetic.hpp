@@ -113,6 +113,13 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
 
 #endif
 
+/// The 64 bits of a number from `bit` on; beyond its limbs there are zeros.
+inline Limb bits_from(std::span<const Limb> number, std::size_t bit) {
+    const auto limb = [&](std::size_t i) { return i < number.size() ? number[i] : 0; };
+    const Wide pair = Wide{limb(bit / 64 + 1)} << 64 | limb(bit / 64);
+    return static_cast<Limb>(pair >> (bit % 64));
+}
+
 /// product[0..m + n) = a b for factors of any sizes other than 0; the product lies apart.
 inline void multiply_any(Limb* product, std::span<const Limb> a, std::span<const Limb> b) {
     if (a.size() < b.size()) std::swap(a, b);

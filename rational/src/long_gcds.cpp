@@ -15,11 +15,7 @@ using gcd_lanes::most_digits;
 constexpr std::uint64_t digit_mask = (std::uint64_t{1} << digit_bits) - 1;
 
 std::uint64_t digit(std::span<const std::uint64_t> number, std::size_t i) {
-    const std::size_t word = digit_bits * i / 64;
-    const std::size_t shift = digit_bits * i % 64;
-    const std::uint64_t low = word < number.size() ? number[word] >> shift : 0;
-    const bool spans_two = shift > 64 - digit_bits && word + 1 < number.size();
-    return (low | (spans_two ? number[word + 1] << (64 - shift) : 0)) & digit_mask;
+    return limbs::bits_from(number, digit_bits * i) & digit_mask;
 }
 
 }  // namespace

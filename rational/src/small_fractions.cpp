@@ -62,12 +62,8 @@ private:
     /// `width` words of number / 2^shift.
     static std::vector<Limb> top_words(const std::vector<Limb>& number, std::size_t shift,
                                        std::size_t width) {
-        const auto word = [&](std::size_t i) { return i < number.size() ? number[i] : 0; };
         std::vector<Limb> result(width);
-        for (std::size_t i = 0; i < width; ++i) {
-            const Wide pair = Wide{word(i + shift / 64 + 1)} << 64 | word(i + shift / 64);
-            result[i] = static_cast<Limb>(pair >> (shift % 64));
-        }
+        for (std::size_t i = 0; i < width; ++i) result[i] = limbs::bits_from(number, shift + 64 * i);
         return result;
     }
 
@@ -156,13 +152,7 @@ private:
         const std::size_t size = limbs::used(second_weight_.data(), second_weight_.size());
         if (size > 0) {
             std::vector<Limb> product(std::max(size + quotient.size(), first_weight_.size()));
-            if (size < quotient.size()) {
-                limbs::multiply(product.data(), quotient.data(), quotient.size(), second_weight_.data(),
-                                size);
-            } else {
-                limbs::multiply(product.data(), second_weight_.data(), size, quotient.data(),
-                                quotient.size());
-            }
+            limbs::multiply_any(product.data(), std::span(second_weight_).first(size), quotient);
             limbs::add(first_weight_.data(), first_weight_.data(), product.data(), first_weight_.size());
         }
         std::swap(first_weight_, second_weight_);
