@@ -129,19 +129,9 @@ std::pair<DenominatorParts, bool> denominator_factors(const Prepared& rows,
     DenominatorParts result = rows.denominator;
     bool negative = false;
     for (const LinearFactor<R>& factor : factors) {
-        const Integer size = abs(Integer(factor.denominator));
-        negative ^= Integer(factor.denominator).sign() < 0;
-        const auto word = size.to_int64();
-        std::uint64_t product = 0;
-        if (!word) {
-            result.longer.push_back(size);
-        } else if (!result.words.empty() &&
-                   !__builtin_mul_overflow(result.words.back(), static_cast<std::uint64_t>(*word),
-                                           &product)) {
-            result.words.back() = product;
-        } else {
-            result.words.push_back(static_cast<std::uint64_t>(*word));
-        }
+        const Integer denominator = factor.denominator;
+        negative ^= denominator.sign() < 0;
+        result.multiply(abs(denominator));
     }
     return {std::move(result), negative};
 }
@@ -213,9 +203,8 @@ constexpr SumKernelRule rules[] = {
     {SumKernel::wide, "wide",
      "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
     {SumKernel::limbs, "limbs",
-     "at most 64 factors of words; numerators of the sums below 2^511; with AVX-512 IFMA up to 128 factors "
-     "below "
-     "2^51 and numerators below 2^831"},
+     "at most 64 factors of words; numerators of the sums below 2^511; "
+     "with AVX-512 IFMA up to 128 factors below 2^51 and numerators below 2^831"},
     {SumKernel::residues, "residues",
      "16 to 4095 factors of any size; numerators of the sums below 2^2000000"},
     {SumKernel::integers, "integers", "any"},

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
 
 #include "backend.hpp"
 #include "limb_sums.hpp"
@@ -19,33 +18,16 @@ constexpr std::int64_t greatest_trial = 1023;
 
 DenominatorParts split_denominator(const RationalVector& numbers, bool search) {
     DenominatorParts parts;
-    std::uint64_t gathered = 1;
-    const auto gather = [&](std::uint64_t factor) {
-        std::uint64_t product = 0;
-        if (__builtin_mul_overflow(gathered, factor, &product)) {
-            parts.words.push_back(gathered);
-            product = factor;
-        }
-        gathered = product;
-    };
-    for (const Integer& factor : numbers.denominator_factors()) {
-        std::optional<std::int64_t> word = factor.to_int64();
-        if (!word && search) {
-            Integer rest = factor;
-            for (std::int64_t trial = 2; trial <= greatest_trial && !word; trial += trial == 2 ? 1 : 2) {
-                while (!word && (rest % trial).is_zero()) {
-                    rest = divide_exactly(rest, trial);
-                    gather(static_cast<std::uint64_t>(trial));
-                    word = rest.to_int64();
-                }
+    for (Integer factor : numbers.denominator_factors()) {
+        const std::int64_t last = search ? greatest_trial : 0;
+        for (std::int64_t trial = 2; trial <= last && !factor.is_word(); trial += trial == 2 ? 1 : 2) {
+            while (!factor.is_word() && (factor % trial).is_zero()) {
+                factor = divide_exactly(factor, trial);
+                parts.multiply(trial);
             }
-            if (!word) parts.longer.push_back(std::move(rest));
-        } else if (!word) {
-            parts.longer.push_back(factor);
         }
-        if (word) gather(static_cast<std::uint64_t>(*word));
+        parts.multiply(factor);
     }
-    if (gathered != 1) parts.words.push_back(gathered);
     return parts;
 }
 

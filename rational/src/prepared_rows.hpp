@@ -16,6 +16,21 @@ namespace blossom {
 struct DenominatorParts {
     std::vector<std::uint64_t> words;
     std::vector<Integer> longer;
+
+    /// By a factor > 0. Neighbouring words are multiplied as long as they stay one word.
+    void multiply(const Integer& factor) {
+        if (!factor.is_word()) {
+            longer.push_back(factor);
+        } else if (!factor.is_one()) {
+            const auto word = static_cast<std::uint64_t>(factor.word());
+            std::uint64_t product = 0;
+            if (!words.empty() && !__builtin_mul_overflow(words.back(), word, &product)) {
+                words.back() = product;
+            } else {
+                words.push_back(word);
+            }
+        }
+    }
 };
 
 /// From the factors that are known. `search` splits small primes off those that are longer than a word.
