@@ -75,12 +75,6 @@ Coordinates reduced(const Quotients<Integer>& value, const Integer& denominator)
 }
 
 PointArray point_array(std::vector<Quotients<Integer>> rows, const Integer& denominator) {
-    if (rows.size() == 1) {
-        PointArray points(1,
-                          RationalVector(std::move(rows[0].numerators), rows[0].denominator * denominator));
-        points.make_canonical();
-        return points;
-    }
     Integer common = 1;
     for (const auto& row : rows) common = lcm(common, row.denominator);
     std::vector<Integer> numerators;

@@ -23,8 +23,9 @@ constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
 constexpr std::size_t least_coefficients = 12;
 /// Up to so many, words and pairs of words are faster where they suffice.
 constexpr std::size_t most_coefficients_in_words = 64;
-/// From so many on, transforms are faster where the numbers are not much longer than that.
+/// From so many on, transforms are faster where results have at most so many bits a coefficient.
 constexpr std::size_t least_coefficients_in_residues = 513;
+constexpr std::size_t most_bits_a_coefficient = 4;
 
 /// The level that the residues run on.
 const digit_rows::Operations& row_operations() {
@@ -223,7 +224,8 @@ std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients) {
         return shifted_in<SignedWide>(coefficients);
     if (coefficients.size() < least_coefficients)
         return row_recurrences::shifted_by_one<Integer>(coefficients);
-    if (coefficients.size() >= least_coefficients_in_residues && bits <= 4 * coefficients.size()) {
+    if (coefficients.size() >= least_coefficients_in_residues &&
+        bits <= most_bits_a_coefficient * coefficients.size()) {
         if (auto shifted = residues::shifted_by_one(coefficients, bits)) return std::move(*shifted);
     }
     HornersRule rule(coefficients);
