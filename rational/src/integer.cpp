@@ -2,6 +2,7 @@
 #include <blossom/rational/integer.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <mutex>
 #include <vector>
@@ -43,26 +44,34 @@ struct SparesOfThread {
 thread_local const SparesOfThread spares_of_thread;
 
 /// Lists of spares that were too many for one thread, for those that have none: results are mostly given back
-/// by another thread than the one that computed them.
+/// by another thread than the one that computed them. Whether it is full or empty is seen without the lock,
+/// for which threads would wait at every number otherwise.
 class Depot {
 public:
     /// Whether there was room.
     bool put(const Spares& list) {
+        if (size_.load(std::memory_order_relaxed) == most_lists) return false;
         const std::lock_guard lock(mutex_);
-        if (size_ == most_lists) return false;
-        lists_[size_++] = list;
+        const std::size_t size = size_.load(std::memory_order_relaxed);
+        if (size == most_lists) return false;
+        lists_[size] = list;
+        size_.store(size + 1, std::memory_order_relaxed);
         return true;
     }
     Spares take() {
+        if (size_.load(std::memory_order_relaxed) == 0) return {};
         const std::lock_guard lock(mutex_);
-        return size_ == 0 ? Spares{} : lists_[--size_];
+        const std::size_t size = size_.load(std::memory_order_relaxed);
+        if (size == 0) return {};
+        size_.store(size - 1, std::memory_order_relaxed);
+        return lists_[size - 1];
     }
 
 private:
     static constexpr std::size_t most_lists = 16;
 
     std::mutex mutex_;
-    std::size_t size_ = 0;
+    std::atomic<std::size_t> size_ = 0;  ///< changed by who holds the lock
     Spares lists_[most_lists] = {};
 };
 constinit Depot depot;
