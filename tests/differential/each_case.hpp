@@ -5,6 +5,8 @@
 // of vector instructions.
 
 #include <cstdlib>
+#include <map>
+#include <string>
 #include <string_view>
 
 #include "support/number_generators.hpp"
@@ -23,16 +25,31 @@ inline std::size_t differential_cases(std::size_t otherwise = 300) {
     return differential_setting("BLOSSOM_DIFFERENTIAL_CASES", otherwise);
 }
 
+/// What the path that is running has had so far, for the line that is printed of it.
+struct Counts {
+    std::string path;
+    std::size_t cases = 0;
+    std::map<std::string, std::size_t> kinds;  ///< of cases, where a path has kinds worth to be told apart
+
+    static Counts& of_path() {
+        static Counts counts;
+        return counts;
+    }
+};
+inline void count_as(const std::string& kind) { ++Counts::of_path().kinds[kind]; }
+
 /// Calls check(random) for each case of a path. A case has a stream of its own, so that it can be run again
 /// without those before it.
 template <class Check>
 void each_case(std::string_view path, const Check& check, std::size_t otherwise = 300) {
+    Counts::of_path().path = path;
     std::uint64_t first = differential_setting("BLOSSOM_DIFFERENTIAL_SEED", 1) << 40;
     for (const char letter : path) first = first * 31 + static_cast<unsigned char>(letter);
     for (std::size_t i = 0; i < differential_cases(otherwise); ++i) {
         Random random(first + i);
         INFO("case " << i << " of " << path);
         check(random);
+        ++Counts::of_path().cases;
     }
 }
 

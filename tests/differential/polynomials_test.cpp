@@ -49,6 +49,13 @@ std::vector<Integer> substituted(std::span<const Integer> coefficients, const Wo
     return sum;
 }
 
+/// What the bound on results of `form_on_line` adds to the bits of numbers.
+std::size_t bits_of_growth(std::size_t count, const WordQuotient& a, const WordQuotient& b) {
+    const auto sum = [](std::int64_t x, std::int64_t y) { return abs(Integer(x)) + abs(Integer(y)); };
+    const Integer growth = std::max(sum(a.numerator, b.numerator), sum(a.denominator, b.denominator));
+    return (Integer(count) * pow(growth, count - 1)).bit_length();
+}
+
 /// Now and then 0, and mostly of just so many bits.
 WordQuotient word_quotient(Random& random, std::size_t bits) {
     const Integer denominator = abs(number_near(random, bits));
@@ -77,9 +84,17 @@ TEST_CASE("Taylor shift: as many coefficients as transforms are taken for", "[di
     each_case(
         "Taylor shift in residues",
         [&](Random& random) {
-            const std::size_t size = random.one_in(2) ? 512 + random.below(4) : 513 + random.below(200);
+            // Transforms double where twice the coefficients are a power of 2, and end with 4096.
+            const bool longest = random.one_in(500);
+            const bool longer = random.one_in(50);
+            const std::size_t size = longest  ? (random.one_in(4) ? 4095 : 2047) + random.below(3)
+                                     : longer ? 1023 + random.below(3)
+                                              : 512 + random.below(random.one_in(2) ? 3 : 40);
+            count_as(longest ? "of 2047 to 4097 coefficients" : longer ? "of 1023 to 1025" : "of 512 to 551");
             const int sign = static_cast<int>(random.below(3)) - 1;
-            const std::size_t bits = random.one_in(3) ? 3 * size - random.below(4) : random.below(400);
+            // Four bits a coefficient are the most of results in residues.
+            const std::size_t bits = !longest && random.one_in(3) ? 3 * size + 3 - random.below(6)
+                                                                  : random.below(longest ? 60 : 400);
             std::vector<Integer> coefficients;
             for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
             CHECK(shifted_by_one(coefficients) == row_recurrences::shifted_by_one<Integer>(coefficients));
@@ -89,19 +104,26 @@ TEST_CASE("Taylor shift: as many coefficients as transforms are taken for", "[di
 
 TEST_CASE("forms on lines: numbers that end where groups of primes do", "[differential]") {
     each_case("forms on lines", [&](Random& random) {
-        const std::size_t size = 2 + random.below(random.one_in(20) ? 130 : random.one_in(4) ? 33 : 6);
+        const bool most = random.one_in(100);
+        const std::size_t size = most                ? 40 + random.below(90)
+                                 : random.one_in(20) ? 2 + random.below(130)
+                                 : random.one_in(4)  ? 2 + random.below(33)
+                                                     : 2 + random.below(6);
         const std::size_t bits_of_ends = 1 + random.below(random.one_in(3) ? 48 : 6);
         const WordQuotient a = word_quotient(random, bits_of_ends);
         const WordQuotient b = word_quotient(random, bits_of_ends);
-        // A group of eight primes below 2^50 has a product of 400 bits.
-        const std::size_t limit = 400 * (1 + random.below(random.one_in(8) ? 20 : 4));
-        const std::size_t growth = random.one_in(2) ? (size - 1) * (bits_of_ends + 1) : 0;
-        const std::size_t bits = limit + 3 - std::min(limit + 3, growth + random.below(12));
+        // A group of eight primes below 2^50 has a product of 400 bits, of which one is given away; at most
+        // 64 of them are combined.
+        const std::size_t groups = most ? 64 : 1 + random.below(random.one_in(8) ? 20 : 4);
+        const std::size_t limit = (random.one_in(2) ? 399 : 400) * groups + 3;
+        const std::size_t growth = most || random.one_in(2) ? bits_of_growth(size, a, b) : 0;
+        const std::size_t bits = limit - std::min(limit, growth + random.below(12));
         const int sign = static_cast<int>(random.below(3)) - 1;
         std::vector<Integer> coefficients;
         for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
-        if (const auto result = form_on_line(coefficients, a, b))
-            CHECK(*result == substituted(coefficients, a, b));
+        const auto result = form_on_line(coefficients, a, b);
+        if (most) count_as(result ? "just within 64 groups" : "beyond 64 groups");
+        if (result) CHECK(*result == substituted(coefficients, a, b));
     });
 }
 

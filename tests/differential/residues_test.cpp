@@ -8,11 +8,11 @@ using namespace blossom::testing;
 namespace {
 
 /// Near the bits of some number of groups of eight primes below 2^50 or 2^28, whichever are in use: their
-/// product is a few bits short of that.
+/// product is a few bits short of that, and a bit a group is given away.
 std::size_t bits_near_groups(Random& random, std::size_t least) {
     const std::size_t of_group = random.one_in(2) ? 400 : 224;
     const std::size_t groups = least / of_group + 1 + random.below(2);
-    return of_group * groups - random.below(6);
+    return of_group * groups - random.below(groups + 5);
 }
 
 SumCase case_near_groups(Random& random, std::vector<WordFactor> factors, Signs signs) {
@@ -33,6 +33,17 @@ SumCase case_of_ones(Random& random, std::size_t n, Signs signs) {
     for (std::size_t k = 0; k <= n; ++k)
         result.numerators.push_back(signs == Signs::alternate && k % 2 == 1 ? -number : number);
     return result;
+}
+
+/// Numbers that end where their digits are no longer taken at once, 4096 of 50 or 28 bits; now and then sums
+/// of 2'000'000 bits, the most in residues.
+SumCase case_of_long_numbers(Random& random, Signs signs) {
+    std::vector<WordFactor> factors = factors_near(random, 16, 1 + random.below(62), 62, signs);
+    const bool longest = random.one_in(20);
+    count_as(longest ? "of 2'000'000 bits" : "of 4096 digits");
+    const std::size_t bits =
+        longest ? 2'000'001 : 4096 * (random.one_in(2) ? 50 : 28) + size_of_product(factors).bit_length() + 2;
+    return case_at_limit(random, std::move(factors), bits - random.below(4), signs);
 }
 
 /// n factors of which all but few have one term, so that the evident way is short.
@@ -63,12 +74,35 @@ std::vector<Rational> values_at_one(const SumCase& given, Signs signs) {
     return values;
 }
 
-/// Where transforms begin, where they grow, and where each leaf of one is full.
-std::size_t degree_of_transforms(Random& random, std::size_t most) {
-    const std::size_t limits[] = {499, 500, 511, 512, 639, 640, 992, 993, 1008, 1009, 1279, 1280};
-    const std::size_t n =
-        random.one_in(2) ? limits[random.below(std::size(limits))] : 480 + random.below(160);
-    return std::min(n, most);
+/// Numbers of factors of which a share of the cases, in 64ths, has one.
+struct Degrees {
+    const char* kind;
+    std::size_t share;
+    std::vector<std::size_t> degrees;
+};
+
+/// By transforms of 512 values are taken 500 to 504 factors, of which the last fill the leaves. With leaves
+/// of 32 and of 64 coefficients those of 1024 values end at 992 and 1008, those of 2048, the longest for
+/// short primes, at 1984 and 2016, and those of 4096 at 3968 and 4032. They begin at 5/8 of a length, and
+/// product trees go on to 4095.
+const Degrees degrees_of_transforms[] = {
+    {"of 500 to 504 factors", 44, {500, 501, 502, 503, 504}},
+    {"by transforms of 1024", 8, {640, 641, 700, 991, 992, 993, 1007, 1008}},
+    {"of degrees just beyond", 10, {498, 499, 505, 506, 511, 512, 638, 639, 1009}},
+    {"by transforms of 2048", 1, {1280, 1281, 1984, 1985, 2016}},
+};
+const Degrees highest_degrees = {
+    "of degrees to 4096",
+    1,
+    {1023, 1024, 1279, 2017, 2047, 2048, 2559, 2560, 3968, 3969, 4032, 4033, 4095, 4096}};
+
+const Degrees& any_degrees(Random& random) {
+    std::size_t place = random.below(64);
+    for (const Degrees& degrees : degrees_of_transforms) {
+        if (place < degrees.share) return degrees;
+        place -= degrees.share;
+    }
+    return highest_degrees;
 }
 
 }  // namespace
@@ -77,6 +111,7 @@ TEST_CASE("residues: sums that end where groups of primes do", "[differential]")
     KernelsMet met;
     each_case("residues", [&](Random& random) {
         const Signs signs = any_signs(random);
+        if (random.one_in(200)) return check_sums(case_of_long_numbers(random, signs), met);
         const std::size_t n = 14 + random.below(random.one_in(8) ? 70 : 20);
         if (random.one_in(4)) return check_sums(case_of_ones(random, n, signs), met);
         const std::size_t bits = random.one_in(2) ? 62 : 30 + random.below(33);
@@ -157,17 +192,28 @@ TEST_CASE("residues: small fractions over one large denominator", "[differential
 
 TEST_CASE("transforms: sums of high degree", "[differential]") {
     KernelsMet met;
+    std::size_t beyond = 0;
     const auto check = [&](Random& random) {
         const Signs signs = any_signs(random);
-        const std::size_t bits = 1 + random.below(random.one_in(16) ? 60 : 5);
-        const std::size_t n = degree_of_transforms(random, bits > 8 ? 520 : 1300);
-        if (signs == Signs::any) {
-            check_sums(case_near_groups(random, mostly_monomials(random, n, bits, signs), signs), met);
+        const Degrees& degrees = any_degrees(random);
+        count_as(degrees.kind);
+        const std::size_t n = degrees.degrees[random.below(degrees.degrees.size())];
+        beyond += n == 4096 ? 1 : 0;
+        // Short primes that have transforms end at sums of about 5900 bits.
+        std::size_t bits = 1 + random.below(n < 1280 ? 5 : 2);
+        if (n <= 512 && random.one_in(8))
+            bits = random.one_in(4) ? 1 + random.below(60) : 9 + random.below(4);
+        const bool full = n <= 504 && bits <= 5 && random.one_in(4);
+        if (full) count_as("multiplied out");
+        if (full || signs == Signs::any) {
+            std::vector<WordFactor> factors =
+                full ? factors_near(random, n, bits, bits, signs) : mostly_monomials(random, n, bits, signs);
+            check_sums(case_near_groups(random, std::move(factors), signs), met);
         } else {
             const SumCase given = case_near_groups(random, factors_near(random, n, bits, bits, signs), signs);
             check_sums(given, values_at_one(given, signs), met);
         }
     };
     each_case("transforms", check, 40);
-    CHECK(met[SumKernel::residues] >= differential_cases(40));
+    CHECK(met[SumKernel::residues] + beyond == differential_cases(40));
 }
