@@ -4,6 +4,7 @@
 #include <blossom/rational/error.hpp>
 
 #include <cstddef>
+#include <string>
 #include <type_traits>
 
 #include "binomial_weights.hpp"
@@ -25,6 +26,15 @@ LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
     RationalVector numbers = coefficients.numbers().weighted(weights->numerators, weights->denominator);
     if (use == LinearFactorSums::Use::many) numbers.make_canonical();
     return {std::move(numbers), coefficients.dimension(), use};
+}
+
+void require_room(std::size_t tuples, std::size_t dimension, std::size_t results) {
+    if (results == tuples * dimension) return;
+    throw Error(ErrorCode::mismatched_dimensions,
+                "the values at " + std::to_string(tuples) + " tuples of arguments are " +
+                    std::to_string(tuples * dimension) + " numbers, and there are places for " +
+                    std::to_string(results),
+                "/results");
 }
 
 /// The most factors for which there is room on the stack.
@@ -155,22 +165,28 @@ Coordinates Blossom::value_once(const PolynomialMap& map, std::span<const Argume
 }
 
 std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tuples, std::size_t jobs) const {
+    std::vector<Rational> results(tuples.size() * dimension_);
+    values(tuples, results, jobs);
+    return results;
+}
+
+void Blossom::values(std::span<const std::vector<Argument>> tuples, std::span<Rational> results,
+                     std::size_t jobs) const {
+    require_room(tuples.size(), dimension_, results.size());
     for (const auto& arguments : tuples) require_arity(degree_, arguments.size());
-    std::vector<Rational> values(tuples.size() * dimension_);
     on_threads(tuples.size(), jobs, [&](std::size_t begin, std::size_t end) {
-        const auto values_of = [&](std::size_t i, std::size_t count) {
-            return std::span(values).subspan(i * dimension_, count * dimension_);
+        const auto results_of = [&](std::size_t i, std::size_t count) {
+            return results.subspan(i * dimension_, count * dimension_);
         };
         for (std::size_t i = begin; i < end;) {
-            if (end - i >= 8 && kernel_->evaluate_eight(tuples.subspan(i).first<8>(), values_of(i, 8))) {
+            if (end - i >= 8 && kernel_->evaluate_eight(tuples.subspan(i).first<8>(), results_of(i, 8))) {
                 i += 8;
             } else {
-                kernel_->evaluate(tuples[i], 0, values_of(i, 1));
+                kernel_->evaluate(tuples[i], 0, results_of(i, 1));
                 ++i;
             }
         }
     });
-    return values;
 }
 
 }  // namespace blossom

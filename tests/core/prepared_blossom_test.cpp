@@ -5,6 +5,7 @@
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"
 #include "support/map_printing.hpp"
+#include "support/number_generators.hpp"
 #include "support/textbook_blossom.hpp"
 
 using namespace blossom;
@@ -24,6 +25,12 @@ void check(Random& random, const Recipe& recipe, const Oracle& oracle) {
     const std::size_t jobs = 1 + random.below(3);
     const std::vector<Rational> values = blossom.values(tuples, jobs);
     REQUIRE(values.size() == tuples.size() * blossom.dimension());
+    // Memory of the caller, which may hold numbers of any size from before.
+    std::vector<Rational> results(values.size());
+    if (random.one_in(2))
+        for (Rational& result : results) result = rational(random);
+    blossom.values(tuples, results, jobs);
+    CHECK(results == values);
     for (std::size_t i = 0; i < tuples.size(); ++i) {
         const Coordinates expected(
             values.begin() + static_cast<std::ptrdiff_t>(i * blossom.dimension()),
@@ -89,4 +96,31 @@ TEST_CASE("batches refuse what single values refuse", "[blossom][batch]") {
     tuples[30].pop_back();
     CHECK(failure_code([&] { blossom.values(tuples, 2); }) == ErrorCode::wrong_arity);
     CHECK(failure_code([&] { blossom.coordinate(0, tuples[30]); }) == ErrorCode::wrong_arity);
+}
+
+TEST_CASE("batches fill exactly the places they are given", "[blossom][batch]") {
+    const Blossom blossom(
+        PolynomialCurve(std::vector<Coordinates>{{1, 2}, {0, Rational(1, 3)}, {Rational(5, 7), -1}}));
+    std::vector<std::vector<Argument>> tuples(11, {Parameter(Rational(1, 2)), Parameter(3)});
+    const std::vector<Rational> untouched(24, Rational(pow(Integer(10), 40)));
+    std::vector<Rational> results = untouched;
+    blossom.values(tuples, std::span(results).first(22));
+    const Coordinates expected = blossom(tuples[0]);
+    for (std::size_t i = 0; i < 22; ++i) CHECK(results[i] == expected[i % 2]);
+    CHECK(results[22] == untouched[22]);
+    CHECK(results[23] == untouched[23]);
+
+    results = untouched;
+    for (const std::size_t size : {0U, 11U, 21U, 23U, 24U}) {
+        const std::optional<Error> error =
+            failure([&] { blossom.values(tuples, std::span(results).first(size), 2); });
+        REQUIRE(error);
+        CHECK(error->code() == ErrorCode::mismatched_dimensions);
+        CHECK(error->field() == "/results");
+    }
+    tuples[10].pop_back();
+    CHECK(failure_code([&] { blossom.values(tuples, std::span(results).first(22)); }) ==
+          ErrorCode::wrong_arity);
+    CHECK(results == untouched);
+    blossom.values({}, std::span<Rational>());
 }

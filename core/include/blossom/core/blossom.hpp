@@ -59,7 +59,15 @@ public:
     /// The values at many tuples of n arguments, dimension() coordinates each, one after the other.
     ///
     /// Cost: what the values cost one by one, and less where words hold all numbers; on `jobs` threads.
+    /// Errors: `wrong_arity`; `limit_exceeded`.
     std::vector<Rational> values(std::span<const std::vector<Argument>> tuples, std::size_t jobs = 1) const;
+    /// The same into memory of the caller, for those who ask again and again; while words hold all numbers
+    /// nothing is allocated. `results` holds none of the arguments, and is unspecified after
+    /// `limit_exceeded`.
+    ///
+    /// Errors as well: `mismatched_dimensions` unless there are tuples.size() * dimension() results.
+    void values(std::span<const std::vector<Argument>> tuples, std::span<Rational> results,
+                std::size_t jobs = 1) const;
 
 private:
     friend Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
