@@ -10,16 +10,13 @@
 
 namespace blossom {
 
-/// Calls run(begin, end) for pieces of 0..count that cover it, on at most `jobs` threads, this one among
-/// them. Pieces are handed out as threads become free; the first error ends the work and is thrown here.
-template <class Run>
-void on_threads(std::size_t count, std::size_t jobs, const Run& run) {
-    constexpr std::size_t least_piece = 8;
-    constexpr std::size_t pieces_a_thread = 8;
-    const std::size_t threads = std::max<std::size_t>(1, std::min(jobs, count / least_piece));
-    if (threads == 1) return run(std::size_t{0}, count);
+constexpr std::size_t least_piece_of_a_thread = 8;
 
-    const std::size_t piece = std::max(least_piece, count / (threads * pieces_a_thread) / 8 * 8);
+/// See `on_threads`; kept apart from the work of one thread, which needs none of this.
+template <class Run>
+[[gnu::noinline]] void on_several_threads(std::size_t count, std::size_t threads, const Run& run) {
+    constexpr std::size_t pieces_a_thread = 8;
+    const std::size_t piece = std::max(least_piece_of_a_thread, count / (threads * pieces_a_thread) / 8 * 8);
     std::atomic<std::size_t> next = 0;
     std::exception_ptr error;
     std::mutex error_mutex;
@@ -40,6 +37,15 @@ void on_threads(std::size_t count, std::size_t jobs, const Run& run) {
         work();
     }
     if (error) std::rethrow_exception(error);
+}
+
+/// Calls run(begin, end) for pieces of 0..count that cover it, on at most `jobs` threads, this one among
+/// them. Pieces are handed out as threads become free; the first error ends the work and is thrown here.
+template <class Run>
+[[gnu::always_inline]] inline void on_threads(std::size_t count, std::size_t jobs, const Run& run) {
+    const std::size_t threads = std::min(jobs, count / least_piece_of_a_thread);
+    if (threads <= 1) return run(std::size_t{0}, count);
+    on_several_threads(count, threads, run);
 }
 
 }  // namespace blossom

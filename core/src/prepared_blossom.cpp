@@ -28,8 +28,7 @@ LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
     return {std::move(numbers), coefficients.dimension(), use};
 }
 
-void require_room(std::size_t tuples, std::size_t dimension, std::size_t results) {
-    if (results == tuples * dimension) return;
+[[noreturn]] void throw_wrong_room(std::size_t tuples, std::size_t dimension, std::size_t results) {
     throw Error(ErrorCode::mismatched_dimensions,
                 "the values at " + std::to_string(tuples) + " tuples of arguments are " +
                     std::to_string(tuples * dimension) + " numbers, and there are places for " +
@@ -93,6 +92,11 @@ struct Blossom::Kernel {
             for (std::size_t l = 0; l < 8; ++l) pairs[l] = &tuples[l].front().u;
             return sums.evaluate_eight(pairs, values);
         }
+        return evaluate_eight_over_frame(tuples, values);
+    }
+
+    [[gnu::noinline]] bool evaluate_eight_over_frame(std::span<const std::vector<Argument>, 8> tuples,
+                                                     std::span<Rational> values) const {
         const std::size_t n = sums.degree();
         if (!words_are_within_limits || n > most_factors_of_eight) return false;
         WordFactorOctet octets[most_factors_of_eight];
@@ -172,7 +176,8 @@ std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tup
 
 void Blossom::values(std::span<const std::vector<Argument>> tuples, std::span<Rational> results,
                      std::size_t jobs) const {
-    require_room(tuples.size(), dimension_, results.size());
+    if (results.size() != tuples.size() * dimension_)
+        throw_wrong_room(tuples.size(), dimension_, results.size());
     for (const auto& arguments : tuples) require_arity(degree_, arguments.size());
     on_threads(tuples.size(), jobs, [&](std::size_t begin, std::size_t end) {
         const auto results_of = [&](std::size_t i, std::size_t count) {

@@ -37,10 +37,6 @@ __m512i product(__m512i a, __m512i b) {
     return Numbers::add_product(_mm512_setzero_si512(), a, b);
 }
 
-std::size_t width(std::uint64_t word) {
-    return word == 0 ? 0 : 64 - static_cast<std::size_t>(__builtin_clzll(word));
-}
-
 template <class Numbers>
 void divide_by_common_powers(const Divisor& divisor, __m512i& top, __m512i& bottom) {
     const __m512i inverse = broadcast(divisor.inverse);
@@ -55,6 +51,32 @@ void divide_by_common_powers(const Divisor& divisor, __m512i& top, __m512i& bott
         top_quotient = product<Numbers>(top, inverse);
         divisible = _mm512_mask_cmple_epu64_mask(divisible, top_quotient, most);
     }
+}
+
+/// Divides both by their common odd prime divisors, all of which are in `set`. At first once by each, all
+/// together by the product of their inverses, so that no prime waits for another.
+template <class Numbers>
+[[gnu::always_inline]] inline void divide_by_common_primes(const Divisor* divisors, std::uint32_t set,
+                                                           __m512i& top, __m512i& bottom) {
+    const __m512i one = broadcast(1);
+    __m512i inverses = one;
+    std::uint32_t found = 0;
+    for (std::uint32_t rest = set; rest != 0; rest &= rest - 1) {
+        const Divisor& divisor = divisors[__builtin_ctz(rest)];
+        const __m512i inverse = broadcast(divisor.inverse);
+        const __m512i most = Numbers::most(divisor);
+        const __mmask8 divides =
+            _mm512_mask_cmple_epu64_mask(_mm512_cmple_epu64_mask(product<Numbers>(bottom, inverse), most),
+                                         product<Numbers>(top, inverse), most);
+        if (divides != 0) {
+            inverses = product<Numbers>(inverses, _mm512_mask_mov_epi64(one, divides, inverse));
+            found |= rest & -rest;
+        }
+    }
+    top = product<Numbers>(top, inverses);
+    bottom = product<Numbers>(bottom, inverses);
+    for (; found != 0; found &= found - 1)
+        divide_by_common_powers<Numbers>(divisors[__builtin_ctz(found)], top, bottom);
 }
 
 /// The numbers of zeros behind the lowest bit set.
@@ -116,8 +138,7 @@ template <std::size_t Count, class Numbers>
         const __m512i twos = trailing_zeros(_mm512_or_si512(top, bottom));
         top = _mm512_srlv_epi64(top, twos);
         bottom = _mm512_srlv_epi64(bottom, twos);
-        for (std::uint32_t rest = set; rest != 0; rest &= rest - 1)
-            divide_by_common_powers<Numbers>(divisors.divisors[__builtin_ctz(rest)], top, bottom);
+        divide_by_common_primes<Numbers>(divisors.divisors, set, top, bottom);
         const __mmask8 negative = _mm512_movepi64_mask(sum);
         _mm512_store_si512(quotients[j].numerators,
                            _mm512_mask_sub_epi64(top, negative, _mm512_setzero_si512(), top));
@@ -125,21 +146,30 @@ template <std::size_t Count, class Numbers>
     }
 }
 
+/// Bits, not all of which are 0 if a product of one number of each octet and of one of the rows may have
+/// `limit` bits or more: bounded by the bits of all numbers of the octets together.
 template <std::size_t Count>
-[[gnu::always_inline]] inline bool sums_of(const Rows& rows, const Factors<Count>& factors,
+__m512i bits_beyond(std::size_t limit, std::size_t rows_bits, __m512i all) {
+    const std::size_t most = rows_bits < limit ? (limit - 1 - rows_bits) / Count : 0;
+    return _mm512_srlv_epi64(all, broadcast(most));
+}
+
+template <std::size_t Count>
+[[gnu::always_inline]] inline bool sums_of(const Rows& rows, const Factors<Count>& factors, __m512i beyond,
                                            const Divisors& divisors, Quotients* quotients) {
-    __m512i all_sizes = _mm512_setzero_si512();
+    __m512i all = _mm512_setzero_si512();
     __m512i all_denominators = _mm512_setzero_si512();
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) {
         all_denominators = _mm512_or_si512(all_denominators, factors.denominators[i]);
-        all_sizes = _mm512_or_si512(all_sizes, _mm512_add_epi64(_mm512_abs_epi64(factors.constants[i]),
-                                                                _mm512_abs_epi64(factors.slopes[i])));
+        all = _mm512_or_si512(all, _mm512_add_epi64(_mm512_abs_epi64(factors.constants[i]),
+                                                    _mm512_abs_epi64(factors.slopes[i])));
     }
-    if (_mm512_cmpgt_epu64_mask(all_denominators, broadcast(divisors.greatest_known)) != 0) return false;
-    // The bits of a product of one number of each octet, bounded by those of all numbers together.
-    const std::size_t most = Count * width(united(_mm512_or_si512(all_sizes, all_denominators))) + rows.bits;
-    if (most >= Full::bits) return false;
+    all = _mm512_or_si512(all, all_denominators);
+    beyond =
+        _mm512_or_si512(beyond, _mm512_andnot_si512(broadcast(divisors.greatest_known), all_denominators));
+    beyond = _mm512_or_si512(beyond, bits_beyond<Count>(Full::bits, rows.bits, all));
+    if (_mm512_test_epi64_mask(beyond, beyond) != 0) return false;
     __m256i sets = _mm256_setzero_si256();
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i)
@@ -147,7 +177,8 @@ template <std::size_t Count>
     const std::uint64_t two_sets = united(_mm512_zextsi256_si512(sets));
     const std::uint32_t set = rows.divisors | static_cast<std::uint32_t>(two_sets | two_sets >> 32);
     if (set == ~std::uint32_t{0}) return false;
-    if (most < Short::bits) {
+    const __m512i beyond_short = bits_beyond<Count>(Short::bits, rows.bits, all);
+    if (_mm512_test_epi64_mask(beyond_short, beyond_short) == 0) {
         reduced_sums<Count, Short>(rows, factors, divisors, set, quotients);
     } else {
         reduced_sums<Count, Full>(rows, factors, divisors, set, quotients);
@@ -159,14 +190,14 @@ struct OfOctets {
     const WordFactorOctet* octets;
 
     template <std::size_t Count>
-    [[gnu::always_inline]] bool read(Factors<Count>& factors) const {
+    [[gnu::always_inline]] __m512i read(Factors<Count>& factors) const {
 #pragma GCC unroll 8
         for (std::size_t i = 0; i < Count; ++i) {
             factors.constants[i] = _mm512_load_si512(octets[i].constants);
             factors.slopes[i] = _mm512_load_si512(octets[i].slopes);
             factors.denominators[i] = _mm512_load_si512(octets[i].denominators);
         }
-        return true;
+        return _mm512_setzero_si512();
     }
 };
 
@@ -174,13 +205,11 @@ struct OfPairs {
     const void* const* tuples;
 
     template <std::size_t Count>
-    [[gnu::always_inline]] bool read(Factors<Count>& factors) const {
+    [[gnu::always_inline]] __m512i read(Factors<Count>& factors) const {
         // Of a pair of numbers u, m: the bits that are 0 if u is a quotient of words and m is 0 or 1, but for
         // the lowest bit of the denominator of m.
         const __m512i surplus = _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0);
-        const __m512i least = broadcast(std::uint64_t{1} << 63);
         __m512i all = _mm512_setzero_si512();
-        __mmask8 beyond = 0;
 #pragma GCC unroll 8
         for (std::size_t i = 0; i < Count; ++i) {
             __m512i pairs[lanes];
@@ -206,20 +235,20 @@ struct OfPairs {
             factors.denominators[i] = _mm512_shuffle_i64x2(front, back, second);
             factors.constants[i] =
                 _mm512_and_si512(factors.denominators[i], _mm512_sub_epi64(_mm512_setzero_si512(), masses));
-            beyond |= _mm512_cmpeq_epi64_mask(factors.slopes[i], least);
         }
-        return (beyond | _mm512_test_epi64_mask(all, surplus)) == 0;
+        return _mm512_and_si512(all, surplus);
     }
 };
 
 template <std::size_t Count, class Source>
-bool sums_from(const Rows& rows, const Source& source, const Divisors& divisors, Quotients* quotients) {
+bool sums_from(const Rows& rows, Source source, const Divisors& divisors, Quotients* quotients) {
     Factors<Count> factors;  // NOLINT(cppcoreguidelines-pro-type-member-init): the source sets it
-    return source.read(factors) && sums_of<Count>(rows, factors, divisors, quotients);
+    const __m512i beyond = source.read(factors);
+    return sums_of<Count>(rows, factors, beyond, divisors, quotients);
 }
 
 template <class Source>
-bool sums_from_any(const Rows& rows, const Source& source, std::size_t count, const Divisors& divisors,
+bool sums_from_any(const Rows& rows, Source source, std::size_t count, const Divisors& divisors,
                    Quotients* quotients) {
     switch (count) {
         case 1:
