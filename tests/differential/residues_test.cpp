@@ -41,8 +41,9 @@ SumCase case_of_long_numbers(Random& random, Signs signs) {
     std::vector<WordFactor> factors = factors_near(random, 16, 1 + random.below(62), 62, signs);
     const bool longest = random.one_in(20);
     count_as(longest ? "of 2'000'000 bits" : "of 4096 digits");
-    const std::size_t bits =
-        longest ? 2'000'001 : 4096 * (random.one_in(2) ? 50 : 28) + size_of_product(factors).bit_length() + 2;
+    const std::size_t bits = longest ? 2'000'001
+                                     : std::size_t{4096} * (random.one_in(2) ? 50 : 28) +
+                                           size_of_product(factors).bit_length() + 2;
     return case_at_limit(random, std::move(factors), bits - random.below(4), signs);
 }
 
