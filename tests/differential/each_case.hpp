@@ -4,10 +4,12 @@
 // it does not) and BLOSSOM_DIFFERENTIAL_SEED (1). scripts/differential runs tens of thousands on each level
 // of vector instructions.
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "support/number_generators.hpp"
 #include "support/number_printing.hpp"
@@ -51,6 +53,23 @@ void each_case(std::string_view path, const Check& check, std::size_t otherwise 
         check(random);
         ++Counts::of_path().cases;
     }
+}
+
+/// One check, which shows the first number that differs by its ends: Catch takes minutes to lay out rows of
+/// long numbers.
+template <class Number>
+void check_same(const std::vector<Number>& numbers, const std::vector<Number>& expected) {
+    if (numbers.size() != expected.size()) FAIL(numbers.size() << " numbers in place of " << expected.size());
+    const auto [number, other] = std::ranges::mismatch(numbers, expected);
+    if (number == numbers.end()) {
+        SUCCEED();
+        return;
+    }
+    const auto ends = [](const Number& value) {
+        const std::string text = to_string(value);
+        return text.size() < 100 ? text : text.substr(0, 40) + "..." + text.substr(text.size() - 40);
+    };
+    FAIL_CHECK("number " << number - numbers.begin() << " is " << ends(*number) << ", not " << ends(*other));
 }
 
 /// Now and then zero, and mostly of just so many bits; `sign` is the one of all, or 0 for either.
