@@ -1,7 +1,10 @@
-// Two threads beside one, by the clock on the wall: batches of values of a blossom and of a curve.
+// Two threads beside one, by the clock on the wall: batches of values of a blossom and of a curve, and what
+// the machine gives at best.
 
 #include <blossom/core/blossom.hpp>
 #include <blossom/core/curve_values.hpp>
+
+#include <thread>
 
 #include "cases.hpp"
 #include "families.hpp"
@@ -31,11 +34,33 @@ void compare_threads(const Report& report, const char* work, const Values& value
                    measure::Clock::wall);
 }
 
+/// A chain of multiplications in registers: no memory is shared, or touched at all.
+void run_multiplications(std::size_t steps) {
+    std::uint64_t x = steps;
+    for (std::size_t i = 0; i < steps; ++i) x = x * x + 1;
+    volatile std::uint64_t kept = x;
+    (void)kept;
+}
+
+/// So many steps in equal shares.
+void share_multiplications(std::size_t steps, std::size_t jobs) {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < jobs; ++i) others.emplace_back(run_multiplications, steps / jobs);
+    run_multiplications(steps / jobs);
+}
+
 }  // namespace
 
 void measure_threads(const Report& report) {
     const std::size_t count = report.quick() ? 100 : 20000;
     const Case given = make_case(degree, bits);
+    if (report.wants("bare multiplications", degree, bits)) {
+        compare_threads(report, "bare multiplications", [&](std::size_t jobs) {
+            constexpr std::size_t steps_a_value = 200;
+            share_multiplications(count * steps_a_value, jobs);
+            return std::vector<Rational>();
+        });
+    }
     if (report.wants("blossom batch", degree, bits)) {
         const Blossom blossom(curve_of(given));
         const std::vector<std::vector<Argument>> tuples(count, arguments_of(given));

@@ -21,27 +21,12 @@ namespace {
 struct Spares {
     Integer::Large* first;
     std::size_t words;  ///< that all of them hold
-    bool closed;
 };
 /// What one of them may hold, and all of a thread.
 constexpr std::size_t most_words_of_spare = 64;
 constexpr std::size_t most_words_of_spares = std::size_t{1} << 13;
 thread_local Spares spares{};
-
-/// Frees them when the thread ends.
-struct SparesOfThread {
-    SparesOfThread() = default;
-    SparesOfThread(const SparesOfThread&) = delete;
-    SparesOfThread(SparesOfThread&&) = delete;
-    SparesOfThread& operator=(const SparesOfThread&) = delete;
-    SparesOfThread& operator=(SparesOfThread&&) = delete;
-    ~SparesOfThread() {
-        spares.closed = true;
-        while (spares.first) delete std::exchange(spares.first, spares.first->next);
-    }
-    void start() const {}
-};
-thread_local const SparesOfThread spares_of_thread;
+thread_local bool spares_are_closed = false;  ///< when the thread ends
 
 /// Lists of spares that were too many for one thread, for those that have none: results are mostly given back
 /// by another thread than the one that computed them. Whether it is full or empty is seen without the lock,
@@ -50,36 +35,54 @@ class Depot {
 public:
     /// Whether there was room.
     bool put(const Spares& list) {
-        if (size_.load(std::memory_order_relaxed) == most_lists) return false;
+        if (words_.load(std::memory_order_relaxed) + list.words > most_words) return false;
         const std::lock_guard lock(mutex_);
-        const std::size_t size = size_.load(std::memory_order_relaxed);
-        if (size == most_lists) return false;
-        lists_[size] = list;
-        size_.store(size + 1, std::memory_order_relaxed);
+        const std::size_t words = words_.load(std::memory_order_relaxed) + list.words;
+        if (words > most_words || size_ == most_lists) return false;
+        lists_[size_++] = list;
+        words_.store(words, std::memory_order_relaxed);
         return true;
     }
     Spares take() {
-        if (size_.load(std::memory_order_relaxed) == 0) return {};
+        if (words_.load(std::memory_order_relaxed) == 0) return {};
         const std::lock_guard lock(mutex_);
-        const std::size_t size = size_.load(std::memory_order_relaxed);
-        if (size == 0) return {};
-        size_.store(size - 1, std::memory_order_relaxed);
-        return lists_[size - 1];
+        if (size_ == 0) return {};
+        const Spares& list = lists_[--size_];
+        words_.store(words_.load(std::memory_order_relaxed) - list.words, std::memory_order_relaxed);
+        return list;
     }
 
 private:
-    static constexpr std::size_t most_lists = 16;
+    static constexpr std::size_t most_words = 64 * most_words_of_spares;
+    static constexpr std::size_t most_lists = 256;
 
     std::mutex mutex_;
-    std::atomic<std::size_t> size_ = 0;  ///< changed by who holds the lock
+    std::size_t size_ = 0;
+    std::atomic<std::size_t> words_ = 0;  ///< of all lists; changed by who holds the lock
     Spares lists_[most_lists] = {};
 };
 constinit Depot depot;
 
+/// Leaves them to others when the thread ends.
+struct SparesOfThread {
+    SparesOfThread() = default;
+    SparesOfThread(const SparesOfThread&) = delete;
+    SparesOfThread(SparesOfThread&&) = delete;
+    SparesOfThread& operator=(const SparesOfThread&) = delete;
+    SparesOfThread& operator=(SparesOfThread&&) = delete;
+    ~SparesOfThread() {
+        spares_are_closed = true;
+        if (spares.first && depot.put(spares)) spares = {};
+        while (spares.first) delete std::exchange(spares.first, spares.first->next);
+    }
+    void start() const {}
+};
+thread_local const SparesOfThread spares_of_thread;
+
 /// A number of any value.
 Integer::Large* take_large() {
     if (!spares.first) {
-        if (spares.closed) return new Integer::Large;
+        if (spares_are_closed) return new Integer::Large;
         spares = depot.take();
         if (!spares.first) return new Integer::Large;
         spares_of_thread.start();
@@ -91,7 +94,7 @@ Integer::Large* take_large() {
 
 void give_back(Integer::Large* number) noexcept {
     const std::size_t words = backend::words_held(number->value);
-    if (spares.closed || words > most_words_of_spare) {
+    if (spares_are_closed || words > most_words_of_spare) {
         delete number;
         return;
     }
