@@ -15,13 +15,14 @@ inline constexpr std::size_t most_factors = 128;
 /// The most digits of a number.
 inline constexpr std::size_t most_digits = 16;
 /// Digits of the same place of all numbers of a row lie side by side, so many from one place to the next:
-/// those of most_factors + 1 numbers, and eight behind them, which are read but not used.
+/// those of most_factors + 1 numbers, and fifteen behind them, which are read but not used.
 inline constexpr std::size_t most_stride = 144;
 
-/// The coefficients of a product of linear factors, below 2^51 in magnitude, and the digits that suffice for
-/// what is folded with them.
+/// The coefficients of a product of linear factors, below 2^51 in magnitude, each `step` places after the one
+/// before, and the digits that suffice for what is folded with them.
 struct Block {
     const std::int64_t* coefficients;
+    std::size_t step;
     std::size_t degree;
     std::size_t digits;
 };
@@ -35,12 +36,14 @@ struct Columns {
 };
 
 /// Each block B turns the numbers c into sum_j B_j c_(i+j), fewer by its degree, until one is left, whose
-/// digits these are. The digits of the blocks increase, and are at least those of the numbers.
+/// digits these are, each with a sign and a carry for the next one: the sum is that of sum[d] 2^(52 d) modulo
+/// 2^52 to the digits of the last block. The digits of the blocks increase, and are those of the numbers or
+/// fewer for the first one.
 using Fold = void (*)(const Columns& numbers, const Block* blocks, std::size_t block_count,
-                      std::uint64_t* sum);
+                      std::int64_t* sum);
 
 #if defined(BLOSSOM_AVX512_IFMA)
-void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::uint64_t* sum);
+void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::int64_t* sum);
 #endif
 
 }  // namespace blossom::digit_folds

@@ -12,7 +12,7 @@ constexpr std::size_t fold_bits = digit_folds::digit_bits;
 constexpr std::uint64_t fold_mask = (std::uint64_t{1} << fold_bits) - 1;
 constexpr int block_bits = fold_bits - 1;
 
-/// By measurement.
+/// Of factors in words, by measurement.
 constexpr std::size_t least_factors = 8;
 /// Up to so many factors there is room for denominators of words.
 constexpr std::size_t factors_of_any_denominators = 64;
@@ -29,22 +29,48 @@ digit_folds::Fold chosen_fold() {
     return chosen;
 }
 
-/// 64 bits from bit 64 i on of a number in two's complement.
-std::uint64_t word_of(std::span<const std::uint64_t> digits, std::size_t i) {
-    const std::uint64_t sign = digits.back() >> (fold_bits - 1) == 0 ? 0 : fold_mask;
-    const auto digit = [&](std::size_t d) { return d < digits.size() ? digits[d] : sign; };
-    const std::size_t first = 64 * i / fold_bits;
-    const std::size_t shift = 64 * i % fold_bits;
-    return static_cast<std::uint64_t>(
-        (Wide{digit(first + 2)} << (2 * fold_bits) | Wide{digit(first + 1)} << fold_bits | digit(first)) >>
-        shift);
+factor_lanes::Multiply chosen_multiply() {
+    static const factor_lanes::Multiply chosen = []() -> factor_lanes::Multiply {
+#if defined(BLOSSOM_AVX512_IFMA)
+        if (chosen_fold() != nullptr) return factor_lanes::avx512_multiply;
+#endif
+        return nullptr;
+    }();
+    return chosen;
+}
+
+constexpr factor_lanes::Primes factor_primes{small_primes::table.of, small_primes::greatest_known};
+
+/// The number with these digits, see digit_folds::Fold, in two's complement of so many words.
+void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> words) {
+    SignedWide rest = 0;
+    int bits = 0;  // of digits that are in `rest`
+    std::size_t size = 0;
+    for (const std::int64_t digit : digits) {
+        rest += SignedWide{digit} << bits;
+        bits += int{fold_bits};
+        if (bits >= 64 && size + 1 < words.size()) {
+            words[size++] = static_cast<std::uint64_t>(rest);
+            rest >>= 64;
+            bits -= 64;
+        }
+    }
+    // What is beyond the digits is the sign.
+    const int beyond = std::max(128 - bits, 0);
+    rest = static_cast<SignedWide>(static_cast<Wide>(rest) << beyond) >> beyond;
+    for (; size < words.size(); ++size) {
+        words[size] = static_cast<std::uint64_t>(rest);
+        rest >>= 64;
+    }
 }
 
 }  // namespace
 
 DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits)
-    : size_(size), bits_(bits), width_(bits / fold_bits + 1) {
-    if (chosen_fold() == nullptr || size <= least_factors || size > digit_folds::most_factors + 1) return;
+    : size_(size), bits_(bits), width_(bits / fold_bits + 2) {
+    if (chosen_fold() == nullptr || size <= factor_lanes::least_factors ||
+        size > digit_folds::most_factors + 1)
+        return;
     // Whole vectors, and one behind them.
     stride_ = (size + 7) / 8 * 8 + 8;
     digits_.resize(count / size * width_ * stride_);
@@ -62,7 +88,7 @@ DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std:
 }
 
 bool DigitRows::suffice(std::span<const WordFactor> factors, std::size_t bits) const {
-    if (digits_.empty() || bits >= digit_folds::most_digits * fold_bits) return false;
+    if (digits_.empty() || size_ <= least_factors || bits >= digit_folds::most_digits * fold_bits) return false;
     constexpr std::uint64_t most_denominator = std::uint64_t{1} << 31;
     const bool any_denominators = factors.size() <= factors_of_any_denominators;
     return std::ranges::all_of(factors, [&](const WordFactor& factor) {
@@ -74,22 +100,35 @@ bool DigitRows::suffice(std::span<const WordFactor> factors, std::size_t bits) c
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only what is used of the arrays is set
 DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits) {
     fixed_width::BitBound bound(rows.bits());
+    std::size_t size = 0;
     while (!factors.empty()) {
-        FactorBlock& product = products_[size_];
+        FactorBlock& product = products_[size++];
         product.fill(factors, digit_folds::most_factors, block_bits);
         factors = factors.subspan(product.degree());
         bound.multiply(product.bound());
         // The bound of the factors one by one may be closer.
         const std::size_t digits = std::min(bound.bits(), bits) / fold_bits + 1;
-        blocks_[size_++] = {product.coefficients().data(), product.degree(), digits};
+        folds_.add({product.coefficients().data(), 1, product.degree(), digits});
     }
 }
 
-void DigitBlocks::sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const {
-    std::uint64_t digits[digit_folds::most_digits];
+bool LaneBlocks::multiply(const DigitRows& rows, const Rational* pairs, std::size_t count) {
+    if (rows.empty() || !chosen_multiply()(pairs, count, factor_primes, product_)) return false;
+    bits_ = rows.bits() + count * product_.bits;
+    if (bits_ >= digit_folds::most_digits * fold_bits) return false;
+    std::size_t bits = rows.bits();
+    for (std::size_t b = 0; b < product_.blocks; ++b) {
+        const std::size_t degree = (count + product_.blocks - 1 - b) / product_.blocks;
+        bits += degree * product_.bits;
+        folds_.add({product_.coefficients[0] + b, factor_lanes::most_blocks, degree, bits / fold_bits + 1});
+    }
+    return true;
+}
+
+void DigitFolds::sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const {
+    std::int64_t digits[digit_folds::most_digits];
     chosen_fold()(row, blocks_, size_, digits);
-    const std::span<const std::uint64_t> used = std::span(digits).first(blocks_[size_ - 1].digits);
-    for (std::size_t i = 0; i < words.size(); ++i) words[i] = word_of(used, i);
+    set_words(std::span(digits).first(blocks_[size_ - 1].digits), words);
 }
 
 }  // namespace blossom

@@ -9,7 +9,9 @@
 
 #include "digit_folds.hpp"
 #include "factor_blocks.hpp"
+#include "factor_lanes.hpp"
 #include "limb_sums.hpp"
+#include "small_primes.hpp"
 
 namespace blossom {
 
@@ -24,6 +26,7 @@ public:
     /// row, and where the processor has no lanes for them.
     DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits);
 
+    bool empty() const { return digits_.empty(); }
     /// Whether numerators of `bits` bits are summed over these factors.
     bool suffice(std::span<const WordFactor> factors, std::size_t bits) const;
     digit_folds::Columns row(std::size_t j) const {
@@ -34,9 +37,26 @@ public:
 private:
     std::size_t size_ = 0;
     std::size_t bits_ = 0;
-    std::size_t width_ = 0;
+    std::size_t width_ = 0;  ///< digits of a number, one more than it needs: the first fold reads that
     std::size_t stride_ = 0;
     std::vector<std::uint64_t> digits_;
+};
+
+/// Blocks of factors in the order in which they are folded.
+class DigitFolds {
+public:
+    void add(const digit_folds::Block& block) { blocks_[size_++] = block; }
+
+    /// The sum of one row in two's complement, in as many words as it and a sign take.
+    void sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const;
+
+    /// Two neighbours together have magnitudes that sum to 2^51 at least, but for two full ones.
+    static constexpr std::size_t most_blocks =
+        2 * (digit_folds::most_digits * digit_folds::digit_bits / (digit_folds::digit_bits - 1) + 1) + 3;
+
+private:
+    std::size_t size_ = 0;
+    digit_folds::Block blocks_[most_blocks];
 };
 
 /// Factors for which `suffice` holds, multiplied out in blocks.
@@ -44,17 +64,30 @@ class DigitBlocks {
 public:
     DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits);
 
-    /// The sum of one row in two's complement, in as many words as `bits` bits and a sign take.
-    void sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const;
+    const DigitFolds& folds() const { return folds_; }
 
 private:
-    /// Two neighbours together have magnitudes that sum to 2^51 at least, but for two full ones.
-    static constexpr std::size_t most_blocks =
-        2 * (digit_folds::most_digits * digit_folds::digit_bits / (digit_folds::digit_bits - 1) + 1) + 3;
+    FactorBlock products_[DigitFolds::most_blocks];
+    DigitFolds folds_;
+};
 
-    std::size_t size_ = 0;
-    digit_folds::Block blocks_[most_blocks];
-    FactorBlock products_[most_blocks];
+/// Factors m + u X of few bits, multiplied out in vector lanes; see LinearFactorSums::evaluate_pairs.
+class LaneBlocks {
+public:
+    /// False, and nothing else may be asked, if the processor has no lanes, or if they do not suffice.
+    bool multiply(const DigitRows& rows, const Rational* pairs, std::size_t count);
+
+    const DigitFolds& folds() const { return folds_; }
+    /// Of the sums.
+    std::size_t bits() const { return bits_; }
+    /// Words whose product is that of the denominators of the factors, and their primes.
+    std::span<const std::uint64_t> denominators() const { return {product_.denominators, product_.blocks}; }
+    small_primes::Set primes() const { return product_.primes; }
+
+private:
+    factor_lanes::Product product_;
+    std::size_t bits_ = 0;
+    DigitFolds folds_;
 };
 
 }  // namespace blossom

@@ -101,7 +101,7 @@ void evaluate_digits(const Prepared& rows, std::span<const WordFactor> factors, 
     std::uint64_t words[most_digit_words];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
-        blocks.sum(rows.digits.row(first_row + j), numerator);
+        blocks.folds().sum(rows.digits.row(first_row + j), numerator);
         sums[j] = reduced(numerator, false, denominator, rows.denominator.longer);
     }
 }
@@ -180,6 +180,37 @@ void evaluate_integers(const Prepared& rows, std::span<const IntegerFactor> fact
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
 }
 
+/// Factors m + u X, see evaluate_pairs.
+bool evaluate_pairs_in_words(const Prepared& rows, const Rational* pairs, std::size_t first_row,
+                             std::span<Rational> sums) {
+    return with_small_constant(rows.size - 1, [&](auto count) {
+        if constexpr (count == std::dynamic_extent) {
+            return false;
+        } else {
+            WordFactor factors[count];
+            for (std::size_t i = 0; i < count; ++i)
+                if (!read_factor(pairs[2 * i], pairs[2 * i + 1], factors[i])) return false;
+            return evaluate_fixed(rows, std::span<const WordFactor, count>(factors), first_row, sums);
+        }
+    });
+}
+
+[[gnu::noinline]] bool evaluate_pairs_in_lanes(const Prepared& rows, const Rational* pairs,
+                                               std::size_t first_row, std::span<Rational> sums) {
+    LaneBlocks blocks;
+    if (!blocks.multiply(rows.digits, pairs, rows.size - 1)) return false;
+    DenominatorWords denominator;
+    for (const std::uint64_t factor : rows.denominator.words) denominator.multiply(factor, rows.primes);
+    for (const std::uint64_t factor : blocks.denominators()) denominator.multiply(factor, blocks.primes());
+    std::uint64_t words[most_digit_words];
+    const std::span<std::uint64_t> numerator = std::span(words).first(blocks.bits() / 64 + 1);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        blocks.folds().sum(rows.digits.row(first_row + j), numerator);
+        sums[j] = reduced(numerator, false, denominator, rows.denominator.longer);
+    }
+    return true;
+}
+
 /// Kept apart from the kernel `word`, which needs neither its registers nor its memory.
 [[gnu::noinline]] void evaluate_beyond_words(const Prepared& rows, std::span<const WordFactor> factors,
                                              std::size_t first_row, std::span<Rational> sums) {
@@ -240,17 +271,8 @@ void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t
 bool LinearFactorSums::evaluate_pairs(const Rational* pairs, std::size_t first_row,
                                       std::span<Rational> sums) const {
     const Prepared& rows = *prepared_;
-    if (rows.words.empty()) return false;
-    return with_small_constant(rows.size - 1, [&](auto count) {
-        if constexpr (count == std::dynamic_extent) {
-            return false;
-        } else {
-            WordFactor factors[count];
-            for (std::size_t i = 0; i < count; ++i)
-                if (!read_factor(pairs[2 * i], pairs[2 * i + 1], factors[i])) return false;
-            return evaluate_fixed(rows, std::span<const WordFactor, count>(factors), first_row, sums);
-        }
-    });
+    return (!rows.words.empty() && evaluate_pairs_in_words(rows, pairs, first_row, sums)) ||
+           evaluate_pairs_in_lanes(rows, pairs, first_row, sums);
 }
 
 void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,

@@ -1,0 +1,43 @@
+#pragma once
+
+// Products of many linear factors of few bits, a block of factors to a vector lane. Only what the sources
+// compiled for single instruction sets may include: nothing inline from elsewhere, which the linker could
+// take for all.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace blossom::factor_lanes {
+
+inline constexpr std::size_t most_blocks = 8;
+/// The most factors of a block.
+inline constexpr std::size_t most_degree = 7;
+inline constexpr std::size_t least_factors = 5;
+inline constexpr std::size_t most_factors = most_blocks * most_degree;
+
+/// Block b is the product of the factors b, b + blocks, b + 2 blocks, ...
+struct alignas(64) Product {
+    std::int64_t coefficients[most_degree + 1][most_blocks];  ///< of X^j in block b, below 2^51 in magnitude
+    std::uint64_t denominators[most_blocks];
+    std::size_t blocks;
+    std::size_t bits;      ///< bound |constant| + |slope| of each factor
+    std::uint32_t primes;  ///< those of the denominators, see small_primes
+};
+
+/// Which odd primes a number up to `greatest_known` has, a bit for each of some; all bits for what is not
+/// known.
+struct Primes {
+    const std::uint32_t* of;
+    std::uint64_t greatest_known;  ///< one less than a power of two
+};
+
+/// The factors m + u X from `pairs` of u and m, each a numerator and a denominator, each a word and an
+/// address that is not 0 where there is no word. False unless every u is a quotient of words, every m is 0 or
+/// 1, and the factors are as many and as small as a product has room for.
+using Multiply = bool (*)(const void* pairs, std::size_t count, const Primes& primes, Product& product);
+
+#if defined(BLOSSOM_AVX512_IFMA)
+bool avx512_multiply(const void* pairs, std::size_t count, const Primes& primes, Product& product);
+#endif
+
+}  // namespace blossom::factor_lanes
