@@ -88,8 +88,10 @@ inline std::size_t words_held(const Number& value) {
 inline void set_words(Number& value, std::span<const std::uint64_t> words) {
     static_assert(GMP_NUMB_BITS == 64 && sizeof(long) == sizeof(std::int64_t));
     const auto size = static_cast<mp_size_t>(words.size());
-    std::ranges::copy(words, mpz_limbs_write(value.backend().data(), size));
-    mpz_limbs_finish(value.backend().data(), size);
+    const mpz_ptr data = value.backend().data();
+    mp_limb_t* const limbs = data->_mp_alloc < size ? mpz_limbs_write(data, size) : data->_mp_d;
+    for (mp_size_t i = 0; i < size; ++i) limbs[i] = words[static_cast<std::size_t>(i)];
+    mpz_limbs_finish(data, size);
 }
 
 /// Sets `value` to the number whose two's complement is `words`.
@@ -211,7 +213,12 @@ struct IntegerAccess {
     }
 
     /// The integer with these binary digits, least significant first, at least one word, and this sign.
-    static Integer from_magnitude(std::span<const std::uint64_t> words, bool negative);
+    static void set_magnitude(Integer& value, std::span<const std::uint64_t> words, bool negative);
+    static Integer from_magnitude(std::span<const std::uint64_t> words, bool negative) {
+        Integer value;
+        set_magnitude(value, words, negative);
+        return value;
+    }
     /// The integer whose two's complement is `words`, least significant first, at least one.
     static Integer from_twos_complement(std::span<const std::uint64_t> words);
     /// The two's complement of `value` in `words`, which must be enough for it and its sign.

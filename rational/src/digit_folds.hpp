@@ -12,7 +12,7 @@ namespace blossom::digit_folds {
 inline constexpr std::size_t digit_bits = 52;
 /// The most factors.
 inline constexpr std::size_t most_factors = 128;
-/// The most digits of a number.
+/// The most digits of a number; results have room for so many.
 inline constexpr std::size_t most_digits = 16;
 /// Digits of the same place of all numbers of a row lie side by side, so many from one place to the next:
 /// those of most_factors + 1 numbers, and fifteen behind them, which are read but not used.
@@ -37,8 +37,8 @@ struct Columns {
 
 /// Each block B turns the numbers c into sum_j B_j c_(i+j), fewer by its degree, until one is left, whose
 /// digits these are, each with a sign and a carry for the next one: the sum is that of sum[d] 2^(52 d) modulo
-/// 2^52 to the digits of the last block. The digits of the blocks increase, and are those of the numbers or
-/// fewer for the first one.
+/// 2^52 to the digits of the last block. The first block has no more digits than the numbers, and each further
+/// one as many as the one before or one more.
 using Fold = void (*)(const Columns& numbers, const Block* blocks, std::size_t block_count,
                       std::int64_t* sum);
 

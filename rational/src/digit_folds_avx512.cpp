@@ -36,7 +36,8 @@ public:
 #pragma GCC unroll 16
         for (std::size_t d = 0; d < Digits; ++d) low_[d] = high_[d] = _mm512_setzero_si512();
     }
-    [[gnu::always_inline]] void add(const Rows& numbers, __m512i coefficients, __mmask8 negative) {
+    [[gnu::always_inline]] void add(const Rows& numbers, __m512i coefficients) {
+        const __mmask8 negative = _mm512_cmplt_epi64_mask(coefficients, _mm512_setzero_si512());
 #pragma GCC unroll 16
         for (std::size_t d = 0; d < Digits; ++d) {
             const __m512i term = load(numbers.digits + d * numbers.stride);
@@ -45,6 +46,13 @@ public:
                 high_[d] = _mm512_madd52hi_epu64(high_[d], term, coefficients);
                 high_[d] = _mm512_mask_sub_epi64(high_[d], negative, high_[d], term);
             }
+        }
+    }
+    [[gnu::always_inline]] void add(const Sums& other) {
+#pragma GCC unroll 16
+        for (std::size_t d = 0; d < Digits; ++d) {
+            low_[d] = _mm512_add_epi64(low_[d], other.low_[d]);
+            high_[d] = _mm512_add_epi64(high_[d], other.high_[d]);
         }
     }
     /// With carries that were not passed on.
@@ -57,31 +65,55 @@ private:
     __m512i high_[Digits];
 };
 
+/// There are registers for two sums of so many digits, which do not wait for each other.
+constexpr std::size_t most_digits_of_two = 6;
+
+/// The results have one digit more than the sums, which repeats the sign: blocks add no more than that.
 template <std::size_t Digits>
 void fold_block(const Rows& numbers, std::size_t count, const Block& block, std::uint64_t* results) {
     const __m512i digit_mask = _mm512_set1_epi64(mask);
     for (std::size_t i = 0; i < count; i += lanes) {
         Sums<Digits> sums;
-        const std::int64_t* coefficient = block.coefficients;
-        for (std::size_t j = 0; j <= block.degree; ++j, coefficient += block.step) {
-            sums.add({numbers.digits + i + j, numbers.stride}, _mm512_set1_epi64(*coefficient),
-                     static_cast<__mmask8>(*coefficient >> 63));
+        const std::int64_t* const coefficients = block.coefficients;
+        const auto add = [&](Sums<Digits>& to, std::size_t j) {
+            to.add({numbers.digits + i + j, numbers.stride}, _mm512_set1_epi64(coefficients[j * block.step]));
+        };
+        std::size_t j = 0;
+        if constexpr (Digits <= most_digits_of_two) {
+            Sums<Digits> others;
+            for (; j < block.degree; j += 2) {
+                add(sums, j);
+                add(others, j + 1);
+            }
+            sums.add(others);
         }
+        for (; j <= block.degree; ++j) add(sums, j);
         __m512i carry = _mm512_setzero_si512();
+        __m512i digit = carry;
 #pragma GCC unroll 16
         for (std::size_t d = 0; d < Digits; ++d) {
             const __m512i sum = _mm512_add_epi64(sums.digit(d), carry);
             carry = _mm512_srai_epi64(sum, digit_bits);
-            _mm512_storeu_si512(results + d * most_stride + i, _mm512_and_si512(sum, digit_mask));
+            digit = _mm512_and_si512(sum, digit_mask);
+            _mm512_storeu_si512(results + d * most_stride + i, digit);
         }
+        _mm512_storeu_si512(results + Digits * most_stride + i, extension(digit));
     }
 }
 
-std::int64_t sum_of_lanes(__m512i terms) {
-    terms = _mm512_add_epi64(terms, _mm512_shuffle_i64x2(terms, terms, 0x4e));
-    terms = _mm512_add_epi64(terms, _mm512_shuffle_i64x2(terms, terms, 0xb1));
-    terms = _mm512_add_epi64(terms, _mm512_unpackhi_epi64(terms, terms));
-    return _mm_cvtsi128_si64(_mm512_extracti32x4_epi32(terms, 0));
+/// Into sums[0..3] the sums of the lanes of each.
+void store_sums_of_lanes(const __m512i* digits, std::int64_t* sums) {
+    const __m512i first = _mm512_add_epi64(_mm512_unpacklo_epi64(digits[0], digits[1]),
+                                           _mm512_unpackhi_epi64(digits[0], digits[1]));
+    const __m512i second = _mm512_add_epi64(_mm512_unpacklo_epi64(digits[2], digits[3]),
+                                            _mm512_unpackhi_epi64(digits[2], digits[3]));
+    constexpr int even = 0x88;  // the first and third 128 bits of both operands
+    constexpr int odd = 0xdd;
+    __m512i halves = _mm512_add_epi64(_mm512_shuffle_i64x2(first, second, even),
+                                      _mm512_shuffle_i64x2(first, second, odd));
+    halves = _mm512_add_epi64(_mm512_shuffle_i64x2(halves, halves, even),
+                              _mm512_shuffle_i64x2(halves, halves, odd));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(sums), _mm512_extracti64x4_epi64(halves, 0));
 }
 
 /// The one sum that is left with the last block, all its terms at a time.
@@ -93,9 +125,16 @@ void fold_to_one(const Rows& numbers, const Block& block, std::int64_t* sum) {
     const __m512i coefficients =
         _mm512_mask_i64gather_epi64(_mm512_setzero_si512(), used, places, block.coefficients, 8);
     Sums<Digits> sums;
-    sums.add(numbers, coefficients, _mm512_cmplt_epi64_mask(coefficients, _mm512_setzero_si512()));
-#pragma GCC unroll 16
-    for (std::size_t d = 0; d < Digits; ++d) sum[d] = sum_of_lanes(sums.digit(d));
+    sums.add(numbers, coefficients);
+    constexpr std::size_t at_a_time = 4;
+#pragma GCC unroll 4
+    for (std::size_t first = 0; first < Digits; first += at_a_time) {
+        __m512i digits[at_a_time];
+#pragma GCC unroll 4
+        for (std::size_t i = 0; i < at_a_time; ++i)
+            digits[i] = first + i < Digits ? sums.digit(first + i) : _mm512_setzero_si512();
+        store_sums_of_lanes(digits, sum + first);
+    }
 }
 
 struct Steps {
@@ -111,21 +150,11 @@ constexpr Steps steps[] = {
 };
 static_assert(sizeof(steps) / sizeof(Steps) == most_digits);
 
-/// The digits above those that the numbers have.
-void extend(std::uint64_t* numbers, std::size_t count, std::size_t from, std::size_t to) {
-    for (; from < to; ++from) {
-        for (std::size_t i = 0; i < count; i += lanes) {
-            const std::uint64_t* const top = numbers + (from - 1) * most_stride + i;
-            _mm512_storeu_si512(numbers + from * most_stride + i, extension(load(top)));
-        }
-    }
-}
-
 }  // namespace
 
 void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::int64_t* sum) {
     // What is read behind the last number of a row is not used.
-    alignas(64) std::uint64_t rows[2][most_digits * most_stride];
+    alignas(64) std::uint64_t rows[2][(most_digits + 1) * most_stride];
     Rows from{numbers.digits_of_all, numbers.stride};
     std::size_t count = numbers.count;
     for (std::size_t b = 0;; ++b) {
@@ -137,7 +166,6 @@ void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_
         step.fold(from, count, block, results);
         from = {results, most_stride};
         if (b + 1 == block_count) break;
-        extend(results, count, block.digits, blocks[b + 1].digits);
     }
     for (std::size_t d = 0; d < blocks[block_count - 1].digits; ++d)
         sum[d] = static_cast<std::int64_t>(from.digits[d * from.stride]);

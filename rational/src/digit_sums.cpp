@@ -1,5 +1,7 @@
 #include "digit_sums.hpp"
 
+#include <bit>
+
 #include "fixed_width_rows.hpp"
 #include "residue_system.hpp"
 
@@ -43,24 +45,26 @@ constexpr factor_lanes::Primes factor_primes{small_primes::table.of, small_prime
 
 /// The number with these digits, see digit_folds::Fold, in two's complement of so many words.
 void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> words) {
-    SignedWide rest = 0;
-    int bits = 0;  // of digits that are in `rest`
-    std::size_t size = 0;
-    for (const std::int64_t digit : digits) {
-        rest += SignedWide{digit} << bits;
-        bits += int{fold_bits};
-        if (bits >= 64 && size + 1 < words.size()) {
-            words[size++] = static_cast<std::uint64_t>(rest);
-            rest >>= 64;
-            bits -= 64;
-        }
+    std::uint64_t proper[digit_folds::most_digits];  // each below 2^52
+    std::int64_t carry = 0;
+    for (std::size_t d = 0; d < digits.size(); ++d) {
+        const std::int64_t sum = digits[d] + carry;
+        proper[d] = static_cast<std::uint64_t>(sum) & fold_mask;
+        carry = sum >> fold_bits;
     }
-    // What is beyond the digits is the sign.
-    const int beyond = std::max(128 - bits, 0);
-    rest = static_cast<SignedWide>(static_cast<Wide>(rest) << beyond) >> beyond;
-    for (; size < words.size(); ++size) {
-        words[size] = static_cast<std::uint64_t>(rest);
-        rest >>= 64;
+    const std::uint64_t sign = proper[digits.size() - 1] >> (fold_bits - 1) == 0 ? 0 : fold_mask;
+    const auto digit = [&](std::size_t d) { return d < digits.size() ? proper[d] : sign; };
+    // A word begins in digit d after `shift` of its bits, and ends in the next one or in that after it.
+    std::size_t d = 0;
+    std::size_t shift = 0;
+    for (std::uint64_t& word : words) {
+        word = digit(d) >> shift | digit(d + 1) << (fold_bits - shift);
+        ++d;
+        shift += 64 - fold_bits;
+        if (shift < fold_bits) continue;
+        if (shift > fold_bits) word |= digit(d + 1) << (fold_bits + 64 - shift);
+        ++d;
+        shift -= fold_bits;
     }
 }
 
@@ -114,15 +118,13 @@ DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> fact
 
 bool LaneBlocks::multiply(const DigitRows& rows, const Rational* pairs, std::size_t count) {
     if (rows.empty() || !chosen_multiply()(pairs, count, factor_primes, product_)) return false;
-    bits_ = rows.bits() + count * product_.bits;
-    if (bits_ >= digit_folds::most_digits * fold_bits) return false;
-    std::size_t bits = rows.bits();
+    bits_ = rows.bits();
     for (std::size_t b = 0; b < product_.blocks; ++b) {
-        const std::size_t degree = (count + product_.blocks - 1 - b) / product_.blocks;
-        bits += degree * product_.bits;
-        folds_.add({product_.coefficients[0] + b, factor_lanes::most_blocks, degree, bits / fold_bits + 1});
+        const std::size_t degree = (count + product_.blocks - 1 - b) >> std::countr_zero(product_.blocks);
+        bits_ += static_cast<std::size_t>(std::bit_width(product_.bounds[b]));
+        folds_.add({product_.coefficients[0] + b, factor_lanes::most_blocks, degree, bits_ / fold_bits + 1});
     }
-    return true;
+    return bits_ < digit_folds::most_digits * fold_bits;
 }
 
 void DigitFolds::sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const {

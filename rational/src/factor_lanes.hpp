@@ -18,9 +18,9 @@ inline constexpr std::size_t most_factors = most_blocks * most_degree;
 /// Block b is the product of the factors b, b + blocks, b + 2 blocks, ...
 struct alignas(64) Product {
     std::int64_t coefficients[most_degree + 1][most_blocks];  ///< of X^j in block b, below 2^51 in magnitude
+    std::uint64_t bounds[most_blocks];  ///< on the sum of the magnitudes of a block, below 2^51
     std::uint64_t denominators[most_blocks];
-    std::size_t blocks;
-    std::size_t bits;      ///< bound |constant| + |slope| of each factor
+    std::size_t blocks;    ///< a power of two
     std::uint32_t primes;  ///< those of the denominators, see small_primes
 };
 

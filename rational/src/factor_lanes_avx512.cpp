@@ -14,8 +14,7 @@ constexpr std::size_t number_bits = 52;
 constexpr std::size_t pair_words = 8;
 
 /// All arithmetic is modulo 2^52 in the lower bits of the lanes.
-__m512i add_product(__m512i sum, __m512i a, __m512i b) { return _mm512_madd52lo_epu64(sum, a, b); }
-__m512i product_of(__m512i a, __m512i b) { return add_product(_mm512_setzero_si512(), a, b); }
+__m512i product_of(__m512i a, __m512i b) { return _mm512_madd52lo_epu64(_mm512_setzero_si512(), a, b); }
 __m512i extended(__m512i number) {
     return _mm512_srai_epi64(_mm512_slli_epi64(number, 64 - number_bits), 64 - number_bits);
 }
@@ -36,6 +35,11 @@ constexpr int second = 0xdd;  // the second and fourth ones
 Factors factors_of(__m512i slopes, __m512i denominators, __m512i masses) {
     const __m512i all_or_nothing = _mm512_sub_epi64(_mm512_setzero_si512(), masses);
     return {_mm512_and_si512(denominators, all_or_nothing), slopes, denominators};
+}
+
+/// |m v| + |u|
+__m512i size_of(const Factors& factors) {
+    return _mm512_add_epi64(factors.constants, _mm512_abs_epi64(factors.slopes));
 }
 
 /// `line(b)` points to the pair of block b. Lanes beyond the blocks hold anything.
@@ -72,6 +76,7 @@ void multiply(const std::uint64_t* pairs, std::size_t count, Product& product) {
     coefficients[0] = factors.constants;
     coefficients[1] = factors.slopes;
     __m512i denominators = factors.denominators;
+    __m512i bounds = size_of(factors);
 #pragma GCC unroll 8
     for (std::size_t i = 1; i < Degree; ++i) {
         factors = read<Blocks>([&](std::size_t b) {
@@ -79,11 +84,13 @@ void multiply(const std::uint64_t* pairs, std::size_t count, Product& product) {
             return i + 1 < Degree || place < count ? pairs + pair_words * place : one;
         });
         denominators = product_of(denominators, factors.denominators);
+        bounds = product_of(bounds, size_of(factors));
         coefficients[i + 1] = product_of(coefficients[i], factors.slopes);
 #pragma GCC unroll 8
         for (std::size_t k = i; k > 0; --k) {
-            coefficients[k] = add_product(product_of(coefficients[k - 1], factors.slopes), coefficients[k],
-                                          factors.constants);
+            // Two products that do not wait for each other.
+            coefficients[k] = _mm512_add_epi64(product_of(coefficients[k - 1], factors.slopes),
+                                               product_of(coefficients[k], factors.constants));
         }
         coefficients[0] = product_of(coefficients[0], factors.constants);
     }
@@ -91,6 +98,7 @@ void multiply(const std::uint64_t* pairs, std::size_t count, Product& product) {
     for (std::size_t k = 0; k <= Degree; ++k)
         _mm512_store_si512(product.coefficients[k], extended(coefficients[k]));
     _mm512_store_si512(product.denominators, denominators);
+    _mm512_store_si512(product.bounds, bounds);
 }
 
 using MultiplyBlocks = void (*)(const std::uint64_t*, std::size_t, Product&);
@@ -140,12 +148,11 @@ bool avx512_multiply(const void* pairs, std::size_t count, const Primes& primes,
     if (_mm512_test_epi64_mask(all, surplus) != 0) return false;
     const auto tops = static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti32x4_epi32(all, 0)));
     const auto bottoms = static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti32x4_epi32(all, 1)));
-    // Bounds for each numerator and each denominator; the sum wraps only if one of them is too large.
+    // Bounds for each numerator and each denominator.
     if (((tops | bottoms) >> number_bits) != 0) return false;
-    const std::uint64_t size = tops + bottoms;
-    product.bits = static_cast<std::size_t>(64 - __builtin_clzll(size));
+    const std::uint64_t size = tops + bottoms;  // of each factor at the most
     product.primes = bottoms <= primes.greatest_known ? set : ~std::uint32_t{0};
-    const std::size_t degree = degrees.of[product.bits];
+    const std::size_t degree = degrees.of[64 - __builtin_clzll(size)];
     if (count <= 2 * degree) {
         multiply_any<2>(words, count, product);
     } else if (count <= 4 * degree) {

@@ -92,7 +92,7 @@ void set_reduced(const PreparedForms& form, const FormRow& row, const WordParame
     const std::uint64_t rest = set_denominators(form, row, t, denominators);
     std::size_t used = magnitude.size();
     while (used > 1 && magnitude[used - 1] == 0) --used;
-    value = reduced_quotient(magnitude.first(used), negative, denominators, {});
+    set_reduced(value, magnitude.first(used), negative, denominators, {});
     if (rest != 1 && !value.is_zero())
         RationalAccess::multiply_denominator(value, pow(Integer(rest), form.degree));
 }

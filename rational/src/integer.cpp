@@ -333,17 +333,20 @@ Integer dot(std::span<const Integer> a, std::span<const Integer> b) {
 
 // ---- words
 
-Integer IntegerAccess::from_magnitude(std::span<const std::uint64_t> words, bool negative) {
+void IntegerAccess::set_magnitude(Integer& value, std::span<const std::uint64_t> words, bool negative) {
     std::size_t used = words.size();
     while (used > 1 && words[used - 1] == 0) --used;
     if (used == 1 && words[0] <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
-        const auto value = static_cast<std::int64_t>(words[0]);
-        return negative ? -value : value;
+        const auto word = static_cast<std::int64_t>(words[0]);
+        return set_word(value, negative ? -word : word);
     }
-    return computed([&](Number& number) {
-        backend::set_words(number, words.first(used));
-        if (negative) backend::negate(number);
-    });
+    if (!value.large_) value.large_ = take_large();
+    value.small_ = 0;
+    Number& number = value.large_->value;
+    backend::set_words(number, words.first(used));
+    if (negative) backend::negate(number);
+    // The least value of 64 bits is a word.
+    if (used == 1) value.settle();
 }
 
 Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {

@@ -41,10 +41,10 @@ SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> 
 }
 
 /// A numerator in two's complement, or its negative, over the denominator in lowest terms.
-Rational reduced(std::span<std::uint64_t> numerator, bool negated, const DenominatorWords& denominator,
-                 std::span<const Integer> further) {
+void set_reduced_signed(Rational& value, std::span<std::uint64_t> numerator, bool negated,
+                        const DenominatorWords& denominator, std::span<const Integer> further) {
     const bool negative = limbs::take_magnitude(numerator);
-    return reduced_quotient(numerator, negative != negated, denominator, further);
+    set_reduced(value, numerator, negative != negated, denominator, further);
 }
 
 /// Whether the kernel `word` sufficed.
@@ -81,8 +81,8 @@ void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, st
     const DenominatorWords denominator =
         machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     for (std::size_t j = 0; j < sums.size(); ++j) {
-        sums[j] =
-            machine_sums::reduced(product.sum_of_products(rows.words_of(first_row + j).words), denominator);
+        machine_sums::set_reduced(sums[j], product.sum_of_products(rows.words_of(first_row + j).words),
+                                  denominator);
     }
 }
 
@@ -102,7 +102,7 @@ void evaluate_digits(const Prepared& rows, std::span<const WordFactor> factors, 
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         blocks.folds().sum(rows.digits.row(first_row + j), numerator);
-        sums[j] = reduced(numerator, false, denominator, rows.denominator.longer);
+        set_reduced_signed(sums[j], numerator, false, denominator, rows.denominator.longer);
     }
 }
 
@@ -117,7 +117,7 @@ void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, c
     for (std::size_t j = 0; j < sums.size(); ++j) {
         limb_dot({rows.limbs_of(first_row + j), rows.width, rows.width}, product.limbs(), rows.size,
                  numerator);
-        sums[j] = reduced(numerator, product.negated(), denominator, rows.denominator.longer);
+        set_reduced_signed(sums[j], numerator, product.negated(), denominator, rows.denominator.longer);
     }
 }
 
@@ -195,10 +195,28 @@ bool evaluate_pairs_in_words(const Prepared& rows, const Rational* pairs, std::s
     });
 }
 
+/// Whether words hold all sums.
+bool set_sums_in_words(const Prepared& rows, const LaneBlocks& blocks, std::size_t first_row,
+                       std::span<Rational> sums) {
+    if (blocks.bits() >= 64 || rows.words.empty()) return false;
+    std::int64_t denominator = rows.word_denominator;
+    for (const std::uint64_t factor : blocks.denominators())
+        if (__builtin_mul_overflow(denominator, factor, &denominator)) return false;
+    if (denominator == 0) return false;
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        std::uint64_t numerator = 0;
+        blocks.folds().sum(rows.digits.row(first_row + j), {&numerator, 1});
+        set_reduced(sums[j], static_cast<std::int64_t>(numerator), static_cast<std::uint64_t>(denominator),
+                    rows.primes | blocks.primes());
+    }
+    return true;
+}
+
 [[gnu::noinline]] bool evaluate_pairs_in_lanes(const Prepared& rows, const Rational* pairs,
                                                std::size_t first_row, std::span<Rational> sums) {
     LaneBlocks blocks;
     if (!blocks.multiply(rows.digits, pairs, rows.size - 1)) return false;
+    if (set_sums_in_words(rows, blocks, first_row, sums)) return true;
     DenominatorWords denominator;
     for (const std::uint64_t factor : rows.denominator.words) denominator.multiply(factor, rows.primes);
     for (const std::uint64_t factor : blocks.denominators()) denominator.multiply(factor, blocks.primes());
@@ -206,7 +224,7 @@ bool evaluate_pairs_in_words(const Prepared& rows, const Rational* pairs, std::s
     const std::span<std::uint64_t> numerator = std::span(words).first(blocks.bits() / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         blocks.folds().sum(rows.digits.row(first_row + j), numerator);
-        sums[j] = reduced(numerator, false, denominator, rows.denominator.longer);
+        set_reduced_signed(sums[j], numerator, false, denominator, rows.denominator.longer);
     }
     return true;
 }

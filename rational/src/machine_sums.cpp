@@ -8,11 +8,11 @@ namespace blossom {
 
 namespace machine_sums {
 
-Rational reduced(Wide numerator, const DenominatorWords& denominator) {
-    const auto value = static_cast<SignedWide>(numerator);
-    const Wide size = magnitude(value);
+void set_reduced(Rational& value, Wide numerator, const DenominatorWords& denominator) {
+    const auto signed_numerator = static_cast<SignedWide>(numerator);
+    const Wide size = magnitude(signed_numerator);
     std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-    return reduced_quotient(std::span(words).first(words[1] == 0 ? 1 : 2), value < 0, denominator, {});
+    blossom::set_reduced(value, words, signed_numerator < 0, denominator, {});
 }
 
 namespace {
@@ -34,7 +34,7 @@ std::optional<Rational> value_in_words(const WordRow& row, std::span<const WordF
                                        const Numerator& numerator) {
     if (const WordDenominator denominator = word_denominator(row, factors); denominator.value != 0) {
         Rational value;
-        set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})),
+        blossom::set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})),
                     static_cast<std::uint64_t>(denominator.value), denominator.primes);
         return value;
     }
@@ -42,7 +42,9 @@ std::optional<Rational> value_in_words(const WordRow& row, std::span<const WordF
     bound.multiply(static_cast<std::uint64_t>(row.greatest));
     for (const WordFactor& factor : factors) bound.multiply(size_of(factor));
     if (factors.size() > most_factors || bound.bits() > 127) return std::nullopt;
-    return reduced(numerator(Wide{}), denominator_words(row.denominators, row.primes, factors));
+    Rational value;
+    set_reduced(value, numerator(Wide{}), denominator_words(row.denominators, row.primes, factors));
+    return value;
 }
 
 }  // namespace

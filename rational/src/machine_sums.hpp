@@ -193,7 +193,7 @@ Word apex(std::span<const std::int64_t> row, std::span<const WordFactor> factors
 }
 
 /// A numerator of 128 bits over the denominators of the row and the factors.
-Rational reduced(Wide numerator, const DenominatorWords& denominator);
+void set_reduced(Rational& value, Wide numerator, const DenominatorWords& denominator);
 
 }  // namespace machine_sums
 

@@ -18,6 +18,12 @@ struct RationalAccess {
     static Rational from_lowest_terms(Integer numerator, Integer denominator) {
         return {std::move(numerator), std::move(denominator), Rational::Reduced{}};
     }
+    /// The same from binary digits, see IntegerAccess::set_magnitude.
+    static void set_lowest_terms(Rational& value, std::span<const std::uint64_t> numerator, bool negative,
+                                 std::span<const std::uint64_t> denominator) {
+        IntegerAccess::set_magnitude(value.numerator_, numerator, negative);
+        IntegerAccess::set_magnitude(value.denominator_, denominator, false);
+    }
     /// By a factor > 0 that has no prime in common with the numerator, which is not 0.
     static void multiply_denominator(Rational& value, const Integer& factor) { value.denominator_ *= factor; }
     [[gnu::always_inline]] static void set_words(Rational& value, std::int64_t numerator,

@@ -4,7 +4,9 @@
 #include <optional>
 
 #include "limb_arithmetic.hpp"
+#include "prime_lanes.hpp"
 #include "quotient_reduction.hpp"
+#include "residue_system.hpp"
 #include "word_gcds.hpp"
 
 namespace blossom {
@@ -44,14 +46,6 @@ struct Words {
         }
         return carry;
     }
-    bool is_divisible_by(const small_primes::Prime& prime) const {
-        return divide_from_below(prime.prime, prime.inverse, [](auto, auto) {}) == 0;
-    }
-    /// By a prime that divides the number.
-    void divide_exactly_by(const small_primes::Prime& prime) const {
-        divide_from_below(prime.prime, prime.inverse,
-                          [&](std::size_t i, std::uint64_t digit) { words[i] = digit; });
-    }
 };
 
 /// Neighbouring primes whose product is a word.
@@ -74,8 +68,38 @@ constexpr auto prime_groups = [] {
     return groups;
 }();
 
+constexpr auto prime_lane_table = [] {
+    constexpr std::uint64_t mask = (std::uint64_t{1} << prime_lanes::digit_bits) - 1;
+    static_assert(prime_lanes::lanes * prime_lanes::primes_a_lane == small_primes::count);
+    prime_lanes::Table table{};
+    for (std::size_t i = 0; i < small_primes::count; ++i) {
+        const std::size_t lane = i % prime_lanes::lanes;
+        const small_primes::Prime& prime = small_primes::table.primes[i];
+        std::uint64_t& product = table.products[lane];
+        product = i < prime_lanes::lanes ? prime.prime : product * prime.prime;
+        table.inverses_of_products[lane] = inverse_of_odd(product) & mask;
+        table.inverses[i / prime_lanes::lanes][lane] = prime.inverse & mask;
+        table.most[i / prime_lanes::lanes][lane] = mask / prime.prime;
+    }
+    return table;
+}();
+
+prime_lanes::Divisors chosen_divisors() {
+    static const prime_lanes::Divisors chosen = []() -> prime_lanes::Divisors {
+#if defined(BLOSSOM_AVX512_IFMA)
+        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+            __builtin_cpu_supports("avx512ifma"))
+            return prime_lanes::avx512_divisors;
+#endif
+        return nullptr;
+    }();
+    return chosen;
+}
+
 /// The primes of a set that divide the number.
 small_primes::Set divisors(const Words& number, small_primes::Set set) {
+    if (const prime_lanes::Divisors in_lanes = chosen_divisors())
+        return in_lanes(prime_lane_table, number.words, number.size) & set;
     small_primes::Set result = 0;
     for (const PrimeGroup& group : prime_groups) {
         if ((set & group.primes) == 0) continue;
@@ -88,24 +112,91 @@ small_primes::Set divisors(const Words& number, small_primes::Set set) {
     return result;
 }
 
-Rational quotient(const Words& top, bool negative, const Words& bottom) {
-    return RationalAccess::from_lowest_terms(IntegerAccess::from_magnitude(top.span(), negative),
-                                             IntegerAccess::from_magnitude(bottom.span(), false));
-}
-
 /// The product of the factors in `words`, which has room for it.
 Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
-    words[0] = factors[0];
+    words[0] = 1;
     Words result{words, 1};
-    for (const std::uint64_t factor : factors.subspan(1)) result.multiply(factor);
+    for (const std::uint64_t factor : factors) result.multiply(factor);
     return result;
 }
 
+/// Modulo 2^128, as small_primes::Prime.
+struct WideInverse {
+    Wide inverse = 0;
+    Wide most = 0;
+};
+constexpr auto wide_inverses = [] {
+    std::array<WideInverse, small_primes::count> result{};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const small_primes::Prime& prime = small_primes::table.primes[i];
+        result[i] = {Wide{prime.inverse} * (2 - Wide{prime.prime} * prime.inverse), ~Wide{0} / prime.prime};
+    }
+    return result;
+}();
+
+/// A number >= 0 of two words, to be divided by small primes.
+class PairTop {
+public:
+    explicit PairTop(const Words& words) : low_(words.words[0]), high_(words.size == 1 ? 0 : words.words[1]) {}
+
+    void shift_right(std::size_t bits) { set(value() >> bits); }
+    /// Whether the prime with this number divides it, which it then is divided by.
+    bool divide(std::size_t i) {
+        const WideInverse& prime = wide_inverses[i];
+        const Wide quotient = value() * prime.inverse;
+        if (quotient > prime.most) return false;
+        set(quotient);
+        return true;
+    }
+    std::size_t write(std::uint64_t* words) const {
+        words[0] = low_;
+        words[1] = high_;
+        return 2;
+    }
+
+private:
+    Wide value() const { return Wide{high_} << 64 | low_; }
+    void set(Wide value) {
+        low_ = static_cast<std::uint64_t>(value);
+        high_ = static_cast<std::uint64_t>(value >> 64);
+    }
+
+    // Not one number of 128 bits, which would be moved through memory.
+    std::uint64_t low_;
+    std::uint64_t high_;
+};
+
+/// The same of any number of words.
+class WordsTop {
+public:
+    explicit WordsTop(const Words& words) : number_(words) {}
+
+    void shift_right(std::size_t bits) { limbs::shift_right(number_.words, number_.size, bits); }
+    bool divide(std::size_t i) {
+        const small_primes::Prime& prime = small_primes::table.primes[i];
+        std::uint64_t quotient[most_words];
+        const std::uint64_t rest = number_.divide_from_below(
+            prime.prime, prime.inverse, [&](std::size_t k, std::uint64_t digit) { quotient[k] = digit; });
+        if (rest != 0) return false;
+        std::copy_n(quotient, number_.size, number_.words);
+        return true;
+    }
+    std::size_t write(std::uint64_t* words) const {
+        std::copy_n(number_.words, number_.size, words);
+        return number_.size;
+    }
+
+private:
+    Words number_;
+};
+
 /// For a numerator > 0, by dividing what is common out of it and the factors one by one.
-Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& denominator) {
+template <class Top>
+void set_reduced_by_primes(Rational& value, const Words& numerator, bool negative,
+                           const DenominatorWords& denominator) {
     std::uint64_t left[most_words];
     const std::span<std::uint64_t> factors = std::span(left).first(denominator.words().size());
-    const std::size_t twos = limbs::trailing_zeros(top.words);
+    const std::size_t twos = limbs::trailing_zeros(numerator.words);
     std::size_t shared_twos = 0;
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const std::uint64_t factor = denominator.words()[i];
@@ -114,28 +205,33 @@ Rational reduced_by_primes(Words top, bool negative, const DenominatorWords& den
         factors[i] = factor >> shift;
         shared_twos += shift;
     }
-    if (shared_twos != 0) limbs::shift_right(top.words, top.size, shared_twos);
-    small_primes::for_each(divisors(top, denominator.primes()), [&](const small_primes::Prime& prime) {
+    small_primes::Set common = divisors(numerator, denominator.primes());
+    Top top(numerator);
+    if (shared_twos != 0) top.shift_right(shared_twos);
+    for (; common != 0; common &= common - 1) {
+        const auto i = static_cast<std::size_t>(std::countr_zero(common));
+        const small_primes::Prime& prime = small_primes::table.primes[i];
+        bool divides = true;
         for (std::uint64_t& factor : factors) {
-            while (prime.divides(factor)) {
-                top.divide_exactly_by(prime);
-                factor *= prime.inverse;
-                if (!top.is_divisible_by(prime)) return;
+            while (divides && prime.divides(factor)) {
+                divides = top.divide(i);
+                if (divides) factor *= prime.inverse;
             }
         }
-    });
+    }
+    const std::size_t size = top.write(numerator.words);
     std::uint64_t words[most_words];
-    return quotient(top, negative, product(factors, words));
+    RationalAccess::set_lowest_terms(value, {numerator.words, size}, negative, product(factors, words).span());
 }
 
-/// The same in general; nothing if what is common to both is longer than a word.
-std::optional<Rational> reduced_in_place(const Words& top, bool negative,
-                                         std::span<const std::uint64_t> factors) {
+/// The same in general; false, and nothing is done, if what is common to both is longer than a word.
+bool set_reduced_in_place(Rational& value, const Words& top, bool negative,
+                          std::span<const std::uint64_t> factors) {
     std::uint64_t common[most_words];
     gcds_with_words(top.span(), factors, common);
     std::uint64_t shared = 1;
     for (const std::uint64_t factor : std::span(common).first(factors.size()))
-        if (__builtin_mul_overflow(shared, factor, &shared)) return std::nullopt;
+        if (__builtin_mul_overflow(shared, factor, &shared)) return false;
     std::uint64_t words[most_words];
     const Words bottom = product(factors, words);
     if (shared != 1 && factors.size() > 1)
@@ -144,7 +240,8 @@ std::optional<Rational> reduced_in_place(const Words& top, bool negative,
         top.divide(shared);
         bottom.divide(shared);
     }
-    return quotient(top, negative, bottom);
+    RationalAccess::set_lowest_terms(value, top.span(), negative, bottom.span());
+    return true;
 }
 
 }  // namespace
@@ -157,17 +254,22 @@ void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t d
                               static_cast<std::int64_t>(common == 1 ? denominator : denominator / common));
 }
 
-Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
-                          const DenominatorWords& denominator, std::span<const Integer> further) {
+void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negative,
+                 const DenominatorWords& denominator, std::span<const Integer> further) {
     const std::span<const std::uint64_t> factors = denominator.words();
     const Words top{numerator.data(), limbs::used(numerator.data(), numerator.size())};
-    if (top.size == 0) return 0;
-    if (!further.empty()) return reduced_quotient(top.span(), negative, factors, further);
-    if (factors.empty()) return IntegerAccess::from_magnitude(top.span(), negative);
-    if (denominator.primes() != small_primes::any_primes)
-        return reduced_by_primes(top, negative, denominator);
-    if (auto value = reduced_in_place(top, negative, factors)) return *std::move(value);
-    return reduced_quotient(top.span(), negative, factors, further);
+    if (top.size == 0) {
+        value = 0;
+    } else if (!further.empty()) {
+        value = reduced_quotient(top.span(), negative, factors, further);
+    } else if (factors.empty()) {
+        value = IntegerAccess::from_magnitude(top.span(), negative);
+    } else if (denominator.primes() != small_primes::any_primes) {
+        const auto set = top.size <= 2 ? set_reduced_by_primes<PairTop> : set_reduced_by_primes<WordsTop>;
+        set(value, top, negative, denominator);
+    } else if (!set_reduced_in_place(value, top, negative, factors)) {
+        value = reduced_quotient(top.span(), negative, factors, further);
+    }
 }
 
 }  // namespace blossom

@@ -66,7 +66,7 @@ void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t d
 
 /// sign * numerator / (denominator * prod further), where `numerator` is in words, least significant first,
 /// which are used up.
-Rational reduced_quotient(std::span<std::uint64_t> numerator, bool negative,
-                          const DenominatorWords& denominator, std::span<const Integer> further);
+void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negative,
+                 const DenominatorWords& denominator, std::span<const Integer> further);
 
 }  // namespace blossom
