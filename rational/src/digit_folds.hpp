@@ -19,7 +19,7 @@ inline constexpr std::size_t most_digits = 16;
 inline constexpr std::size_t most_stride = 144;
 
 /// The coefficients of a product of linear factors, below 2^51 in magnitude, each `step` places after the one
-/// before, and the digits that suffice for what is folded with them.
+/// before, one in the last block; and the digits that suffice for what is folded with them.
 struct Block {
     const std::int64_t* coefficients;
     std::size_t step;
@@ -37,8 +37,8 @@ struct Columns {
 
 /// Each block B turns the numbers c into sum_j B_j c_(i+j), fewer by its degree, until one is left, whose
 /// digits these are, each with a sign and a carry for the next one: the sum is that of sum[d] 2^(52 d) modulo
-/// 2^52 to the digits of the last block. The first block has no more digits than the numbers, and each further
-/// one as many as the one before or one more.
+/// 2^52 to the digits of the last block. The first block has no more digits than the numbers, and each
+/// further one as many as the one before or one more.
 using Fold = void (*)(const Columns& numbers, const Block* blocks, std::size_t block_count,
                       std::int64_t* sum);
 

@@ -109,8 +109,8 @@ void store_sums_of_lanes(const __m512i* digits, std::int64_t* sums) {
                                             _mm512_unpackhi_epi64(digits[2], digits[3]));
     constexpr int even = 0x88;  // the first and third 128 bits of both operands
     constexpr int odd = 0xdd;
-    __m512i halves = _mm512_add_epi64(_mm512_shuffle_i64x2(first, second, even),
-                                      _mm512_shuffle_i64x2(first, second, odd));
+    __m512i halves =
+        _mm512_add_epi64(_mm512_shuffle_i64x2(first, second, even), _mm512_shuffle_i64x2(first, second, odd));
     halves = _mm512_add_epi64(_mm512_shuffle_i64x2(halves, halves, even),
                               _mm512_shuffle_i64x2(halves, halves, odd));
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(sums), _mm512_extracti64x4_epi64(halves, 0));
@@ -119,11 +119,8 @@ void store_sums_of_lanes(const __m512i* digits, std::int64_t* sums) {
 /// The one sum that is left with the last block, all its terms at a time.
 template <std::size_t Digits>
 void fold_to_one(const Rows& numbers, const Block& block, std::int64_t* sum) {
-    const auto step = static_cast<long long>(block.step);
-    const __m512i places = _mm512_set_epi64(7 * step, 6 * step, 5 * step, 4 * step, 3 * step, 2 * step, step, 0);
     const auto used = static_cast<__mmask8>((1U << (block.degree + 1)) - 1);
-    const __m512i coefficients =
-        _mm512_mask_i64gather_epi64(_mm512_setzero_si512(), used, places, block.coefficients, 8);
+    const __m512i coefficients = _mm512_maskz_loadu_epi64(used, block.coefficients);
     Sums<Digits> sums;
     sums.add(numbers, coefficients);
     constexpr std::size_t at_a_time = 4;

@@ -14,8 +14,6 @@ constexpr std::size_t fold_bits = digit_folds::digit_bits;
 constexpr std::uint64_t fold_mask = (std::uint64_t{1} << fold_bits) - 1;
 constexpr int block_bits = fold_bits - 1;
 
-/// Of factors in words, by measurement.
-constexpr std::size_t least_factors = 8;
 /// Up to so many factors there is room for denominators of words.
 constexpr std::size_t factors_of_any_denominators = 64;
 
@@ -31,14 +29,14 @@ digit_folds::Fold chosen_fold() {
     return chosen;
 }
 
-factor_lanes::Multiply chosen_multiply() {
-    static const factor_lanes::Multiply chosen = []() -> factor_lanes::Multiply {
+/// Only where there is a fold.
+const factor_lanes::Operations& lane_operations() {
 #if defined(BLOSSOM_AVX512_IFMA)
-        if (chosen_fold() != nullptr) return factor_lanes::avx512_multiply;
+    return factor_lanes::avx512_operations;
+#else
+    static constexpr factor_lanes::Operations none{};
+    return none;
 #endif
-        return nullptr;
-    }();
-    return chosen;
 }
 
 constexpr factor_lanes::Primes factor_primes{small_primes::table.of, small_primes::greatest_known};
@@ -92,7 +90,7 @@ DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std:
 }
 
 bool DigitRows::suffice(std::span<const WordFactor> factors, std::size_t bits) const {
-    if (digits_.empty() || size_ <= least_factors || bits >= digit_folds::most_digits * fold_bits) return false;
+    if (digits_.empty() || bits >= digit_folds::most_digits * fold_bits) return false;
     constexpr std::uint64_t most_denominator = std::uint64_t{1} << 31;
     const bool any_denominators = factors.size() <= factors_of_any_denominators;
     return std::ranges::all_of(factors, [&](const WordFactor& factor) {
@@ -116,13 +114,28 @@ DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> fact
     }
 }
 
-bool LaneBlocks::multiply(const DigitRows& rows, const Rational* pairs, std::size_t count) {
-    if (rows.empty() || !chosen_multiply()(pairs, count, factor_primes, product_)) return false;
+bool LaneBlocks::multiply(const DigitRows& rows, std::span<const WordFactor> factors) {
+    return !rows.empty() &&
+           lane_operations().multiply(factors.data(), factors.size(), factor_primes, product_) &&
+           set_folds(rows, factors.size());
+}
+
+bool LaneBlocks::multiply_pairs(const DigitRows& rows, const Rational* pairs, std::size_t count) {
+    return !rows.empty() && lane_operations().multiply_pairs(pairs, count, factor_primes, product_) &&
+           set_folds(rows, count);
+}
+
+bool LaneBlocks::set_folds(const DigitRows& rows, std::size_t count) {
     bits_ = rows.bits();
     for (std::size_t b = 0; b < product_.blocks; ++b) {
         const std::size_t degree = (count + product_.blocks - 1 - b) >> std::countr_zero(product_.blocks);
         bits_ += static_cast<std::size_t>(std::bit_width(product_.bounds[b]));
-        folds_.add({product_.coefficients[0] + b, factor_lanes::most_blocks, degree, bits_ / fold_bits + 1});
+        const std::size_t digits = bits_ / fold_bits + 1;
+        if (b + 1 < product_.blocks) {
+            folds_.add({product_.coefficients[0] + b, factor_lanes::most_blocks, degree, digits});
+        } else {
+            folds_.add({product_.last, 1, degree, digits});
+        }
     }
     return bits_ < digit_folds::most_digits * fold_bits;
 }

@@ -71,11 +71,15 @@ private:
     DigitFolds folds_;
 };
 
-/// Factors m + u X of few bits, multiplied out in vector lanes; see LinearFactorSums::evaluate_pairs.
+/// Factors of few bits, multiplied out in vector lanes.
+// What is not used of the product stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class LaneBlocks {
 public:
     /// False, and nothing else may be asked, if the processor has no lanes, or if they do not suffice.
-    bool multiply(const DigitRows& rows, const Rational* pairs, std::size_t count);
+    bool multiply(const DigitRows& rows, std::span<const WordFactor> factors);
+    /// The same for factors m + u X; see LinearFactorSums::evaluate_pairs.
+    bool multiply_pairs(const DigitRows& rows, const Rational* pairs, std::size_t count);
 
     const DigitFolds& folds() const { return folds_; }
     /// Of the sums.
@@ -85,6 +89,8 @@ public:
     small_primes::Set primes() const { return product_.primes; }
 
 private:
+    bool set_folds(const DigitRows& rows, std::size_t count);
+
     factor_lanes::Product product_;
     std::size_t bits_ = 0;
     DigitFolds folds_;

@@ -12,12 +12,14 @@ namespace blossom::factor_lanes {
 inline constexpr std::size_t most_blocks = 8;
 /// The most factors of a block.
 inline constexpr std::size_t most_degree = 7;
+static_assert(most_degree < most_blocks);
 inline constexpr std::size_t least_factors = 5;
 inline constexpr std::size_t most_factors = most_blocks * most_degree;
 
 /// Block b is the product of the factors b, b + blocks, b + 2 blocks, ...
 struct alignas(64) Product {
     std::int64_t coefficients[most_degree + 1][most_blocks];  ///< of X^j in block b, below 2^51 in magnitude
+    std::int64_t last[most_blocks];     ///< coefficients of the last block once more, one behind the other
     std::uint64_t bounds[most_blocks];  ///< on the sum of the magnitudes of a block, below 2^51
     std::uint64_t denominators[most_blocks];
     std::size_t blocks;    ///< a power of two
@@ -31,13 +33,18 @@ struct Primes {
     std::uint64_t greatest_known;  ///< one less than a power of two
 };
 
-/// The factors m + u X from `pairs` of u and m, each a numerator and a denominator, each a word and an
-/// address that is not 0 where there is no word. False unless every u is a quotient of words, every m is 0 or
-/// 1, and the factors are as many and as small as a product has room for.
-using Multiply = bool (*)(const void* pairs, std::size_t count, const Primes& primes, Product& product);
+/// False unless the factors are as many and as small as a product has room for.
+struct Operations {
+    /// The factors m + u X from `pairs` of u and m, each a numerator and a denominator, each a word and an
+    /// address that is not 0 where there is no word. False as well unless every u is a quotient of words and
+    /// every m is 0 or 1.
+    bool (*multiply_pairs)(const void* pairs, std::size_t count, const Primes& primes, Product& product);
+    /// From `factors` of three words, constant, slope and denominator, none the least value of 64 bits.
+    bool (*multiply)(const void* factors, std::size_t count, const Primes& primes, Product& product);
+};
 
 #if defined(BLOSSOM_AVX512_IFMA)
-bool avx512_multiply(const void* pairs, std::size_t count, const Primes& primes, Product& product);
+extern const Operations avx512_operations;
 #endif
 
 }  // namespace blossom::factor_lanes

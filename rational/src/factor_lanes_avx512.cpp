@@ -10,26 +10,25 @@ namespace blossom::factor_lanes {
 namespace {
 
 constexpr std::size_t number_bits = 52;
-/// Of one pair of numbers.
-constexpr std::size_t pair_words = 8;
 
 /// All arithmetic is modulo 2^52 in the lower bits of the lanes.
-__m512i product_of(__m512i a, __m512i b) { return _mm512_madd52lo_epu64(_mm512_setzero_si512(), a, b); }
+__m512i add_product(__m512i sum, __m512i a, __m512i b) { return _mm512_madd52lo_epu64(sum, a, b); }
+__m512i product_of(__m512i a, __m512i b) { return add_product(_mm512_setzero_si512(), a, b); }
 __m512i extended(__m512i number) {
     return _mm512_srai_epi64(_mm512_slli_epi64(number, 64 - number_bits), 64 - number_bits);
 }
 
-/// The next factor of each block.
+/// The next factor of each block. Lanes beyond the blocks hold anything.
 struct Factors {
     __m512i constants;
     __m512i slopes;
     __m512i denominators;
 };
 
-constexpr int lower = 0x44;   // the first and second 128 bits of both operands
-constexpr int third = 0xaa;   // the third ones
-constexpr int first = 0x88;   // the first and third ones
-constexpr int second = 0xdd;  // the second and fourth ones
+constexpr int lower = 0x44;        // the first and second 128 bits of both operands
+constexpr int third = 0xaa;        // the third ones
+constexpr int odd_places = 0x88;   // the first and third ones
+constexpr int even_places = 0xdd;  // the second and fourth ones
 
 /// From the lanes of slopes, denominators and masses.
 Factors factors_of(__m512i slopes, __m512i denominators, __m512i masses) {
@@ -37,133 +36,220 @@ Factors factors_of(__m512i slopes, __m512i denominators, __m512i masses) {
     return {_mm512_and_si512(denominators, all_or_nothing), slopes, denominators};
 }
 
-/// |m v| + |u|
+/// The magnitudes of both coefficients together.
 __m512i size_of(const Factors& factors) {
-    return _mm512_add_epi64(factors.constants, _mm512_abs_epi64(factors.slopes));
+    return _mm512_add_epi64(_mm512_abs_epi64(factors.constants), _mm512_abs_epi64(factors.slopes));
 }
 
-/// `line(b)` points to the pair of block b. Lanes beyond the blocks hold anything.
-template <std::size_t Blocks, class Line>
-[[gnu::always_inline]] inline Factors read(const Line& line) {
-    // The even words of two pairs: numerators and denominators of u, then of m, each 128 bits.
-    __m512i twos[Blocks / 2];
+/// Pairs of numbers u and m for the factors m + u X.
+struct OfPairs {
+    static constexpr std::size_t words = 8;
+    static constexpr std::size_t denominator = 2;  ///< its place among them
+
+    const std::uint64_t* pairs;
+    __m512i all = _mm512_setzero_si512();  ///< the bits of all words that were read
+
+    const std::uint64_t* at(std::size_t i) const { return pairs + words * i; }
+
+    /// The factors from `first` on; those from `count` on are 1 if some may be missing.
+    template <std::size_t Blocks, bool Complete>
+    [[gnu::always_inline]] Factors read(std::size_t first, std::size_t count) {
+        // u = 0 and m = 1.
+        alignas(64) static constexpr std::uint64_t one[words] = {0, 0, 1, 0, 1, 0, 1, 0};
+        // The even words of two pairs: numerators and denominators of u, then of m, each 128 bits.
+        __m512i twos[Blocks / 2];
 #pragma GCC unroll 4
-    for (std::size_t i = 0; i < Blocks / 2; ++i) {
-        twos[i] = _mm512_unpacklo_epi64(_mm512_loadu_si512(line(2 * i)), _mm512_loadu_si512(line(2 * i + 1)));
+        for (std::size_t i = 0; i < Blocks / 2; ++i) {
+            const auto pair = [&](std::size_t b) {
+                return _mm512_loadu_si512(Complete || first + b < count ? at(first + b) : one);
+            };
+            const __m512i left = pair(2 * i);
+            const __m512i right = pair(2 * i + 1);
+            constexpr int any_of_three = 0xfe;
+            all = _mm512_ternarylogic_epi64(all, left, right, any_of_three);
+            twos[i] = _mm512_unpacklo_epi64(left, right);
+        }
+        if constexpr (Blocks == 2) {
+            return factors_of(twos[0], _mm512_shuffle_i64x2(twos[0], twos[0], 1),
+                              _mm512_shuffle_i64x2(twos[0], twos[0], 2));
+        } else {
+            constexpr std::size_t last = Blocks / 2 - 2;
+            const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
+            const __m512i back = _mm512_shuffle_i64x2(twos[last], twos[last + 1], lower);
+            const __m512i masses =
+                _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
+                                     _mm512_shuffle_i64x2(twos[last], twos[last + 1], third), odd_places);
+            return factors_of(_mm512_shuffle_i64x2(front, back, odd_places),
+                              _mm512_shuffle_i64x2(front, back, even_places), masses);
+        }
     }
-    if constexpr (Blocks == 2) {
-        return factors_of(twos[0], _mm512_shuffle_i64x2(twos[0], twos[0], 1),
-                          _mm512_shuffle_i64x2(twos[0], twos[0], 2));
-    } else {
-        constexpr std::size_t last = Blocks / 2 - 2;
-        const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
-        const __m512i back = _mm512_shuffle_i64x2(twos[last], twos[last + 1], lower);
-        const __m512i masses = _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
-                                                    _mm512_shuffle_i64x2(twos[last], twos[last + 1], third),
-                                                    first);
-        return factors_of(_mm512_shuffle_i64x2(front, back, first), _mm512_shuffle_i64x2(front, back, second),
-                          masses);
+
+    /// Whether every u that was read is a quotient of words and every m is 0 or 1.
+    bool is_valid() const {
+        // The bits that are 0 then, but for the denominator of m, which then is 1.
+        const __m512i surplus = _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0);
+        return _mm512_test_epi64_mask(all, surplus) == 0;
     }
+};
+
+/// Words, of which any will do.
+struct OfWords {
+    static constexpr std::size_t words = 3;
+    static constexpr std::size_t denominator = 2;
+
+    const std::uint64_t* factors;
+
+    const std::uint64_t* at(std::size_t i) const { return factors + words * i; }
+
+    template <std::size_t Blocks, bool Complete>
+    [[gnu::always_inline]] Factors read(std::size_t first, std::size_t count) const {
+        const std::size_t used = Complete || first + Blocks <= count ? Blocks : count - first;
+        constexpr std::size_t vectors = (words * Blocks + lanes - 1) / lanes;
+        __m512i loaded[3];
+#pragma GCC unroll 3
+        for (std::size_t i = 0; i < 3; ++i) loaded[i] = i < vectors ? part(first, used, i) : loaded[0];
+        return {every_third<vectors>(loaded, 0), every_third<vectors>(loaded, 1),
+                every_third<vectors>(loaded, 2)};
+    }
+
+    bool is_valid() const { return true; }
+
+private:
+    static constexpr std::size_t lanes = 8;
+
+    /// Eight of the words of `used` factors; where there are none, those of the factor 1.
+    __m512i part(std::size_t first, std::size_t used, std::size_t i) const {
+        const std::size_t begin = lanes * i;
+        const std::size_t end = words * used;
+        const std::size_t present = end <= begin ? 0 : end - begin < lanes ? end - begin : lanes;
+        // Slopes are words 1, 4, 7, 10, ...
+        const auto slopes = static_cast<__mmask8>(i == 0 ? 0x92 : i == 1 ? 0x24 : 0x49);
+        const __m512i ones = _mm512_mask_mov_epi64(_mm512_set1_epi64(1), slopes, _mm512_setzero_si512());
+        return _mm512_mask_loadu_epi64(ones, static_cast<__mmask8>((1U << present) - 1), at(first) + begin);
+    }
+    /// Words `place`, place + 3, ... of the vectors, in lanes 0, 1, ...
+    template <std::size_t Vectors>
+    static __m512i every_third(const __m512i* loaded, long long place) {
+        const __m512i places =
+            _mm512_add_epi64(_mm512_set_epi64(21, 18, 15, 12, 9, 6, 3, 0), _mm512_set1_epi64(place));
+        const __m512i two = _mm512_permutex2var_epi64(loaded[0], places, loaded[1]);
+        if constexpr (Vectors < 3) return two;
+        // Of 16 words two vectors hold those below 16.
+        const __mmask8 beyond = _mm512_cmpge_epi64_mask(places, _mm512_set1_epi64(16));
+        return _mm512_mask_permutexvar_epi64(two, beyond, places, loaded[2]);
+    }
+};
+
+/// All bits of the first lanes.
+template <std::size_t Lanes>
+std::uint64_t united(__m512i words) {
+    if constexpr (Lanes > 4) words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0x4e));
+    if constexpr (Lanes > 2) words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0xb1));
+    words = _mm512_or_si512(words, _mm512_unpackhi_epi64(words, words));
+    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti32x4_epi32(words, 0)));
 }
+
+/// One lane of eight vectors.
+template <std::size_t Lane>
+__m512i lane_of_all(const __m512i* vectors) {
+    static_assert(Lane % 2 == 1);
+    __m512i twos[4];
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) twos[i] = _mm512_unpackhi_epi64(vectors[2 * i], vectors[2 * i + 1]);
+    constexpr int everywhere = Lane / 2 * 0x55;
+    return _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], everywhere),
+                                _mm512_shuffle_i64x2(twos[2], twos[3], everywhere), odd_places);
+}
+
+std::size_t width(std::uint64_t word) {
+    return word == 0 ? 0 : 64 - static_cast<std::size_t>(__builtin_clzll(word));
+}
+
+/// Whether products of so many factors are below 2^51, if each is below 2^bits.
+constexpr bool is_enough(std::size_t factors, std::size_t bits) { return factors * bits < number_bits; }
+
+/// What comes of an attempt at blocks of some number.
+enum class Outcome { done, too_large, no_words };
 
 /// Degree factors a block, of which the last ones may be missing.
-template <std::size_t Blocks, std::size_t Degree>
-void multiply(const std::uint64_t* pairs, std::size_t count, Product& product) {
-    // What is missing is 1: u = 0 and m = 1.
-    alignas(64) static constexpr std::uint64_t one[pair_words] = {0, 0, 1, 0, 1, 0, 1, 0};
-    Factors factors = read<Blocks>([&](std::size_t b) { return pairs + pair_words * b; });
-    __m512i coefficients[Degree + 1];
+template <std::size_t Blocks, std::size_t Degree, class Source>
+Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Primes& primes,
+                        Product& product) {
+    Source source{words};
+    const __m512i zero = _mm512_setzero_si512();
+    Factors factors = source.template read<Blocks, true>(0, count);
+    __m512i coefficients[most_degree + 1];
     coefficients[0] = factors.constants;
     coefficients[1] = factors.slopes;
     __m512i denominators = factors.denominators;
+    __m512i all_denominators = denominators;
     __m512i bounds = size_of(factors);
+    __m512i all_sizes = bounds;
 #pragma GCC unroll 8
     for (std::size_t i = 1; i < Degree; ++i) {
-        factors = read<Blocks>([&](std::size_t b) {
-            const std::size_t place = i * Blocks + b;
-            return i + 1 < Degree || place < count ? pairs + pair_words * place : one;
-        });
+        factors = i + 1 < Degree ? source.template read<Blocks, true>(i * Blocks, count)
+                                 : source.template read<Blocks, false>(i * Blocks, count);
         denominators = product_of(denominators, factors.denominators);
-        bounds = product_of(bounds, size_of(factors));
+        all_denominators = _mm512_or_si512(all_denominators, factors.denominators);
+        const __m512i sizes = size_of(factors);
+        bounds = product_of(bounds, sizes);
+        all_sizes = _mm512_or_si512(all_sizes, sizes);
         coefficients[i + 1] = product_of(coefficients[i], factors.slopes);
 #pragma GCC unroll 8
         for (std::size_t k = i; k > 0; --k) {
-            // Two products that do not wait for each other.
-            coefficients[k] = _mm512_add_epi64(product_of(coefficients[k - 1], factors.slopes),
-                                               product_of(coefficients[k], factors.constants));
+            coefficients[k] = add_product(product_of(coefficients[k - 1], factors.slopes), coefficients[k],
+                                          factors.constants);
         }
         coefficients[0] = product_of(coefficients[0], factors.constants);
     }
+    if (!source.is_valid()) return Outcome::no_words;
+    const std::uint64_t every_denominator = united<Blocks>(all_denominators);
+    if (!is_enough(Degree, width(united<Blocks>(all_sizes) | every_denominator))) return Outcome::too_large;
 #pragma GCC unroll 8
-    for (std::size_t k = 0; k <= Degree; ++k)
-        _mm512_store_si512(product.coefficients[k], extended(coefficients[k]));
-    _mm512_store_si512(product.denominators, denominators);
+    for (std::size_t k = 0; k <= most_degree; ++k) {
+        coefficients[k] = k <= Degree ? extended(coefficients[k]) : zero;
+        if (k <= Degree) _mm512_store_si512(product.coefficients[k], coefficients[k]);
+    }
+    _mm512_store_si512(product.last, lane_of_all<Blocks - 1>(coefficients));
     _mm512_store_si512(product.bounds, bounds);
-}
-
-using MultiplyBlocks = void (*)(const std::uint64_t*, std::size_t, Product&);
-constexpr std::size_t least_degree = 2;
-template <std::size_t Blocks>
-constexpr MultiplyBlocks multiply_blocks[] = {multiply<Blocks, 2>, multiply<Blocks, 3>, multiply<Blocks, 4>,
-                                              multiply<Blocks, 5>, multiply<Blocks, 6>, multiply<Blocks, 7>};
-static_assert(least_degree + sizeof(multiply_blocks<2>) / sizeof(MultiplyBlocks) == most_degree + 1);
-
-/// Factors of so many bits a block, so that products are below 2^51; 0 if there would be too few.
-constexpr std::size_t degree_of_blocks(std::size_t bits) {
-    const std::size_t degree = bits == 0 ? most_degree : (number_bits - 1) / bits;
-    return degree < least_degree ? 0 : degree < most_degree ? degree : most_degree;
-}
-struct Degrees {
-    unsigned char of[65];
-};
-constexpr Degrees degrees = [] {
-    Degrees result{};
-    for (std::size_t bits = 0; bits <= 64; ++bits)
-        result.of[bits] = static_cast<unsigned char>(degree_of_blocks(bits));
-    return result;
-}();
-
-template <std::size_t Blocks>
-void multiply_any(const std::uint64_t* pairs, std::size_t count, Product& product) {
+    _mm512_store_si512(product.denominators, denominators);
     product.blocks = Blocks;
-    multiply_blocks<Blocks>[(count + Blocks - 1) / Blocks - least_degree](pairs, count, product);
+    std::uint32_t set = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        set |= primes.of[source.at(i)[Source::denominator] & primes.greatest_known];
+    product.primes = every_denominator <= primes.greatest_known ? set : ~std::uint32_t{0};
+    return Outcome::done;
+}
+
+constexpr std::size_t least_degree = 2;
+static_assert(least_factors > 4 * (least_degree - 1));
+
+template <class Source, std::size_t Blocks>
+Outcome multiply_any(const std::uint64_t* words, std::size_t count, const Primes& primes, Product& product) {
+    using Multiply = Outcome (*)(const std::uint64_t*, std::size_t, const Primes&, Product&);
+    static constexpr Multiply multiply_degrees[] = {
+        multiply_blocks<Blocks, 2, Source>, multiply_blocks<Blocks, 3, Source>,
+        multiply_blocks<Blocks, 4, Source>, multiply_blocks<Blocks, 5, Source>,
+        multiply_blocks<Blocks, 6, Source>, multiply_blocks<Blocks, 7, Source>};
+    static_assert(least_degree + sizeof(multiply_degrees) / sizeof(Multiply) == most_degree + 1);
+    const std::size_t degree = (count + Blocks - 1) / Blocks;
+    if (degree < least_degree || degree > most_degree) return Outcome::too_large;
+    return multiply_degrees[degree - least_degree](words, count, primes, product);
+}
+
+template <class Source>
+bool multiply(const void* factors, std::size_t count, const Primes& primes, Product& product) {
+    if (count < least_factors) return false;
+    const auto* const words = static_cast<const std::uint64_t*>(factors);
+    Outcome outcome = multiply_any<Source, 2>(words, count, primes, product);
+    if (outcome == Outcome::too_large) outcome = multiply_any<Source, 4>(words, count, primes, product);
+    if (outcome == Outcome::too_large) outcome = multiply_any<Source, 8>(words, count, primes, product);
+    return outcome == Outcome::done;
 }
 
 }  // namespace
 
-bool avx512_multiply(const void* pairs, std::size_t count, const Primes& primes, Product& product) {
-    if (count < least_factors || count > most_factors) return false;
-    const auto* const words = static_cast<const std::uint64_t*>(pairs);
-    // The bits that are 0 if u is a quotient of words and m is 0 or 1, but for the denominator of m, which
-    // then is 1.
-    const __m512i surplus = _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0);
-    constexpr __mmask8 numerator_of_u = 1;
-    __m512i all = _mm512_setzero_si512();
-    std::uint32_t set = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        const __m512i pair = _mm512_loadu_si512(words + pair_words * i);
-        all = _mm512_or_si512(all, _mm512_mask_abs_epi64(pair, numerator_of_u, pair));
-        set |= primes.of[words[pair_words * i + 2] & primes.greatest_known];
-    }
-    if (_mm512_test_epi64_mask(all, surplus) != 0) return false;
-    const auto tops = static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti32x4_epi32(all, 0)));
-    const auto bottoms = static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti32x4_epi32(all, 1)));
-    // Bounds for each numerator and each denominator.
-    if (((tops | bottoms) >> number_bits) != 0) return false;
-    const std::uint64_t size = tops + bottoms;  // of each factor at the most
-    product.primes = bottoms <= primes.greatest_known ? set : ~std::uint32_t{0};
-    const std::size_t degree = degrees.of[64 - __builtin_clzll(size)];
-    if (count <= 2 * degree) {
-        multiply_any<2>(words, count, product);
-    } else if (count <= 4 * degree) {
-        multiply_any<4>(words, count, product);
-    } else if (count <= 8 * degree) {
-        multiply_any<8>(words, count, product);
-    } else {
-        return false;
-    }
-    return true;
-}
+const Operations avx512_operations{multiply<OfPairs>, multiply<OfWords>};
 
 }  // namespace blossom::factor_lanes
 

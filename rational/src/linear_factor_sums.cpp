@@ -23,6 +23,9 @@ using Prepared = LinearFactorSums::Prepared;
 constexpr std::size_t least_residue_factors = 16;
 constexpr std::size_t most_residue_factors = residues::most_terms - 1;
 
+/// The number of factors from which lanes are tried before words, by measurement.
+constexpr std::size_t least_factors_for_lanes = 8;
+
 template <class R>
 SumKernel kernel_without_limbs(const Prepared& rows, std::span<const LinearFactor<R>> factors) {
     const bool residues = least_residue_factors <= factors.size() && factors.size() <= most_residue_factors &&
@@ -212,10 +215,12 @@ bool set_sums_in_words(const Prepared& rows, const LaneBlocks& blocks, std::size
     return true;
 }
 
-[[gnu::noinline]] bool evaluate_pairs_in_lanes(const Prepared& rows, const Rational* pairs,
-                                               std::size_t first_row, std::span<Rational> sums) {
+/// Whether vector lanes suffice; `multiply(blocks)` multiplies the factors out.
+template <class Multiply>
+bool evaluate_lanes(const Prepared& rows, std::size_t first_row, std::span<Rational> sums,
+                    const Multiply& multiply) {
     LaneBlocks blocks;
-    if (!blocks.multiply(rows.digits, pairs, rows.size - 1)) return false;
+    if (!multiply(blocks)) return false;
     if (set_sums_in_words(rows, blocks, first_row, sums)) return true;
     DenominatorWords denominator;
     for (const std::uint64_t factor : rows.denominator.words) denominator.multiply(factor, rows.primes);
@@ -227,6 +232,19 @@ bool set_sums_in_words(const Prepared& rows, const LaneBlocks& blocks, std::size
         set_reduced_signed(sums[j], numerator, false, denominator, rows.denominator.longer);
     }
     return true;
+}
+
+[[gnu::noinline]] bool evaluate_lanes(const Prepared& rows, std::span<const WordFactor> factors,
+                                      std::size_t first_row, std::span<Rational> sums) {
+    return evaluate_lanes(rows, first_row, sums,
+                          [&](LaneBlocks& blocks) { return blocks.multiply(rows.digits, factors); });
+}
+
+[[gnu::noinline]] bool evaluate_lanes_of_pairs(const Prepared& rows, const Rational* pairs,
+                                               std::size_t first_row, std::span<Rational> sums) {
+    return evaluate_lanes(rows, first_row, sums, [&](LaneBlocks& blocks) {
+        return blocks.multiply_pairs(rows.digits, pairs, rows.size - 1);
+    });
 }
 
 /// Kept apart from the kernel `word`, which needs neither its registers nor its memory.
@@ -282,15 +300,22 @@ SumKernel LinearFactorSums::kernel(std::span<const WordFactor> factors) const {
 void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t first_row,
                                 std::span<Rational> sums) const {
     const Prepared& rows = *prepared_;
-    if (rows.words.empty() || !evaluate_words(rows, factors, first_row, sums))
-        evaluate_beyond_words(rows, factors, first_row, sums);
+    const auto in_words = [&] {
+        return !rows.words.empty() && evaluate_words(rows, factors, first_row, sums);
+    };
+    const auto in_lanes = [&] {
+        return !rows.digits.empty() && evaluate_lanes(rows, factors, first_row, sums);
+    };
+    const bool done =
+        factors.size() < least_factors_for_lanes ? in_words() || in_lanes() : in_lanes() || in_words();
+    if (!done) evaluate_beyond_words(rows, factors, first_row, sums);
 }
 
 bool LinearFactorSums::evaluate_pairs(const Rational* pairs, std::size_t first_row,
                                       std::span<Rational> sums) const {
     const Prepared& rows = *prepared_;
     return (!rows.words.empty() && evaluate_pairs_in_words(rows, pairs, first_row, sums)) ||
-           evaluate_pairs_in_lanes(rows, pairs, first_row, sums);
+           evaluate_lanes_of_pairs(rows, pairs, first_row, sums);
 }
 
 void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,

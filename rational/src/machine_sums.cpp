@@ -35,7 +35,7 @@ std::optional<Rational> value_in_words(const WordRow& row, std::span<const WordF
     if (const WordDenominator denominator = word_denominator(row, factors); denominator.value != 0) {
         Rational value;
         blossom::set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})),
-                    static_cast<std::uint64_t>(denominator.value), denominator.primes);
+                             static_cast<std::uint64_t>(denominator.value), denominator.primes);
         return value;
     }
     fixed_width::BitBound bound;

@@ -137,7 +137,8 @@ constexpr auto wide_inverses = [] {
 /// A number >= 0 of two words, to be divided by small primes.
 class PairTop {
 public:
-    explicit PairTop(const Words& words) : low_(words.words[0]), high_(words.size == 1 ? 0 : words.words[1]) {}
+    explicit PairTop(const Words& words)
+        : low_(words.words[0]), high_(words.size == 1 ? 0 : words.words[1]) {}
 
     void shift_right(std::size_t bits) { set(value() >> bits); }
     /// Whether the prime with this number divides it, which it then is divided by.
@@ -221,7 +222,8 @@ void set_reduced_by_primes(Rational& value, const Words& numerator, bool negativ
     }
     const std::size_t size = top.write(numerator.words);
     std::uint64_t words[most_words];
-    RationalAccess::set_lowest_terms(value, {numerator.words, size}, negative, product(factors, words).span());
+    RationalAccess::set_lowest_terms(value, {numerator.words, size}, negative,
+                                     product(factors, words).span());
 }
 
 /// The same in general; false, and nothing is done, if what is common to both is longer than a word.

@@ -78,8 +78,9 @@ public:
                   std::span<Rational> sums) const;
 
     /// The same for factors m + u X: `pairs` points to the u of the first one, its m follows, then the
-    /// others. False, and nothing is done, unless there are few factors, every u is a quotient of words,
-    /// every m is 0 or 1, and the kernel `word` suffices.
+    /// others. False, and nothing is done, unless every u is a quotient of words, every m is 0 or 1, and
+    /// there are few factors and the kernel `word` suffices, or the factors are small enough for vector lanes
+    /// and this processor has them.
     bool evaluate_pairs(const Rational* pairs, std::size_t first_row, std::span<Rational> sums) const;
 
     /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: `factors` are
