@@ -115,11 +115,19 @@ TEST_CASE("quotients by small primes", "[differential]") {
     each_case("small primes", [](Random& random) {
         SumCase given;
         const std::size_t n = 1 + random.below(12);
-        for (std::size_t i = 0; i < n; ++i)
-            given.factors.push_back({1, 0, *smooth_number(random, 1 + random.below(12)).to_int64()});
+        for (std::size_t i = 0; i < n; ++i) {
+            // Of what is beyond 4095 the primes are not known.
+            const Integer denominator =
+                random.one_in(12) ? 4096 + random.below(4096) : smooth_number(random, 1 + random.below(12));
+            given.factors.push_back({1, 0, *denominator.to_int64()});
+        }
         given.numerators.assign(n + 1, 0);
-        given.numerators[0] = smooth_number(random, 1 + random.below(random.one_in(4) ? 500 : 130)) *
-                              (random.one_in(2) ? 1 : -1);
+        // All ones are as many times a divisor as a word, or two of them, can hold.
+        given.numerators[0] = random.one_in(6)
+                                  ? (Integer(1) << (64 * (1 + random.below(4)))) - 1
+                                  : smooth_number(random, 1 + random.below(random.one_in(4) ? 500 : 130));
+        if (random.one_in(3)) given.numerators[0] *= given.factors[random.below(n)].denominator;
+        if (random.one_in(2)) given.numerators[0] *= -1;
         given.denominator = smooth_number(random, 1 + random.below(70));
         KernelsMet met;
         check_sums(given, met);
