@@ -13,9 +13,12 @@ TEST_CASE("lanes of eight: sums and denominators that end at 51, 52 and 63 bits"
         const std::size_t n = random.below(10);
         const std::size_t bits =
             n == 0 ? 1 : std::clamp<std::size_t>(limit / (n + random.below(3)), 2, 62) - 1;
-        // Mostly such that all denominators together have few enough bits.
+        // Such that all denominators together end near the limit, or far below.
+        const std::size_t share = n == 0 ? 1 : limit / n;
         const std::size_t denominator_bits =
-            n == 0 ? 1 : std::min<std::size_t>(62, limit / n + 1 - std::min(limit / n, random.below(5)));
+            n == 0             ? 1
+            : random.one_in(2) ? std::min<std::size_t>(62, share + 1 - std::min(share, random.below(5)))
+                               : std::max<std::size_t>(1, share / 2);
         const Signs signs = any_signs(random);
         std::vector<std::vector<WordFactor>> tuples;
         for (int l = 0; l < 8; ++l) tuples.push_back(factors_near(random, n, bits, denominator_bits, signs));
