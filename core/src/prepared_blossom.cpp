@@ -39,9 +39,6 @@ LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
 /// The most factors for which there is room on the stack.
 constexpr std::size_t most_factors_in_place = 64;
 
-/// The most for which eight values are computed at a time.
-constexpr std::size_t most_factors_of_eight = 8;
-
 /// The bits of an argument whose numerator and denominator are words.
 constexpr std::size_t word_argument_bits = 65;
 
@@ -62,7 +59,8 @@ struct Blossom::Kernel {
         }
         // A decimal digit has more than three bits.
         words_are_within_limits = (bits + sums.degree() * word_argument_bits) / 3 < limits.digits;
-        reads_pairs = words_are_within_limits && frame.is_monomial() && sums.degree() > 0;
+        reads_eight = words_are_within_limits && !frame.is_beyond_words() && sums.degree() > 0;
+        reads_pairs = reads_eight && frame.is_monomial();
     }
 
     void evaluate(std::span<const Argument> arguments, std::size_t first_row,
@@ -87,29 +85,10 @@ struct Blossom::Kernel {
 
     /// The values at eight tuples, one after the other, as far as words hold all that is needed.
     bool evaluate_eight(std::span<const std::vector<Argument>, 8> tuples, std::span<Rational> values) const {
-        if (reads_pairs) {
-            const Rational* pairs[8];
-            for (std::size_t l = 0; l < 8; ++l) pairs[l] = &tuples[l].front().u;
-            return sums.evaluate_eight(pairs, values);
-        }
-        return evaluate_eight_over_frame(tuples, values);
-    }
-
-    [[gnu::noinline]] bool evaluate_eight_over_frame(std::span<const std::vector<Argument>, 8> tuples,
-                                                     std::span<Rational> values) const {
-        const std::size_t n = sums.degree();
-        if (!words_are_within_limits || n > most_factors_of_eight) return false;
-        WordFactorOctet octets[most_factors_of_eight];
-        for (std::size_t l = 0; l < 8; ++l) {
-            WordFactor factors[most_factors_of_eight];
-            if (!frame.read(tuples[l], factors)) return false;
-            for (std::size_t i = 0; i < n; ++i) {
-                octets[i].constants[l] = factors[i].constant;
-                octets[i].slopes[l] = factors[i].slope;
-                octets[i].denominators[l] = factors[i].denominator;
-            }
-        }
-        return sums.evaluate_eight(std::span<const WordFactorOctet>(octets, n), values);
+        if (!reads_eight) return false;
+        const Rational* pairs[8];
+        for (std::size_t l = 0; l < 8; ++l) pairs[l] = &tuples[l].front().u;
+        return sums.evaluate_eight(pairs, values, frame.line());
     }
 
     std::vector<IntegerFactor> integer_factors(std::span<const Argument> arguments) const {
@@ -136,6 +115,7 @@ struct Blossom::Kernel {
     std::optional<ClearedInterval> interval;
     WordFrame frame;
     bool words_are_within_limits;
+    bool reads_eight;  ///< arguments are factors as they are, or over another line, see evaluate_eight
     bool reads_pairs;  ///< arguments are factors as they are, see evaluate_pairs
 };
 

@@ -14,10 +14,7 @@ WordFrame::WordFrame(const ClearedInterval& interval) : kind_(Kind::beyond_words
     };
     if (std::ranges::none_of(numbers, is_too_large)) {
         kind_ = Kind::interval;
-        a_ = numbers[0].word();
-        b_ = numbers[1].word();
-        q_ = numbers[2].word();
-        length_ = numbers[3].word();
+        line_ = {numbers[0].word(), numbers[1].word(), numbers[2].word(), numbers[3].word()};
     }
 }
 
@@ -26,12 +23,12 @@ bool WordFrame::move_to_interval(std::span<WordFactor> factors) const {
         std::int64_t x = 0;
         std::int64_t from_a = 0;
         std::int64_t to_b = 0;
-        bool overflow = __builtin_mul_overflow(q_, factor.slope, &x);
-        overflow |= __builtin_mul_overflow(a_, factor.constant, &from_a);
-        overflow |= __builtin_mul_overflow(b_, factor.constant, &to_b);
+        bool overflow = __builtin_mul_overflow(line_.q, factor.slope, &x);
+        overflow |= __builtin_mul_overflow(line_.a, factor.constant, &from_a);
+        overflow |= __builtin_mul_overflow(line_.b, factor.constant, &to_b);
         overflow |= __builtin_sub_overflow(to_b, x, &factor.constant);
         overflow |= __builtin_sub_overflow(x, from_a, &factor.slope);
-        overflow |= __builtin_mul_overflow(length_, factor.denominator, &factor.denominator);
+        overflow |= __builtin_mul_overflow(line_.length, factor.denominator, &factor.denominator);
         if (overflow || factor.constant == least_word || factor.slope == least_word) return false;
     }
     return true;

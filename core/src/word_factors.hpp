@@ -21,6 +21,9 @@ public:
     explicit WordFrame(const ClearedInterval& interval);
 
     bool is_monomial() const { return kind_ == Kind::monomial; }
+    bool is_beyond_words() const { return kind_ == Kind::beyond_words; }
+    /// What factors over monomial coefficients are moved to; null if they stay as they are.
+    const WordLine* line() const { return kind_ == Kind::interval ? &line_ : nullptr; }
 
     /// The factors of arguments of mass 0 or 1, as many as there are arguments, if words hold them all;
     /// otherwise the factors are left in between.
@@ -40,10 +43,7 @@ private:
     static constexpr std::int64_t least_word = std::numeric_limits<std::int64_t>::min();
 
     Kind kind_ = Kind::monomial;
-    std::int64_t a_ = 0;  ///< with the signs that make b - a positive
-    std::int64_t b_ = 0;
-    std::int64_t q_ = 0;
-    std::int64_t length_ = 0;
+    WordLine line_{};  ///< with the signs that make b - a positive
 };
 
 }  // namespace blossom

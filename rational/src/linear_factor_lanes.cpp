@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "prepared_rows.hpp"
 #include "word_lanes.hpp"
@@ -40,19 +41,29 @@ constexpr word_lanes::Divisors lane_divisors{small_primes::table.of, small_prime
 
 static_assert(RationalAccess::is_four_words);
 
-/// `sums_of(operations, rows, quotients)` computes the sums of all rows, if it can.
-template <class Sums>
-bool evaluate_lanes(const LinearFactorSums::Prepared& rows, std::span<Rational> sums, const Sums& sums_of) {
+/// Whether what computes eight sums at a time can read the numbers.
+bool is_short(const WordLine& line) {
+    return std::in_range<std::int32_t>(line.a) && std::in_range<std::int32_t>(line.b) &&
+           std::in_range<std::int32_t>(line.q) && std::in_range<std::int32_t>(line.length);
+}
+
+}  // namespace
+
+bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tuples,
+                                      std::span<Rational> sums, const WordLine* line) const {
+    const Prepared& rows = *prepared_;
     const word_lanes::Operations* operations = chosen_word_lanes();
     if (operations == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
-        rows.word_denominator == 0)
+        rows.word_denominator == 0 || (line != nullptr && !is_short(*line)))
         return false;
     word_lanes::Quotients quotients[word_lanes::most_rows];
     const auto denominator = static_cast<std::uint64_t>(rows.word_denominator);
     const auto bits = std::bit_width(static_cast<std::uint64_t>(rows.greatest) | denominator);
     const word_lanes::Rows given{rows.words.data(), rows.rows, static_cast<std::size_t>(bits), denominator,
                                  rows.primes};
-    if (!sums_of(*operations, given, quotients)) return false;
+    if (!operations->sums(given, reinterpret_cast<const void* const*>(tuples.data()), rows.size - 1, line,
+                          lane_divisors, quotients))
+        return false;
     const std::size_t stride = given.rows;
     if (stride == 1 && operations->store(quotients[0], sums.data())) return true;
     for (std::size_t j = 0; j < stride; ++j) {
@@ -61,23 +72,6 @@ bool evaluate_lanes(const LinearFactorSums::Prepared& rows, std::span<Rational> 
             RationalAccess::set_words(*sum, quotients[j].numerators[l], quotients[j].denominators[l]);
     }
     return true;
-}
-
-}  // namespace
-
-bool LinearFactorSums::evaluate_eight(std::span<const WordFactorOctet> factors,
-                                      std::span<Rational> sums) const {
-    return evaluate_lanes(*prepared_, sums, [&](const auto& operations, const auto& rows, auto* quotients) {
-        return operations.sums(rows, factors.data(), factors.size(), lane_divisors, quotients);
-    });
-}
-
-bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tuples,
-                                      std::span<Rational> sums) const {
-    return evaluate_lanes(*prepared_, sums, [&](const auto& operations, const auto& rows, auto* quotients) {
-        return operations.sums_of_pairs(rows, reinterpret_cast<const void* const*>(tuples.data()),
-                                        prepared_->size - 1, lane_divisors, quotients);
-    });
 }
 
 }  // namespace blossom

@@ -4,7 +4,7 @@
 // what the sources compiled for single instruction sets may include: nothing inline from elsewhere, which the
 // linker could take for all.
 
-#include <blossom/rational/word_factor_octet.hpp>
+#include <blossom/rational/word_line.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -51,13 +51,13 @@ struct alignas(64) Quotients {
 
 /// The sums of all rows for eight tuples of `count` <= most_factors factors, in lowest terms. Nothing, and
 /// false, unless words suffice by a bound and all divisors of the denominators are known.
+///
+/// Each tuple is `count` times eight words, those of the numbers u and m of a factor m + u X, each a
+/// numerator and a denominator, each a word and an address that is not 0 where there is no word. The numbers
+/// of `line`, null if there is none, have 32 bits with their signs.
 struct Operations {
-    bool (*sums)(const Rows& rows, const WordFactorOctet* factors, std::size_t count,
+    bool (*sums)(const Rows& rows, const void* const* tuples, std::size_t count, const WordLine* line,
                  const Divisors& divisors, Quotients* quotients);
-    /// Each tuple is `count` times eight words, those of the numbers u and m of a factor m + u X, each a
-    /// numerator and a denominator, each a word and an address that is not 0 where there is no word.
-    bool (*sums_of_pairs)(const Rows& rows, const void* const* tuples, std::size_t count,
-                          const Divisors& divisors, Quotients* quotients);
     /// Sets eight numbers one behind the other, each four words as above, to the quotients; nothing, and
     /// false, if one of them holds an address.
     bool (*store)(const Quotients& quotients, void* numbers);

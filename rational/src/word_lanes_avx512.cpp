@@ -146,8 +146,8 @@ template <std::size_t Count, class Numbers>
     }
 }
 
-/// Bits, not all of which are 0 if a product of one number of each octet and of one of the rows may have
-/// `limit` bits or more: bounded by the bits of all numbers of the octets together.
+/// Bits, not all of which are 0 if a product of one number of each factor and of one of the rows may have
+/// `limit` bits or more: bounded by the bits of the numbers of all factors together.
 template <std::size_t Count>
 __m512i bits_beyond(std::size_t limit, std::size_t rows_bits, __m512i all) {
     const std::size_t most = rows_bits < limit ? (limit - 1 - rows_bits) / Count : 0;
@@ -186,21 +186,7 @@ template <std::size_t Count>
     return true;
 }
 
-struct OfOctets {
-    const WordFactorOctet* octets;
-
-    template <std::size_t Count>
-    [[gnu::always_inline]] __m512i read(Factors<Count>& factors) const {
-#pragma GCC unroll 8
-        for (std::size_t i = 0; i < Count; ++i) {
-            factors.constants[i] = _mm512_load_si512(octets[i].constants);
-            factors.slopes[i] = _mm512_load_si512(octets[i].slopes);
-            factors.denominators[i] = _mm512_load_si512(octets[i].denominators);
-        }
-        return _mm512_setzero_si512();
-    }
-};
-
+/// Factors m + u X.
 struct OfPairs {
     const void* const* tuples;
 
@@ -240,6 +226,35 @@ struct OfPairs {
     }
 };
 
+/// The same over another line.
+struct OfPairsOverLine {
+    OfPairs pairs;
+    const WordLine& line;
+
+    template <std::size_t Count>
+    [[gnu::always_inline]] __m512i read(Factors<Count>& factors) const {
+        const __m512i a = _mm512_set1_epi64(line.a);
+        const __m512i b = _mm512_set1_epi64(line.b);
+        const __m512i q = _mm512_set1_epi64(line.q);
+        const __m512i length = _mm512_set1_epi64(line.length);
+        __m512i beyond = pairs.read(factors);
+        __m512i all = _mm512_setzero_si512();
+#pragma GCC unroll 8
+        for (std::size_t i = 0; i < Count; ++i) {
+            // Products of 32 bits with their signs, two of which add to less than 2^63.
+            const __m512i x = _mm512_mul_epi32(q, factors.slopes[i]);
+            const __m512i from_a = _mm512_mul_epi32(a, factors.constants[i]);
+            const __m512i to_b = _mm512_mul_epi32(b, factors.constants[i]);
+            all = _mm512_or_si512(all, _mm512_abs_epi64(factors.slopes[i]));
+            all = _mm512_or_si512(all, factors.denominators[i]);
+            factors.constants[i] = _mm512_sub_epi64(to_b, x);
+            factors.slopes[i] = _mm512_sub_epi64(x, from_a);
+            factors.denominators[i] = _mm512_mul_epi32(length, factors.denominators[i]);
+        }
+        return _mm512_or_si512(beyond, _mm512_srli_epi64(all, 31));
+    }
+};
+
 template <std::size_t Count, class Source>
 bool sums_from(const Rows& rows, Source source, const Divisors& divisors, Quotients* quotients) {
     Factors<Count> factors;  // NOLINT(cppcoreguidelines-pro-type-member-init): the source sets it
@@ -272,14 +287,11 @@ bool sums_from_any(const Rows& rows, Source source, std::size_t count, const Div
     }
 }
 
-bool sums(const Rows& rows, const WordFactorOctet* factors, std::size_t count, const Divisors& divisors,
-          Quotients* quotients) {
-    return sums_from_any(rows, OfOctets{factors}, count, divisors, quotients);
-}
-
-bool sums_of_pairs(const Rows& rows, const void* const* tuples, std::size_t count, const Divisors& divisors,
-                   Quotients* quotients) {
-    return sums_from_any(rows, OfPairs{tuples}, count, divisors, quotients);
+bool sums(const Rows& rows, const void* const* tuples, std::size_t count, const WordLine* line,
+          const Divisors& divisors, Quotients* quotients) {
+    const OfPairs pairs{tuples};
+    return line == nullptr ? sums_from_any(rows, pairs, count, divisors, quotients)
+                           : sums_from_any(rows, OfPairsOverLine{pairs, *line}, count, divisors, quotients);
 }
 
 /// Two numbers in four words each, of which every second is 0: from the lanes 2 i and 2 i + 1 of both.
@@ -307,7 +319,7 @@ bool store(const Quotients& quotients, void* numbers) {
 
 }  // namespace
 
-const Operations avx512_operations{sums, sums_of_pairs, store};
+const Operations avx512_operations{sums, store};
 
 }  // namespace blossom::word_lanes
 

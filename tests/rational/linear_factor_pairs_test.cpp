@@ -18,7 +18,9 @@ Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_one
     const Integer large = Integer(1) << 64;
     Pairs pairs;
     for (std::size_t i = 0; i < n; ++i) {
-        Rational u(word_of_bits(random, bits), denominator_of_bits(random, bits));
+        const bool smooth = !random.one_in(8);
+        Rational u(word_of_bits(random, bits),
+                   denominator_of_bits(random, smooth ? std::min<std::size_t>(bits, 7) : bits));
         Rational m = random.one_in(4) ? 0 : 1;
         if (odd_ones && random.one_in(n)) {
             const Rational odd[] = {std::numeric_limits<std::int64_t>::min(),
@@ -55,6 +57,19 @@ std::vector<WordFactor> factors_of(const Pairs& pairs) {
     return factors;
 }
 
+/// Over the line if there is one.
+std::vector<WordFactor> factors_over(const WordLine* line, const Pairs& pairs) {
+    std::vector<WordFactor> factors = factors_of(pairs);
+    if (line == nullptr) return factors;
+    for (auto& [constant, slope, denominator] : factors) {
+        const std::int64_t x = line->q * slope;
+        slope = x - line->a * constant;
+        constant = line->b * constant - x;
+        denominator *= line->length;
+    }
+    return factors;
+}
+
 struct Given {
     std::size_t rows;
     std::vector<Rational> numbers;
@@ -68,11 +83,14 @@ Given random_rows(Random& random, std::size_t n) {
     return given;
 }
 
-void check_values(const Given& given, const Pairs& pairs, std::span<const Rational> values) {
+void check_values(const Given& given, const Pairs& pairs, std::span<const Rational> values,
+                  const WordLine* line = nullptr) {
     REQUIRE(can_be_read(pairs));
     const std::size_t size = given.numbers.size() / given.rows;
-    for (std::size_t j = 0; j < given.rows; ++j)
-        CHECK(values[j] == evident_sum(std::span(given.numbers).subspan(j * size, size), factors_of(pairs)));
+    for (std::size_t j = 0; j < given.rows; ++j) {
+        CHECK(values[j] ==
+              evident_sum(std::span(given.numbers).subspan(j * size, size), factors_over(line, pairs)));
+    }
 }
 
 }  // namespace
@@ -105,30 +123,69 @@ TEST_CASE("pairs of numbers as factors", "[linear_factor_sums]") {
 TEST_CASE("eight tuples of pairs of numbers", "[linear_factor_sums]") {
     Random random(20);
     int computed = 0;
-    for (int i = 0; i < 2'000; ++i) {
+    for (int i = 0; i < 4'000; ++i) {
         const std::size_t n = 1 + random.below(9);
         const Given given = random_rows(random, n);
         const LinearFactorSums sums(RationalVector(given.numbers), given.rows);
         const bool odd_ones = random.one_in(3);
-        const std::size_t bits = 1 + random.below(std::clamp<std::size_t>(60 / n, 2, 12));
+        // About as many bits as fit in 51 and in 63, and more.
+        const std::size_t bits =
+            1 + random.below(std::clamp<std::size_t>(66 / n, 2, random.one_in(2) ? 12 : 62));
         std::vector<Pairs> tuples;
         const Rational* addresses[8];
         for (std::size_t l = 0; l < 8; ++l)
             tuples.push_back(random_pairs(random, n, bits, odd_ones && random.one_in(8)));
         for (std::size_t l = 0; l < 8; ++l) addresses[l] = tuples[l].data();
+        const std::int64_t a = random.between(-9, 9);
+        const std::int64_t length = random.between(1, 6);
+        const WordLine lines[] = {{0, 1, 1, 1}, {a, a + length, random.between(1, 4), length}};
+        const std::size_t choice = random.below(3);
+        const WordLine* line = choice == 2 ? nullptr : &lines[choice];
         // What is set may have held more than words.
         std::vector<Rational> before(8 * given.rows, Rational(7, 9));
         if (random.one_in(3)) before[random.below(before.size())] = Rational(Integer(1) << 70);
         if (random.one_in(3)) before[random.below(before.size())] = Rational(1, Integer(1) << 70);
         std::vector<Rational> values = before;
-        if (!sums.evaluate_eight(std::span<const Rational* const, 8>(addresses), values)) {
+        if (!sums.evaluate_eight(addresses, values, line)) {
             CHECK(values == before);
             continue;
         }
         ++computed;
         for (std::size_t l = 0; l < 8; ++l)
-            check_values(given, tuples[l], std::span(values).subspan(l * given.rows, given.rows));
+            check_values(given, tuples[l], std::span(values).subspan(l * given.rows, given.rows), line);
     }
     // Where the processor has no lanes nothing is computed.
-    CHECK((computed == 0 || computed > 800));
+    CHECK((computed == 0 || computed > 1'200));
+}
+
+TEST_CASE("over lines eight tuples at a time have numbers of 32 bits", "[linear_factor_sums]") {
+    const std::vector<Rational> numbers{3, 5};
+    const LinearFactorSums sums(RationalVector(numbers), 1);
+    const std::vector<Rational> before(8, Rational(7, 9));
+    std::vector<Rational> values;
+    const auto evaluate = [&](const Rational& u, const WordLine& line) {
+        Pairs pairs{u, 1};
+        const Rational* addresses[8];
+        std::ranges::fill(addresses, pairs.data());
+        values = before;
+        if (!sums.evaluate_eight(addresses, values, &line)) return false;
+        CHECK(values == std::vector<Rational>(8, evident_sum(numbers, factors_over(&line, pairs))));
+        return true;
+    };
+    const std::int64_t least = INT32_MIN;
+    const std::int64_t most = INT32_MAX;
+    const bool has_lanes = evaluate(0, {0, 1, 1, 1});
+    for (const std::int64_t number : {least + 1, most}) {
+        CHECK(evaluate(number, {0, 1, 1, 1}) == has_lanes);
+        CHECK(evaluate(Rational(1, 3), {number, least, most, 2}) == has_lanes);
+    }
+    for (const std::int64_t number : {least - 1, most + 1, 4 * most + 5, -4 * most - 5}) {
+        evaluate(number, {0, 1, 1, 1});
+        for (const WordLine& line : {WordLine{number, 1, 1, 1}, WordLine{0, number, 1, 1},
+                                     WordLine{0, 1, number, 1}, WordLine{0, 1, 1, 4 * most + 5}}) {
+            CHECK(!evaluate(Rational(1, 3), line));
+            CHECK(values == before);
+        }
+        CHECK(!evaluate(Rational(1, number), {0, 1, 1, 1}));
+    }
 }

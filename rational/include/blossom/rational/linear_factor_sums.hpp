@@ -1,7 +1,7 @@
 #pragma once
 
 #include <blossom/rational/rational_vector.hpp>
-#include <blossom/rational/word_factor_octet.hpp>
+#include <blossom/rational/word_line.hpp>
 
 #include <cstddef>
 #include <cstdint>
@@ -83,17 +83,15 @@ public:
     /// and this processor has them.
     bool evaluate_pairs(const Rational* pairs, std::size_t first_row, std::span<Rational> sums) const;
 
-    /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: `factors` are
-    /// the first ones of each tuple in their order, then the second ones, and so on.
+    /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: factors m + u
+    /// X, pairs of numbers, over another line if there is one. tuples[l] points to the u of the first pair of
+    /// tuple l, its m follows, then the other pairs.
     ///
-    /// False, and nothing is done, unless the kernel `word` suffices for all of them by one bound and this
-    /// processor computes eight at a time.
-    bool evaluate_eight(std::span<const WordFactorOctet> factors, std::span<Rational> sums) const;
-
-    /// The same for factors m + u X, pairs of numbers: tuples[l] points to the u of the first pair of tuple
-    /// l, its m follows, then the other pairs. False as well unless every u is a quotient of words and every
-    /// m is 0 or 1.
-    bool evaluate_eight(std::span<const Rational* const, 8> tuples, std::span<Rational> sums) const;
+    /// False, and nothing is done, unless there are few factors, every u is a quotient of words, every m is 0
+    /// or 1, the kernel `word` suffices for all of them by one bound, and this processor computes eight at a
+    /// time.
+    bool evaluate_eight(std::span<const Rational* const, 8> tuples, std::span<Rational> sums,
+                        const WordLine* line = nullptr) const;
 
     /// What `evaluate` chooses.
     SumKernel kernel(std::span<const WordFactor> factors) const;
