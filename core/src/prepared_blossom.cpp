@@ -164,12 +164,11 @@ void Blossom::values(std::span<const std::vector<Argument>> tuples, std::span<Ra
             return results.subspan(i * dimension_, count * dimension_);
         };
         for (std::size_t i = begin; i < end;) {
-            if (end - i >= 8 && kernel_->evaluate_eight(tuples.subspan(i).first<8>(), results_of(i, 8))) {
-                i += 8;
-            } else {
-                kernel_->evaluate(tuples[i], 0, results_of(i, 1));
-                ++i;
+            const std::size_t count = std::min<std::size_t>(end - i, 8);
+            if (count < 8 || !kernel_->evaluate_eight(tuples.subspan(i).first<8>(), results_of(i, 8))) {
+                for (std::size_t k = i; k < i + count; ++k) kernel_->evaluate(tuples[k], 0, results_of(k, 1));
             }
+            i += count;
         }
     });
 }

@@ -15,6 +15,9 @@ inline constexpr std::size_t lanes = 8;
 /// The most factors of a tuple.
 inline constexpr std::size_t most_factors = 8;
 
+/// The same for sums of more than a word.
+inline constexpr std::size_t most_wide_factors = 16;
+
 /// The most rows.
 inline constexpr std::size_t most_rows = 8;
 
@@ -26,12 +29,20 @@ struct Divisor {
     std::uint64_t most_of_52;
 };
 
+/// x * inverse modulo 2^104, in limbs of 52 bits, is x / p and has an upper limb less than `beyond` if p
+/// divides x < 2^103, and otherwise has not.
+struct WideDivisor {
+    std::uint64_t inverse[2];
+    std::uint64_t beyond;
+};
+
 /// The odd prime divisors of numbers: bit i of a set stands for divisors[i], and all bits for numbers that
 /// may have others.
 struct Divisors {
-    const std::uint32_t* of;  ///< of 0, 1, ..., greatest_known
-    std::uint64_t greatest_known;
+    const std::uint32_t* of;       ///< of 0, 1, ..., greatest_known
+    std::uint64_t greatest_known;  ///< all ones
     const Divisor* divisors;
+    const WideDivisor* wide;
 };
 
 /// Rows of numbers over one denominator.
@@ -63,8 +74,22 @@ struct Operations {
     bool (*store)(const Quotients& quotients, void* numbers);
 };
 
+/// The same of two words, least significant first, without the signs of the numerators.
+struct alignas(64) WideQuotients {
+    std::uint64_t numerators[2][lanes];
+    std::uint64_t denominators[2][lanes];
+    std::uint8_t negative;  ///< a bit a lane
+};
+
+/// As `Operations::sums` for `count` <= most_wide_factors, as long as 103 bits provably suffice.
+struct WideOperations {
+    bool (*sums)(const Rows& rows, const void* const* tuples, std::size_t count, const WordLine* line,
+                 const Divisors& divisors, WideQuotients* quotients);
+};
+
 #if defined(BLOSSOM_AVX512_WORDS)
 extern const Operations avx512_operations;
+extern const WideOperations wide_avx512_operations;
 #endif
 
 }  // namespace blossom::word_lanes

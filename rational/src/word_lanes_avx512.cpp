@@ -2,15 +2,11 @@
 // them.
 
 // NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
-#include <immintrin.h>
-
-#include "word_lanes.hpp"
+#include "word_lanes_reading.hpp"
 
 namespace blossom::word_lanes {
 
 namespace {
-
-__m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
 
 /// Numbers modulo 2^64.
 struct Full {
@@ -79,41 +75,19 @@ template <class Numbers>
         divide_by_common_powers<Numbers>(divisors[__builtin_ctz(found)], top, bottom);
 }
 
-/// The numbers of zeros behind the lowest bit set.
-__m512i trailing_zeros(__m512i words) {
-    const __m512i lowest = _mm512_and_si512(words, _mm512_sub_epi64(_mm512_setzero_si512(), words));
-    return _mm512_sub_epi64(broadcast(63), _mm512_lzcnt_epi64(lowest));
-}
-
-/// All lanes together.
-std::uint64_t united(__m512i words) {
-    words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0x4e));
-    words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0xb1));
-    words = _mm512_or_si512(words, _mm512_unpackhi_epi64(words, words));
-    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti64x2_epi64(words, 0)));
-}
-
-/// The factors of eight tuples, one tuple a lane.
-template <std::size_t Count>
-struct Factors {
-    __m512i constants[Count];
-    __m512i slopes[Count];
-    __m512i denominators[Count];
-};
-
 template <std::size_t Count, class Numbers>
-[[gnu::always_inline]] inline void reduced_sums(const Rows& rows, const Factors<Count>& factors,
+[[gnu::always_inline]] inline void reduced_sums(const Rows& rows, const Factor (&factors)[Count],
                                                 const Divisors& divisors, std::uint32_t set,
                                                 Quotients* quotients) {
     __m512i coefficients[Count + 1];
-    __m512i denominator = product<Numbers>(broadcast(rows.denominator), factors.denominators[0]);
-    coefficients[0] = factors.constants[0];
-    coefficients[1] = factors.slopes[0];
+    __m512i denominator = product<Numbers>(broadcast(rows.denominator), factors[0].denominator);
+    coefficients[0] = factors[0].constant;
+    coefficients[1] = factors[0].slope;
 #pragma GCC unroll 8
     for (std::size_t i = 1; i < Count; ++i) {
-        const __m512i constant = factors.constants[i];
-        const __m512i slope = factors.slopes[i];
-        denominator = product<Numbers>(denominator, factors.denominators[i]);
+        const __m512i constant = factors[i].constant;
+        const __m512i slope = factors[i].slope;
+        denominator = product<Numbers>(denominator, factors[i].denominator);
         coefficients[i + 1] = product<Numbers>(coefficients[i], slope);
 #pragma GCC unroll 8
         for (std::size_t k = i; k > 0; --k) {
@@ -155,27 +129,24 @@ __m512i bits_beyond(std::size_t limit, std::size_t rows_bits, __m512i all) {
 }
 
 template <std::size_t Count>
-[[gnu::always_inline]] inline bool sums_of(const Rows& rows, const Factors<Count>& factors, __m512i beyond,
+[[gnu::always_inline]] inline bool sums_of(const Rows& rows, const Factor (&factors)[Count], __m512i beyond,
                                            const Divisors& divisors, Quotients* quotients) {
     __m512i all = _mm512_setzero_si512();
     __m512i all_denominators = _mm512_setzero_si512();
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) {
-        all_denominators = _mm512_or_si512(all_denominators, factors.denominators[i]);
-        all = _mm512_or_si512(all, _mm512_add_epi64(_mm512_abs_epi64(factors.constants[i]),
-                                                    _mm512_abs_epi64(factors.slopes[i])));
+        all_denominators = _mm512_or_si512(all_denominators, factors[i].denominator);
+        all = _mm512_or_si512(all, size_of(factors[i]));
     }
     all = _mm512_or_si512(all, all_denominators);
     beyond =
         _mm512_or_si512(beyond, _mm512_andnot_si512(broadcast(divisors.greatest_known), all_denominators));
     beyond = _mm512_or_si512(beyond, bits_beyond<Count>(Full::bits, rows.bits, all));
     if (_mm512_test_epi64_mask(beyond, beyond) != 0) return false;
-    __m256i sets = _mm256_setzero_si256();
+    PrimeSets sets(divisors);
 #pragma GCC unroll 8
-    for (std::size_t i = 0; i < Count; ++i)
-        sets = _mm256_or_si256(sets, _mm512_i64gather_epi32(factors.denominators[i], divisors.of, 4));
-    const std::uint64_t two_sets = united(_mm512_zextsi256_si512(sets));
-    const std::uint32_t set = rows.divisors | static_cast<std::uint32_t>(two_sets | two_sets >> 32);
+    for (std::size_t i = 0; i < Count; ++i) sets.add(factors[i].denominator);
+    const std::uint32_t set = rows.divisors | sets.all();
     if (set == ~std::uint32_t{0}) return false;
     const __m512i beyond_short = bits_beyond<Count>(Short::bits, rows.bits, all);
     if (_mm512_test_epi64_mask(beyond_short, beyond_short) == 0) {
@@ -186,102 +157,34 @@ template <std::size_t Count>
     return true;
 }
 
-/// Factors m + u X.
-struct OfPairs {
-    const void* const* tuples;
-
-    template <std::size_t Count>
-    [[gnu::always_inline]] __m512i read(Factors<Count>& factors) const {
-        // Of a pair of numbers u, m: the bits that are 0 if u is a quotient of words and m is 0 or 1, but for
-        // the lowest bit of the denominator of m.
-        const __m512i surplus = _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0);
-        __m512i all = _mm512_setzero_si512();
+template <std::size_t Count, class Reader>
+bool sums_from(const Rows& rows, Reader reader, const Divisors& divisors, Quotients* quotients) {
+    Factor factors[Count];
 #pragma GCC unroll 8
-        for (std::size_t i = 0; i < Count; ++i) {
-            __m512i pairs[lanes];
-#pragma GCC unroll 8
-            for (std::size_t l = 0; l < lanes; ++l) {
-                pairs[l] = _mm512_loadu_si512(static_cast<const char*>(tuples[l]) + 64 * i);
-                all = _mm512_or_si512(all, pairs[l]);
-            }
-            // The even words of two pairs: numerators and denominators of u, then of m.
-            __m512i twos[4];
-#pragma GCC unroll 4
-            for (std::size_t l = 0; l < 4; ++l)
-                twos[l] = _mm512_unpacklo_epi64(pairs[2 * l], pairs[2 * l + 1]);
-            constexpr int lower = 0x44;   // the first and second 128 bits of both operands
-            constexpr int third = 0xaa;   // the third ones
-            constexpr int first = 0x88;   // the first and third ones
-            constexpr int second = 0xdd;  // the second and fourth ones
-            const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
-            const __m512i back = _mm512_shuffle_i64x2(twos[2], twos[3], lower);
-            const __m512i masses = _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
-                                                        _mm512_shuffle_i64x2(twos[2], twos[3], third), first);
-            factors.slopes[i] = _mm512_shuffle_i64x2(front, back, first);
-            factors.denominators[i] = _mm512_shuffle_i64x2(front, back, second);
-            factors.constants[i] =
-                _mm512_and_si512(factors.denominators[i], _mm512_sub_epi64(_mm512_setzero_si512(), masses));
-        }
-        return _mm512_and_si512(all, surplus);
-    }
-};
-
-/// The same over another line.
-struct OfPairsOverLine {
-    OfPairs pairs;
-    const WordLine& line;
-
-    template <std::size_t Count>
-    [[gnu::always_inline]] __m512i read(Factors<Count>& factors) const {
-        const __m512i a = _mm512_set1_epi64(line.a);
-        const __m512i b = _mm512_set1_epi64(line.b);
-        const __m512i q = _mm512_set1_epi64(line.q);
-        const __m512i length = _mm512_set1_epi64(line.length);
-        __m512i beyond = pairs.read(factors);
-        __m512i all = _mm512_setzero_si512();
-#pragma GCC unroll 8
-        for (std::size_t i = 0; i < Count; ++i) {
-            // Products of 32 bits with their signs, two of which add to less than 2^63.
-            const __m512i x = _mm512_mul_epi32(q, factors.slopes[i]);
-            const __m512i from_a = _mm512_mul_epi32(a, factors.constants[i]);
-            const __m512i to_b = _mm512_mul_epi32(b, factors.constants[i]);
-            all = _mm512_or_si512(all, _mm512_abs_epi64(factors.slopes[i]));
-            all = _mm512_or_si512(all, factors.denominators[i]);
-            factors.constants[i] = _mm512_sub_epi64(to_b, x);
-            factors.slopes[i] = _mm512_sub_epi64(x, from_a);
-            factors.denominators[i] = _mm512_mul_epi32(length, factors.denominators[i]);
-        }
-        return _mm512_or_si512(beyond, _mm512_srli_epi64(all, 31));
-    }
-};
-
-template <std::size_t Count, class Source>
-bool sums_from(const Rows& rows, Source source, const Divisors& divisors, Quotients* quotients) {
-    Factors<Count> factors;  // NOLINT(cppcoreguidelines-pro-type-member-init): the source sets it
-    const __m512i beyond = source.read(factors);
-    return sums_of<Count>(rows, factors, beyond, divisors, quotients);
+    for (std::size_t i = 0; i < Count; ++i) factors[i] = reader.read(i);
+    return sums_of<Count>(rows, factors, reader.beyond(), divisors, quotients);
 }
 
-template <class Source>
-bool sums_from_any(const Rows& rows, Source source, std::size_t count, const Divisors& divisors,
-                   Quotients* quotients) {
+template <class Reader, class... Line>
+bool sums_from_any(const Rows& rows, std::size_t count, const Divisors& divisors, Quotients* quotients,
+                   const void* const* tuples, const Line&... line) {
     switch (count) {
         case 1:
-            return sums_from<1>(rows, source, divisors, quotients);
+            return sums_from<1>(rows, Reader(tuples, line...), divisors, quotients);
         case 2:
-            return sums_from<2>(rows, source, divisors, quotients);
+            return sums_from<2>(rows, Reader(tuples, line...), divisors, quotients);
         case 3:
-            return sums_from<3>(rows, source, divisors, quotients);
+            return sums_from<3>(rows, Reader(tuples, line...), divisors, quotients);
         case 4:
-            return sums_from<4>(rows, source, divisors, quotients);
+            return sums_from<4>(rows, Reader(tuples, line...), divisors, quotients);
         case 5:
-            return sums_from<5>(rows, source, divisors, quotients);
+            return sums_from<5>(rows, Reader(tuples, line...), divisors, quotients);
         case 6:
-            return sums_from<6>(rows, source, divisors, quotients);
+            return sums_from<6>(rows, Reader(tuples, line...), divisors, quotients);
         case 7:
-            return sums_from<7>(rows, source, divisors, quotients);
+            return sums_from<7>(rows, Reader(tuples, line...), divisors, quotients);
         case 8:
-            return sums_from<8>(rows, source, divisors, quotients);
+            return sums_from<8>(rows, Reader(tuples, line...), divisors, quotients);
         default:
             return false;
     }
@@ -289,9 +192,8 @@ bool sums_from_any(const Rows& rows, Source source, std::size_t count, const Div
 
 bool sums(const Rows& rows, const void* const* tuples, std::size_t count, const WordLine* line,
           const Divisors& divisors, Quotients* quotients) {
-    const OfPairs pairs{tuples};
-    return line == nullptr ? sums_from_any(rows, pairs, count, divisors, quotients)
-                           : sums_from_any(rows, OfPairsOverLine{pairs, *line}, count, divisors, quotients);
+    return line == nullptr ? sums_from_any<PairReader>(rows, count, divisors, quotients, tuples)
+                           : sums_from_any<LineReader>(rows, count, divisors, quotients, tuples, *line);
 }
 
 /// Two numbers in four words each, of which every second is 0: from the lanes 2 i and 2 i + 1 of both.

@@ -124,13 +124,14 @@ TEST_CASE("eight tuples of pairs of numbers", "[linear_factor_sums]") {
     Random random(20);
     int computed = 0;
     for (int i = 0; i < 4'000; ++i) {
-        const std::size_t n = 1 + random.below(9);
+        const bool wide = random.one_in(2);
+        const std::size_t n = 1 + random.below(wide ? 17 : 9);
         const Given given = random_rows(random, n);
         const LinearFactorSums sums(RationalVector(given.numbers), given.rows);
         const bool odd_ones = random.one_in(3);
-        // About as many bits as fit in 51 and in 63, and more.
+        // About as many bits as fit in 51, in 63 and in 102, and more.
         const std::size_t bits =
-            1 + random.below(std::clamp<std::size_t>(66 / n, 2, random.one_in(2) ? 12 : 62));
+            1 + random.below(std::clamp<std::size_t>((wide ? 105 : 66) / n, 2, random.one_in(2) ? 12 : 62));
         std::vector<Pairs> tuples;
         const Rational* addresses[8];
         for (std::size_t l = 0; l < 8; ++l)
@@ -156,6 +157,23 @@ TEST_CASE("eight tuples of pairs of numbers", "[linear_factor_sums]") {
     }
     // Where the processor has no lanes nothing is computed.
     CHECK((computed == 0 || computed > 1'200));
+}
+
+TEST_CASE("eight tuples at a time with more than 52 twos to cancel", "[linear_factor_sums]") {
+    // Vectors, so that the sum is the product of all u.
+    for (const std::size_t shift : {51U, 52U, 53U, 54U, 55U, 60U}) {
+        for (const std::int64_t odd : {0, 1, -3}) {
+            const Integer even = Integer(odd) << shift;
+            Pairs pairs{Rational(even), 0};
+            for (int i = 0; i < 5; ++i) pairs.insert(pairs.end(), {Rational(1, 2048), 0});
+            const std::vector<Rational> numbers{0, 0, 0, 0, 0, 0, 5};
+            std::vector<Rational> values(8);
+            const Rational* addresses[8];
+            std::ranges::fill(addresses, pairs.data());
+            if (LinearFactorSums(RationalVector(numbers), 1).evaluate_eight(addresses, values))
+                CHECK(values == std::vector<Rational>(8, Rational(5 * even, Integer(1) << 55)));
+        }
+    }
 }
 
 TEST_CASE("over lines eight tuples at a time have numbers of 32 bits", "[linear_factor_sums]") {
