@@ -84,14 +84,15 @@ inline std::size_t words_held(const Number& value) {
     return static_cast<std::size_t>(value.backend().data()->_mp_alloc);
 }
 
-/// Sets `value` to the number whose binary digits are `words`, least significant first.
-inline void set_words(Number& value, std::span<const std::uint64_t> words) {
+/// Sets `value` to the number with this sign whose binary digits are `words`, least significant first, of
+/// which the last is not 0.
+inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
     static_assert(GMP_NUMB_BITS == 64 && sizeof(long) == sizeof(std::int64_t));
     const auto size = static_cast<mp_size_t>(words.size());
     const mpz_ptr data = value.backend().data();
     mp_limb_t* const limbs = data->_mp_alloc < size ? mpz_limbs_write(data, size) : data->_mp_d;
     for (mp_size_t i = 0; i < size; ++i) limbs[i] = words[static_cast<std::size_t>(i)];
-    mpz_limbs_finish(data, size);
+    data->_mp_size = static_cast<int>(negative ? -size : size);
 }
 
 /// Sets `value` to the number whose two's complement is `words`.
@@ -153,13 +154,14 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
 
 inline std::size_t words_held(const Number& value) { return value.backend().size(); }
 
-inline void set_words(Number& value, std::span<const std::uint64_t> words) {
+inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
     value = 0;
     boost::multiprecision::import_bits(value, words.begin(), words.end(), 64, false);
+    if (negative) negate(value);
 }
 
 inline void set_twos_complement(Number& value, std::span<const std::uint64_t> words) {
-    set_words(value, words);
+    set_words(value, words, false);
     if (words.back() >> 63 != 0) value -= Number(1) << (64 * words.size());
 }
 

@@ -165,11 +165,15 @@ std::size_t width(std::uint64_t word) {
     return word == 0 ? 0 : 64 - static_cast<std::size_t>(__builtin_clzll(word));
 }
 
+/// The fewest factors of a block.
+constexpr std::size_t least_degree = 2;
+static_assert(least_factors > 4 * (least_degree - 1));
+
 /// Whether products of so many factors are below 2^51, if each is below 2^bits.
 constexpr bool is_enough(std::size_t factors, std::size_t bits) { return factors * bits < number_bits; }
 
-/// What comes of an attempt at blocks of some number.
-enum class Outcome { done, too_large, no_words };
+/// What comes of an attempt at so many blocks: more of them may do where these are too large.
+enum class Outcome { done, too_large, never };
 
 /// Degree factors a block, of which the last ones may be missing.
 template <std::size_t Blocks, std::size_t Degree, class Source>
@@ -202,9 +206,10 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
         }
         coefficients[0] = product_of(coefficients[0], factors.constants);
     }
-    if (!source.is_valid()) return Outcome::no_words;
+    if (!source.is_valid()) return Outcome::never;
     const std::uint64_t every_denominator = united<Blocks>(all_denominators);
-    if (!is_enough(Degree, width(united<Blocks>(all_sizes) | every_denominator))) return Outcome::too_large;
+    const std::size_t bits = width(united<Blocks>(all_sizes) | every_denominator);
+    if (!is_enough(Degree, bits)) return is_enough(least_degree, bits) ? Outcome::too_large : Outcome::never;
 #pragma GCC unroll 8
     for (std::size_t k = 0; k <= most_degree; ++k) {
         coefficients[k] = k <= Degree ? extended(coefficients[k]) : zero;
@@ -220,9 +225,6 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
     product.primes = every_denominator <= primes.greatest_known ? set : ~std::uint32_t{0};
     return Outcome::done;
 }
-
-constexpr std::size_t least_degree = 2;
-static_assert(least_factors > 4 * (least_degree - 1));
 
 template <class Source, std::size_t Blocks>
 Outcome multiply_any(const std::uint64_t* words, std::size_t count, const Primes& primes, Product& product) {

@@ -342,9 +342,7 @@ void IntegerAccess::set_magnitude(Integer& value, std::span<const std::uint64_t>
     }
     if (!value.large_) value.large_ = take_large();
     value.small_ = 0;
-    Number& number = value.large_->value;
-    backend::set_words(number, words.first(used));
-    if (negative) backend::negate(number);
+    backend::set_words(value.large_->value, words.first(used), negative);
     // The least value of 64 bits is a word.
     if (used == 1) value.settle();
 }

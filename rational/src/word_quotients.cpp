@@ -46,6 +46,13 @@ struct Words {
         }
         return carry;
     }
+    /// Whether the prime divides the number, which it then is divided by.
+    bool divide_by(const small_primes::Prime& prime) const {
+        if (divide_from_below(prime.prime, prime.inverse, [](auto, auto) {}) != 0) return false;
+        divide_from_below(prime.prime, prime.inverse,
+                          [&](std::size_t i, std::uint64_t digit) { words[i] = digit; });
+        return true;
+    }
 };
 
 /// Neighbouring primes whose product is a word.
@@ -134,70 +141,44 @@ constexpr auto wide_inverses = [] {
     return result;
 }();
 
-/// A number >= 0 of two words, to be divided by small primes.
-class PairTop {
-public:
-    explicit PairTop(const Words& words)
-        : low_(words.words[0]), high_(words.size == 1 ? 0 : words.words[1]) {}
+int trailing_zeros(Wide value) {
+    const auto low = static_cast<std::uint64_t>(value);
+    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
+}
 
-    void shift_right(std::size_t bits) { set(value() >> bits); }
-    /// Whether the prime with this number divides it, which it then is divided by.
-    bool divide(std::size_t i) {
-        const WideInverse& prime = wide_inverses[i];
-        const Wide quotient = value() * prime.inverse;
-        if (quotient > prime.most) return false;
-        set(quotient);
-        return true;
+/// For a numerator > 0 and a denominator of two words each, by dividing what is common out of both.
+void set_reduced_pair(Rational& value, const Words& numerator, bool negative,
+                      const DenominatorWords& denominator) {
+    small_primes::Set common = divisors(numerator, denominator.primes());
+    const std::span<const std::uint64_t> factors = denominator.words();
+    Wide top = numerator.size == 1 ? 0 : Wide{numerator.words[1]} << 64;
+    top |= numerator.words[0];
+    Wide bottom = factors.size() == 1 ? Wide{factors[0]} : Wide{factors[0]} * factors[1];
+    const int twos = std::min(trailing_zeros(top), trailing_zeros(bottom));
+    top >>= twos;
+    bottom >>= twos;
+    for (; common != 0; common &= common - 1) {
+        const WideInverse& prime = wide_inverses[static_cast<std::size_t>(std::countr_zero(common))];
+        for (;;) {
+            const Wide less = bottom * prime.inverse;
+            const Wide quotient = top * prime.inverse;
+            if (less > prime.most || quotient > prime.most) break;
+            bottom = less;
+            top = quotient;
+        }
     }
-    std::size_t write(std::uint64_t* words) const {
-        words[0] = low_;
-        words[1] = high_;
-        return 2;
-    }
+    const auto words_of = [](Wide number) {
+        return std::array{static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(number >> 64)};
+    };
+    RationalAccess::set_lowest_terms(value, words_of(top), negative, words_of(bottom));
+}
 
-private:
-    Wide value() const { return Wide{high_} << 64 | low_; }
-    void set(Wide value) {
-        low_ = static_cast<std::uint64_t>(value);
-        high_ = static_cast<std::uint64_t>(value >> 64);
-    }
-
-    // Not one number of 128 bits, which would be moved through memory.
-    std::uint64_t low_;
-    std::uint64_t high_;
-};
-
-/// The same of any number of words.
-class WordsTop {
-public:
-    explicit WordsTop(const Words& words) : number_(words) {}
-
-    void shift_right(std::size_t bits) { limbs::shift_right(number_.words, number_.size, bits); }
-    bool divide(std::size_t i) {
-        const small_primes::Prime& prime = small_primes::table.primes[i];
-        std::uint64_t quotient[most_words];
-        const std::uint64_t rest = number_.divide_from_below(
-            prime.prime, prime.inverse, [&](std::size_t k, std::uint64_t digit) { quotient[k] = digit; });
-        if (rest != 0) return false;
-        std::copy_n(quotient, number_.size, number_.words);
-        return true;
-    }
-    std::size_t write(std::uint64_t* words) const {
-        std::copy_n(number_.words, number_.size, words);
-        return number_.size;
-    }
-
-private:
-    Words number_;
-};
-
-/// For a numerator > 0, by dividing what is common out of it and the factors one by one.
-template <class Top>
-void set_reduced_by_primes(Rational& value, const Words& numerator, bool negative,
+/// The same of any number of words, the denominator factor by factor.
+void set_reduced_by_primes(Rational& value, const Words& top, bool negative,
                            const DenominatorWords& denominator) {
     std::uint64_t left[most_words];
     const std::span<std::uint64_t> factors = std::span(left).first(denominator.words().size());
-    const std::size_t twos = limbs::trailing_zeros(numerator.words);
+    const std::size_t twos = limbs::trailing_zeros(top.words);
     std::size_t shared_twos = 0;
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const std::uint64_t factor = denominator.words()[i];
@@ -206,24 +187,17 @@ void set_reduced_by_primes(Rational& value, const Words& numerator, bool negativ
         factors[i] = factor >> shift;
         shared_twos += shift;
     }
-    small_primes::Set common = divisors(numerator, denominator.primes());
-    Top top(numerator);
-    if (shared_twos != 0) top.shift_right(shared_twos);
-    for (; common != 0; common &= common - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(common));
-        const small_primes::Prime& prime = small_primes::table.primes[i];
-        bool divides = true;
+    if (shared_twos != 0) limbs::shift_right(top.words, top.size, shared_twos);
+    small_primes::for_each(divisors(top, denominator.primes()), [&](const small_primes::Prime& prime) {
         for (std::uint64_t& factor : factors) {
-            while (divides && prime.divides(factor)) {
-                divides = top.divide(i);
-                if (divides) factor *= prime.inverse;
+            while (prime.divides(factor)) {
+                if (!top.divide_by(prime)) return;
+                factor *= prime.inverse;
             }
         }
-    }
-    const std::size_t size = top.write(numerator.words);
+    });
     std::uint64_t words[most_words];
-    RationalAccess::set_lowest_terms(value, {numerator.words, size}, negative,
-                                     product(factors, words).span());
+    RationalAccess::set_lowest_terms(value, top.span(), negative, product(factors, words).span());
 }
 
 /// The same in general; false, and nothing is done, if what is common to both is longer than a word.
@@ -267,8 +241,8 @@ void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negat
     } else if (factors.empty()) {
         value = IntegerAccess::from_magnitude(top.span(), negative);
     } else if (denominator.primes() != small_primes::any_primes) {
-        const auto set = top.size <= 2 ? set_reduced_by_primes<PairTop> : set_reduced_by_primes<WordsTop>;
-        set(value, top, negative, denominator);
+        const bool is_pair = top.size <= 2 && factors.size() <= 2;
+        (is_pair ? set_reduced_pair : set_reduced_by_primes)(value, top, negative, denominator);
     } else if (!set_reduced_in_place(value, top, negative, factors)) {
         value = reduced_quotient(top.span(), negative, factors, further);
     }
