@@ -32,6 +32,7 @@ struct Rows {
 template <std::size_t Digits>
 class Sums {
 public:
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): set one by one
     [[gnu::always_inline]] Sums() {
 #pragma GCC unroll 16
         for (std::size_t d = 0; d < Digits; ++d) low_[d] = high_[d] = _mm512_setzero_si512();

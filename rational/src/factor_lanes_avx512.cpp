@@ -46,7 +46,7 @@ struct OfPairs {
     static constexpr std::size_t words = 8;
     static constexpr std::size_t denominator = 2;  ///< its place among them
 
-    const std::uint64_t* pairs;
+    const std::uint64_t* pairs = nullptr;
     __m512i all = _mm512_setzero_si512();  ///< the bits of all words that were read
 
     const std::uint64_t* at(std::size_t i) const { return pairs + words * i; }

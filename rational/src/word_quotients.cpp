@@ -234,16 +234,15 @@ void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negat
                  const DenominatorWords& denominator, std::span<const Integer> further) {
     const std::span<const std::uint64_t> factors = denominator.words();
     const Words top{numerator.data(), limbs::used(numerator.data(), numerator.size())};
+    const bool is_short = further.empty();
     if (top.size == 0) {
         value = 0;
-    } else if (!further.empty()) {
-        value = reduced_quotient(top.span(), negative, factors, further);
-    } else if (factors.empty()) {
+    } else if (is_short && factors.empty()) {
         value = IntegerAccess::from_magnitude(top.span(), negative);
-    } else if (denominator.primes() != small_primes::any_primes) {
+    } else if (is_short && denominator.primes() != small_primes::any_primes) {
         const bool is_pair = top.size <= 2 && factors.size() <= 2;
         (is_pair ? set_reduced_pair : set_reduced_by_primes)(value, top, negative, denominator);
-    } else if (!set_reduced_in_place(value, top, negative, factors)) {
+    } else if (!is_short || !set_reduced_in_place(value, top, negative, factors)) {
         value = reduced_quotient(top.span(), negative, factors, further);
     }
 }
