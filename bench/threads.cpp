@@ -22,12 +22,12 @@ std::string text_of(std::span<const Rational> values) {
     return text;
 }
 
-/// `values(jobs)` with two jobs and with one.
-template <class Values>
-void compare_threads(const Report& report, const char* work, const Values& values) {
-    std::vector<Rational> results[2];
+/// `run(jobs, results)` with two jobs and with one, `count` results, in memory that is taken before.
+template <class Run>
+void compare_threads(const Report& report, const char* work, std::size_t count, const Run& run) {
+    std::vector<Rational> results[] = {std::vector<Rational>(count), std::vector<Rational>(count)};
     const auto side = [&](const char* name, std::size_t jobs) {
-        return Side{name, [&results, &values, jobs] { results[jobs - 1] = values(jobs); },
+        return Side{name, [&results, &run, jobs] { run(jobs, results[jobs - 1]); },
                     [&results, jobs] { return text_of(results[jobs - 1]); }};
     };
     report.compare("threads", work, degree, bits, {side("engine", 2), side("one thread", 1)},
@@ -55,24 +55,25 @@ void measure_threads(const Report& report) {
     const std::size_t count = report.quick() ? 100 : 20000;
     const Case given = make_case(degree, bits);
     if (report.wants("bare multiplications", degree, bits)) {
-        compare_threads(report, "bare multiplications", [&](std::size_t jobs) {
+        compare_threads(report, "bare multiplications", 0, [&](std::size_t jobs, std::span<Rational>) {
             constexpr std::size_t steps_a_value = 200;
             share_multiplications(count * steps_a_value, jobs);
-            return std::vector<Rational>();
         });
     }
     if (report.wants("blossom batch", degree, bits)) {
         const Blossom blossom(curve_of(given));
         const std::vector<std::vector<Argument>> tuples(count, arguments_of(given));
-        compare_threads(report, "blossom batch",
-                        [&](std::size_t jobs) { return blossom.values(tuples, jobs); });
+        compare_threads(report, "blossom batch", count, [&](std::size_t jobs, std::span<Rational> results) {
+            blossom.values(tuples, results, jobs);
+        });
     }
     if (report.wants("evaluation batch", degree, bits)) {
         const CurveValues curve(curve_of(given));
         std::mt19937_64 random(degree);
         std::vector<Rational> parameters;
         for (std::size_t i = 0; i < count; ++i) parameters.push_back(number(random, bits));
-        compare_threads(report, "evaluation batch",
-                        [&](std::size_t jobs) { return curve.at(parameters, jobs); });
+        compare_threads(
+            report, "evaluation batch", count,
+            [&](std::size_t jobs, std::span<Rational> results) { curve.at(parameters, results, jobs); });
     }
 }

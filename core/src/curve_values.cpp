@@ -11,6 +11,7 @@
 
 #include "on_threads.hpp"
 #include "progressive_frame.hpp"
+#include "result_room.hpp"
 
 namespace blossom {
 
@@ -52,16 +53,15 @@ private:
 
 namespace {
 
-/// `evaluate(t, values)` for every parameter.
+/// `evaluate(t, results)` for every parameter.
 template <class Evaluate>
-std::vector<Rational> values_at(std::span<const Rational> parameters, std::size_t dimension, std::size_t jobs,
-                                const Evaluate& evaluate) {
-    std::vector<Rational> values(parameters.size() * dimension);
+void set_values(std::span<const Rational> parameters, std::size_t dimension, std::span<Rational> results,
+                std::size_t jobs, const Evaluate& evaluate) {
+    require_room(parameters.size(), "parameters", dimension, results.size());
     on_threads(parameters.size(), jobs, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            evaluate(parameters[i], std::span(values).subspan(i * dimension, dimension));
+            evaluate(parameters[i], results.subspan(i * dimension, dimension));
     });
-    return values;
 }
 
 Integer floor_of(const Rational& value) {
@@ -87,8 +87,15 @@ Coordinates CurveValues::operator()(const Parameter& t) const {
 }
 
 std::vector<Rational> CurveValues::at(std::span<const Rational> parameters, std::size_t jobs) const {
-    return values_at(parameters, dimension(), jobs,
-                     [&](const Rational& t, std::span<Rational> value) { forms_->evaluate(t, value); });
+    std::vector<Rational> results(parameters.size() * dimension());
+    at(parameters, results, jobs);
+    return results;
+}
+
+void CurveValues::at(std::span<const Rational> parameters, std::span<Rational> results,
+                     std::size_t jobs) const {
+    set_values(parameters, dimension(), results, jobs,
+               [&](const Rational& t, std::span<Rational> result) { forms_->evaluate(t, result); });
 }
 
 /// What all copies share: the curve and its segments, each prepared once.
@@ -214,8 +221,15 @@ Coordinates SplineValues::operator()(const Parameter& t) const {
 }
 
 std::vector<Rational> SplineValues::at(std::span<const Rational> parameters, std::size_t jobs) const {
-    return values_at(parameters, dimension(), jobs,
-                     [&](const Rational& t, std::span<Rational> value) { segments_->evaluate(t, value); });
+    std::vector<Rational> results(parameters.size() * dimension());
+    at(parameters, results, jobs);
+    return results;
+}
+
+void SplineValues::at(std::span<const Rational> parameters, std::span<Rational> results,
+                      std::size_t jobs) const {
+    set_values(parameters, dimension(), results, jobs,
+               [&](const Rational& t, std::span<Rational> result) { segments_->evaluate(t, result); });
 }
 
 }  // namespace blossom

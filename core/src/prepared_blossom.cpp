@@ -10,6 +10,7 @@
 #include "binomial_weights.hpp"
 #include "blossom_bits.hpp"
 #include "on_threads.hpp"
+#include "result_room.hpp"
 #include "run_construction.hpp"
 #include "word_factors.hpp"
 
@@ -26,14 +27,6 @@ LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
     RationalVector numbers = coefficients.numbers().weighted(weights->numerators, weights->denominator);
     if (use == LinearFactorSums::Use::many) numbers.make_canonical();
     return {std::move(numbers), coefficients.dimension(), use};
-}
-
-[[noreturn]] void throw_wrong_room(std::size_t tuples, std::size_t dimension, std::size_t results) {
-    throw Error(ErrorCode::mismatched_dimensions,
-                "the values at " + std::to_string(tuples) + " tuples of arguments are " +
-                    std::to_string(tuples * dimension) + " numbers, and there are places for " +
-                    std::to_string(results),
-                "/results");
 }
 
 /// The most factors for which there is room on the stack.
@@ -156,8 +149,7 @@ std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tup
 
 void Blossom::values(std::span<const std::vector<Argument>> tuples, std::span<Rational> results,
                      std::size_t jobs) const {
-    if (results.size() != tuples.size() * dimension_)
-        throw_wrong_room(tuples.size(), dimension_, results.size());
+    require_room(tuples.size(), "tuples of arguments", dimension_, results.size());
     for (const auto& arguments : tuples) require_arity(degree_, arguments.size());
     on_threads(tuples.size(), jobs, [&](std::size_t begin, std::size_t end) {
         const auto results_of = [&](std::size_t i, std::size_t count) {

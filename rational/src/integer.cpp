@@ -23,7 +23,7 @@ struct Spares {
     std::size_t words;  ///< that all of them hold
 };
 /// What one of them may hold, and all of a thread.
-constexpr std::size_t most_words_of_spare = 64;
+constexpr std::size_t most_words_of_spare = 16;
 constexpr std::size_t most_words_of_spares = std::size_t{1} << 13;
 thread_local Spares spares{};
 thread_local bool spares_are_closed = false;  ///< when the thread ends

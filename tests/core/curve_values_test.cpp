@@ -22,6 +22,13 @@ void check(Random& random, const Values& values, std::span<const Rational> param
            const Expected& expected) {
     const std::vector<Rational> batch = values.at(parameters, 1 + random.below(3));
     REQUIRE(batch.size() == parameters.size() * values.dimension());
+    // Into memory that holds numbers of any size.
+    std::vector<Rational> results(batch.size());
+    for (Rational& result : results) result = number(random, any_size(random));
+    values.at(parameters, results, 1 + random.below(3));
+    CHECK(results == batch);
+    results.emplace_back();
+    CHECK(failure_code([&] { values.at(parameters, results); }) == ErrorCode::mismatched_dimensions);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
         CAPTURE(i, parameters[i]);
         const Coordinates value = expected(parameters[i]);

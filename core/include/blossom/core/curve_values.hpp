@@ -26,6 +26,10 @@ public:
     Coordinates operator()(const Parameter& t) const;
     /// The values at all parameters, dimension() coordinates each, one after the other, on `jobs` threads.
     std::vector<Rational> at(std::span<const Rational> parameters, std::size_t jobs = 1) const;
+    /// The same into memory of the caller, whose large numbers are reused. `results` holds none of the
+    /// parameters, and is unspecified after an error of a value. Errors as well: `mismatched_dimensions`
+    /// unless there are parameters.size() * dimension() results.
+    void at(std::span<const Rational> parameters, std::span<Rational> results, std::size_t jobs = 1) const;
 
 private:
     friend class SplineValues;
@@ -46,6 +50,10 @@ public:
     Coordinates operator()(const Parameter& t) const;
     /// The values at all parameters, dimension() coordinates each, one after the other, on `jobs` threads.
     std::vector<Rational> at(std::span<const Rational> parameters, std::size_t jobs = 1) const;
+    /// The same into memory of the caller, whose large numbers are reused. `results` holds none of the
+    /// parameters, and is unspecified after an error of a value. Errors as well: `mismatched_dimensions`
+    /// unless there are parameters.size() * dimension() results.
+    void at(std::span<const Rational> parameters, std::span<Rational> results, std::size_t jobs = 1) const;
 
 private:
     class Segments;
