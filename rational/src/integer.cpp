@@ -23,7 +23,7 @@ struct Spares {
     std::size_t words;  ///< that all of them hold
 };
 /// What one of them may hold, and all of a thread.
-constexpr std::size_t most_words_of_spare = 16;
+constexpr std::size_t most_words_of_spare = 32;
 constexpr std::size_t most_words_of_spares = std::size_t{1} << 13;
 thread_local Spares spares{};
 thread_local bool spares_are_closed = false;  ///< when the thread ends
@@ -53,8 +53,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_words = 64 * most_words_of_spares;
-    static constexpr std::size_t most_lists = 256;
+    static constexpr std::size_t most_words = 32 * most_words_of_spares;
+    static constexpr std::size_t most_lists = 128;
 
     std::mutex mutex_;
     std::size_t size_ = 0;
