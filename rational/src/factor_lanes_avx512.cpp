@@ -4,10 +4,15 @@
 #include <immintrin.h>
 
 #include "factor_lanes.hpp"
+#include "lane_factors.hpp"
 
 namespace blossom::factor_lanes {
 
 namespace {
+
+using lane_factors::Factor;
+using lane_factors::size_of;
+using lane_factors::united;
 
 constexpr std::size_t number_bits = 52;
 
@@ -18,32 +23,9 @@ __m512i extended(__m512i number) {
     return _mm512_srai_epi64(_mm512_slli_epi64(number, 64 - number_bits), 64 - number_bits);
 }
 
-/// The next factor of each block. Lanes beyond the blocks hold anything.
-struct Factors {
-    __m512i constants;
-    __m512i slopes;
-    __m512i denominators;
-};
-
-constexpr int lower = 0x44;        // the first and second 128 bits of both operands
-constexpr int third = 0xaa;        // the third ones
-constexpr int odd_places = 0x88;   // the first and third ones
-constexpr int even_places = 0xdd;  // the second and fourth ones
-
-/// From the lanes of slopes, denominators and masses.
-Factors factors_of(__m512i slopes, __m512i denominators, __m512i masses) {
-    const __m512i all_or_nothing = _mm512_sub_epi64(_mm512_setzero_si512(), masses);
-    return {_mm512_and_si512(denominators, all_or_nothing), slopes, denominators};
-}
-
-/// The magnitudes of both coefficients together.
-__m512i size_of(const Factors& factors) {
-    return _mm512_add_epi64(_mm512_abs_epi64(factors.constants), _mm512_abs_epi64(factors.slopes));
-}
-
 /// Pairs of numbers u and m for the factors m + u X.
 struct OfPairs {
-    static constexpr std::size_t words = 8;
+    static constexpr std::size_t words = lane_factors::pair_words;
     static constexpr std::size_t denominator = 2;  ///< its place among them
 
     const std::uint64_t* pairs = nullptr;
@@ -51,44 +33,27 @@ struct OfPairs {
 
     const std::uint64_t* at(std::size_t i) const { return pairs + words * i; }
 
-    /// The factors from `first` on; those from `count` on are 1 if some may be missing.
+    /// The factors from `first` on, one of each block; those from `count` on are 1 if some may be missing.
     template <std::size_t Blocks, bool Complete>
-    [[gnu::always_inline]] Factors read(std::size_t first, std::size_t count) {
+    [[gnu::always_inline]] Factor read(std::size_t first, std::size_t count) {
         // u = 0 and m = 1.
         alignas(64) static constexpr std::uint64_t one[words] = {0, 0, 1, 0, 1, 0, 1, 0};
-        // The even words of two pairs: numerators and denominators of u, then of m, each 128 bits.
-        __m512i twos[Blocks / 2];
+        __m512i next[Blocks];
+#pragma GCC unroll 8
+        for (std::size_t b = 0; b < Blocks; ++b)
+            next[b] = _mm512_loadu_si512(Complete || first + b < count ? at(first + b) : one);
 #pragma GCC unroll 4
-        for (std::size_t i = 0; i < Blocks / 2; ++i) {
-            const auto pair = [&](std::size_t b) {
-                return _mm512_loadu_si512(Complete || first + b < count ? at(first + b) : one);
-            };
-            const __m512i left = pair(2 * i);
-            const __m512i right = pair(2 * i + 1);
+        for (std::size_t b = 0; b < Blocks; b += 2) {
             constexpr int any_of_three = 0xfe;
-            all = _mm512_ternarylogic_epi64(all, left, right, any_of_three);
-            twos[i] = _mm512_unpacklo_epi64(left, right);
+            all = _mm512_ternarylogic_epi64(all, next[b], next[b + 1], any_of_three);
         }
-        if constexpr (Blocks == 2) {
-            return factors_of(twos[0], _mm512_shuffle_i64x2(twos[0], twos[0], 1),
-                              _mm512_shuffle_i64x2(twos[0], twos[0], 2));
-        } else {
-            constexpr std::size_t last = Blocks / 2 - 2;
-            const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
-            const __m512i back = _mm512_shuffle_i64x2(twos[last], twos[last + 1], lower);
-            const __m512i masses =
-                _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
-                                     _mm512_shuffle_i64x2(twos[last], twos[last + 1], third), odd_places);
-            return factors_of(_mm512_shuffle_i64x2(front, back, odd_places),
-                              _mm512_shuffle_i64x2(front, back, even_places), masses);
-        }
+        return lane_factors::factor_of<Blocks>(next);
     }
 
     /// Whether every u that was read is a quotient of words and every m is 0 or 1.
     bool is_valid() const {
-        // The bits that are 0 then, but for the denominator of m, which then is 1.
-        const __m512i surplus = _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0);
-        return _mm512_test_epi64_mask(all, surplus) == 0;
+        const __m512i surplus = lane_factors::surplus(all);
+        return _mm512_test_epi64_mask(surplus, surplus) == 0;
     }
 };
 
@@ -102,7 +67,7 @@ struct OfWords {
     const std::uint64_t* at(std::size_t i) const { return factors + words * i; }
 
     template <std::size_t Blocks, bool Complete>
-    [[gnu::always_inline]] Factors read(std::size_t first, std::size_t count) const {
+    [[gnu::always_inline]] Factor read(std::size_t first, std::size_t count) const {
         const std::size_t used = Complete || first + Blocks <= count ? Blocks : count - first;
         constexpr std::size_t vectors = (words * Blocks + lanes - 1) / lanes;
         __m512i loaded[3];
@@ -140,15 +105,6 @@ private:
     }
 };
 
-/// All bits of the first lanes.
-template <std::size_t Lanes>
-std::uint64_t united(__m512i words) {
-    if constexpr (Lanes > 4) words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0x4e));
-    if constexpr (Lanes > 2) words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0xb1));
-    words = _mm512_or_si512(words, _mm512_unpackhi_epi64(words, words));
-    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti32x4_epi32(words, 0)));
-}
-
 /// One lane of eight vectors.
 template <std::size_t Lane>
 __m512i lane_of_all(const __m512i* vectors) {
@@ -157,6 +113,7 @@ __m512i lane_of_all(const __m512i* vectors) {
 #pragma GCC unroll 4
     for (std::size_t i = 0; i < 4; ++i) twos[i] = _mm512_unpackhi_epi64(vectors[2 * i], vectors[2 * i + 1]);
     constexpr int everywhere = Lane / 2 * 0x55;
+    constexpr int odd_places = 0x88;  // the first and third 128 bits of both operands
     return _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], everywhere),
                                 _mm512_shuffle_i64x2(twos[2], twos[3], everywhere), odd_places);
 }
@@ -181,11 +138,11 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
                         Product& product) {
     Source source{words};
     const __m512i zero = _mm512_setzero_si512();
-    Factors factors = source.template read<Blocks, true>(0, count);
+    Factor factors = source.template read<Blocks, true>(0, count);
     __m512i coefficients[most_degree + 1];
-    coefficients[0] = factors.constants;
-    coefficients[1] = factors.slopes;
-    __m512i denominators = factors.denominators;
+    coefficients[0] = factors.constant;
+    coefficients[1] = factors.slope;
+    __m512i denominators = factors.denominator;
     __m512i all_denominators = denominators;
     __m512i bounds = size_of(factors);
     __m512i all_sizes = bounds;
@@ -193,18 +150,18 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
     for (std::size_t i = 1; i < Degree; ++i) {
         factors = i + 1 < Degree ? source.template read<Blocks, true>(i * Blocks, count)
                                  : source.template read<Blocks, false>(i * Blocks, count);
-        denominators = product_of(denominators, factors.denominators);
-        all_denominators = _mm512_or_si512(all_denominators, factors.denominators);
+        denominators = product_of(denominators, factors.denominator);
+        all_denominators = _mm512_or_si512(all_denominators, factors.denominator);
         const __m512i sizes = size_of(factors);
         bounds = product_of(bounds, sizes);
         all_sizes = _mm512_or_si512(all_sizes, sizes);
-        coefficients[i + 1] = product_of(coefficients[i], factors.slopes);
+        coefficients[i + 1] = product_of(coefficients[i], factors.slope);
 #pragma GCC unroll 8
         for (std::size_t k = i; k > 0; --k) {
-            coefficients[k] = add_product(product_of(coefficients[k - 1], factors.slopes), coefficients[k],
-                                          factors.constants);
+            coefficients[k] = add_product(product_of(coefficients[k - 1], factors.slope), coefficients[k],
+                                          factors.constant);
         }
-        coefficients[0] = product_of(coefficients[0], factors.constants);
+        coefficients[0] = product_of(coefficients[0], factors.constant);
     }
     if (!source.is_valid()) return Outcome::never;
     const std::uint64_t every_denominator = united<Blocks>(all_denominators);

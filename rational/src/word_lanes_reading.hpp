@@ -5,20 +5,18 @@
 // NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
 #include <immintrin.h>
 
+#include "lane_factors.hpp"
 #include "word_lanes.hpp"
 
 namespace blossom::word_lanes {
 
 namespace {
 
-inline __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
+using lane_factors::Factor;
+using lane_factors::size_of;
+using lane_factors::united;
 
-/// A factor of each of eight tuples, one tuple a lane.
-struct Factor {
-    __m512i constant;
-    __m512i slope;
-    __m512i denominator;
-};
+inline __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
 
 /// Reads factors m + u X.
 class PairReader {
@@ -30,31 +28,15 @@ public:
         __m512i pairs[lanes];
 #pragma GCC unroll 8
         for (std::size_t l = 0; l < lanes; ++l) {
-            pairs[l] = _mm512_loadu_si512(static_cast<const char*>(tuples_[l]) + 64 * i);
+            pairs[l] = _mm512_loadu_si512(static_cast<const std::uint64_t*>(tuples_[l]) +
+                                          lane_factors::pair_words * i);
             all_ = _mm512_or_si512(all_, pairs[l]);
         }
-        // The even words of two pairs: numerators and denominators of u, then of m.
-        __m512i twos[4];
-#pragma GCC unroll 4
-        for (std::size_t l = 0; l < 4; ++l) twos[l] = _mm512_unpacklo_epi64(pairs[2 * l], pairs[2 * l + 1]);
-        constexpr int lower = 0x44;   // the first and second 128 bits of both operands
-        constexpr int third = 0xaa;   // the third ones
-        constexpr int first = 0x88;   // the first and third ones
-        constexpr int second = 0xdd;  // the second and fourth ones
-        const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
-        const __m512i back = _mm512_shuffle_i64x2(twos[2], twos[3], lower);
-        const __m512i masses = _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
-                                                    _mm512_shuffle_i64x2(twos[2], twos[3], third), first);
-        const __m512i denominator = _mm512_shuffle_i64x2(front, back, second);
-        return {_mm512_and_si512(denominator, _mm512_sub_epi64(_mm512_setzero_si512(), masses)),
-                _mm512_shuffle_i64x2(front, back, first), denominator};
+        return lane_factors::factor_of<lanes>(pairs);
     }
 
     /// Bits, all of which are 0 if every u that was read is a quotient of words and every m is 0 or 1.
-    __m512i beyond() const {
-        // All but the lowest bits of the numerator and the denominator of m.
-        return _mm512_and_si512(all_, _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0));
-    }
+    __m512i beyond() const { return lane_factors::surplus(all_); }
 
 private:
     const void* const* tuples_;
@@ -95,23 +77,10 @@ private:
     __m512i all_ = _mm512_setzero_si512();
 };
 
-/// |constant| + |slope|
-inline __m512i size_of(const Factor& factor) {
-    return _mm512_add_epi64(_mm512_abs_epi64(factor.constant), _mm512_abs_epi64(factor.slope));
-}
-
 /// The numbers of zeros behind the lowest bit set.
 inline __m512i trailing_zeros(__m512i words) {
     const __m512i lowest = _mm512_and_si512(words, _mm512_sub_epi64(_mm512_setzero_si512(), words));
     return _mm512_sub_epi64(broadcast(63), _mm512_lzcnt_epi64(lowest));
-}
-
-/// All lanes together.
-inline std::uint64_t united(__m512i words) {
-    words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0x4e));
-    words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0xb1));
-    words = _mm512_or_si512(words, _mm512_unpackhi_epi64(words, words));
-    return static_cast<std::uint64_t>(_mm_cvtsi128_si64(_mm512_extracti64x2_epi64(words, 0)));
 }
 
 /// The prime divisors of denominators up to the greatest known.
