@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "functions.hpp"
+#include "language/functions.hpp"
 #include "grounder.hpp"
 
 namespace blossom::proofs {

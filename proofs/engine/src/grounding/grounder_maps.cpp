@@ -6,7 +6,7 @@
 
 #include <blossom/proofs/expansion.hpp>
 
-#include "functions.hpp"
+#include "language/functions.hpp"
 #include "grounder.hpp"
 
 /// Declarations of maps and their applications.
