@@ -16,8 +16,8 @@ std::vector<std::size_t> exponents_of(const SparsePolynomial& polynomial, std::s
 }
 
 /// The coefficients of a polynomial by monomials in the `variables`, which are universal.
-std::vector<SparsePolynomial> coefficients_in(const SparsePolynomial& polynomial,
-                                              const std::vector<std::size_t>& variables) {
+std::vector<SparsePolynomial> coefficients_by_monomials(const SparsePolynomial& polynomial,
+                                                        const std::vector<std::size_t>& variables) {
     std::map<std::vector<std::size_t>, std::vector<SparsePolynomial>> terms;
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         std::vector<std::size_t> exponents = exponents_of(polynomial, i);
@@ -61,7 +61,7 @@ void Elimination::solve() {
     for (const Relation& hypothesis : block_.hypotheses) {
         const Fraction difference =
             expander_.field().difference(expander_(hypothesis.left), expander_(hypothesis.right));
-        for (SparsePolynomial& equation : coefficients_in(difference.numerator, hypothesis.quantified)) {
+        for (SparsePolynomial& equation : coefficients_by_monomials(difference.numerator, hypothesis.quantified)) {
             bool has_coefficients = false;
             for (std::size_t i = 0; i < equation.variables(); ++i) {
                 has_coefficients =
