@@ -168,6 +168,7 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
 }
 
 constexpr std::size_t most_jobs = 256;
+constexpr std::size_t most_seconds = 1'000'000;
 
 Subcommand add_prove(CLI::App& app, const Operation& operation) {
     CLI::App* command = app.add_subcommand(std::string(operation.name), std::string(operation.summary));
@@ -192,12 +193,22 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
         add_value(*command, "--certificate", "FILE", "write a record of each proof, for check-certificate");
     const CLI::Option* coq = add_value(*command, "--coq", "FILE", "write the proved cases as lemmas of Coq");
     const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
+    const CLI::Option* timeout = add_value(*command, "--timeout", "SECONDS",
+                                           "give up a case of a claim after so long; by default never");
     const LimitOptions limits(*command);
     command->footer([&operation] { return example_text(operation); });
     const auto action = [=](const Streams& streams) {
-        return prove({results_of(*paths), results_of(*statements), results_of(*degrees), format->count() > 0,
-                      as_json->count() > 0, quiet->count() > 0, result_of(*certificate), result_of(*coq),
-                      integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs), limits.read()},
+        return prove({.paths = results_of(*paths),
+                      .statements = results_of(*statements),
+                      .degrees = results_of(*degrees),
+                      .only_format = format->count() > 0,
+                      .as_json = as_json->count() > 0,
+                      .quiet = quiet->count() > 0,
+                      .certificate = result_of(*certificate),
+                      .coq = result_of(*coq),
+                      .jobs = integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs),
+                      .seconds = integer(result_of(*timeout, "0"), "--timeout", 0, most_seconds),
+                      .limits = limits.read()},
                      streams);
     };
     return {command, action};

@@ -1,8 +1,11 @@
 #include "decisions.hpp"
 
 #include <fmt/format.h>
+#include <blossom/proofs/formatter.hpp>
 
 #include <algorithm>
+
+#include "witness_maps.hpp"
 
 namespace blossom::cli {
 
@@ -10,24 +13,16 @@ namespace {
 
 Json integer(long long value) { return Json::Number{std::to_string(value)}; }
 
-bool is_tensor(const proofs::WitnessMap& map) { return map.directions.size() > 1; }
-
-std::string degrees_text(const proofs::WitnessMap& map) {
-    std::string text;
-    for (const auto& [degree, dimension] : map.directions)
-        text += (text.empty() ? "" : ", ") + std::to_string(degree);
-    return (is_tensor(map) ? "degrees " : "degree ") + text;
+Json texts(const std::vector<std::string>& list) {
+    Json::Array result;
+    for (const std::string& text : list) result.emplace_back(text);
+    return result;
 }
 
-/// The names that the text of the map uses, in order.
-std::vector<std::string> variables_of(const proofs::WitnessMap& map) {
-    std::size_t count = 0;
-    for (const auto& [degree, dimension] : map.directions) count += dimension;
-    if (count == 1) return {"t"};
-    if (count == 2 && is_tensor(map)) return {"u", "v"};
-    std::vector<std::string> names;
-    for (std::size_t i = 1; i <= count; ++i) names.push_back("x" + std::to_string(i));
-    return names;
+Json to_json(const proofs::Parameters& parameters) {
+    Json::Object result;
+    for (const auto& [name, value] : parameters) result.emplace_back(name, integer(value));
+    return result;
 }
 
 /// As a map of the protocol.
@@ -50,63 +45,72 @@ Json to_json(const proofs::WitnessMap& map) {
 }
 
 Json to_json(const proofs::Counterexample& counterexample) {
-    Json::Object parameters;
-    for (const auto& [name, value] : counterexample.parameters) parameters.emplace_back(name, integer(value));
     Json::Object maps;
     for (const proofs::WitnessMap& map : counterexample.maps) maps.emplace_back(map.name, to_json(map));
     Json::Object variables;
     for (const auto& [name, value] : counterexample.variables) variables.emplace_back(name, value);
     Json::Array values;
     for (const proofs::WitnessValue& value : counterexample.values) values.emplace_back(value.text);
-    return Json::Object{{"parameters", std::move(parameters)}, {"maps", std::move(maps)},
-                        {"variables", std::move(variables)},   {"left", counterexample.left},
-                        {"right", counterexample.right},       {"values", std::move(values)}};
+    Json result = Json::Object{{"parameters", to_json(counterexample.parameters)},
+                               {"maps", std::move(maps)},
+                               {"variables", std::move(variables)},
+                               {"left", counterexample.left},
+                               {"right", counterexample.right},
+                               {"values", std::move(values)}};
+    if (!counterexample.roots.empty()) result["roots"] = texts(counterexample.roots);
+    return result;
+}
+
+Json conditions_json(const std::vector<proofs::Condition>& conditions) {
+    Json::Array list;
+    for (const proofs::Condition& condition : conditions) list.emplace_back(condition.text);
+    return list;
+}
+
+Json to_json(const proofs::CaseDecision& decided) {
+    Json result = Json::Object{{"parameters", to_json(decided.parameters)},
+                               {"verdict", proofs::verdict_name(decided.verdict)},
+                               {"terms", decided.terms},
+                               {"conditions", conditions_json(decided.conditions)}};
+    if (!decided.open.empty()) result["open"] = texts(decided.open);
+    if (!decided.holds_if.empty()) result["holds_if"] = texts(decided.holds_if);
+    if (decided.counterexample) result["counterexample"] = to_json(*decided.counterexample);
+    if (decided.error) result["error"] = decided.error->message();
+    return result;
+}
+
+Json ranges_json(const proofs::Block& block, const proofs::Statement& line) {
+    Json::Array ranges;
+    const auto add = [&](const proofs::Range& range) {
+        ranges.emplace_back(Json::Object{{"name", range.name},
+                                         {"first", proofs::to_text(range.first)},
+                                         {"last", proofs::to_text(range.last)}});
+    };
+    for (const proofs::Statement& statement : block.statements) {
+        if (statement.kind == proofs::StatementKind::parameter) add(statement.ranges.front());
+    }
+    for (const proofs::Range& range : line.ranges) add(range);
+    return ranges;
 }
 
 }  // namespace
 
-Json to_json(const proofs::Decision& decision) {
-    Json::Array conditions;
-    for (const std::string& condition : decision.conditions) conditions.emplace_back(condition);
-    Json result = Json::Object{{"verdict", proofs::verdict_name(decision.verdict)},
+Json to_json(const proofs::Block& block, const proofs::Decision& decision) {
+    const proofs::Statement& line = block.statements[decision.statement];
+    Json::Array cases;
+    for (const proofs::CaseDecision& decided : decision.cases) cases.emplace_back(to_json(decided));
+    Json result = Json::Object{{"verdict", proofs::verdict_name(decision.verdict())},
                                {"as_expected", decision.as_expected()},
-                               {"cases", decision.cases},
-                               {"terms", decision.terms},
-                               {"conditions", std::move(conditions)}};
-    if (decision.counterexample) result["counterexample"] = to_json(*decision.counterexample);
-    if (decision.error) result["error"] = decision.error->message();
+                               {"cases", decision.cases.size()},
+                               {"terms", decision.terms()},
+                               {"conditions", conditions_json(decision.conditions())},
+                               {"title", block.title},
+                               {"statement", proofs::to_text(line)},
+                               {"ranges", ranges_json(block, line)},
+                               {"by_case", std::move(cases)}};
+    if (const auto* found = decision.counterexample()) result["counterexample"] = to_json(*found);
+    if (const Error* error = decision.error()) result["error"] = error->message();
     return result;
-}
-
-std::string readable(const proofs::Counterexample& counterexample) {
-    std::vector<std::string> parts;
-    for (const auto& [name, value] : counterexample.parameters)
-        parts.push_back(fmt::format("{} = {}", name, value));
-    for (const proofs::WitnessMap& map : counterexample.maps) {
-        std::string variables;
-        for (const std::string& name : variables_of(map)) variables += (variables.empty() ? "" : ", ") + name;
-        parts.push_back(fmt::format("{}({}) = {} ({})", map.name, variables, map.text, degrees_text(map)));
-    }
-    for (const auto& [name, value] : counterexample.variables)
-        parts.push_back(fmt::format("{} = {}", name, to_string(value)));
-    std::string text =
-        fmt::format("    {}\n    left side {}, right side {}\n",
-                    parts.empty() ? "without any choice" : fmt::format("{}", fmt::join(parts, ", ")),
-                    to_string(counterexample.left), to_string(counterexample.right));
-    constexpr std::size_t most_values = 6;
-    std::size_t shown = 0;
-    std::size_t width = 0;
-    for (const proofs::WitnessValue& value : counterexample.values)
-        width = std::max(width, value.text.size());
-    for (const proofs::WitnessValue& value : counterexample.values) {
-        if (shown++ == most_values) {
-            text += fmt::format("    ... and {} more values\n", counterexample.values.size() - most_values);
-            break;
-        }
-        text += value.command.empty() ? fmt::format("    {}\n", value.text)
-                                      : fmt::format("    {:<{}}  $ {}\n", value.text, width, value.command);
-    }
-    return text;
 }
 
 }  // namespace blossom::cli

@@ -2,20 +2,14 @@
 
 #include <blossom/proofs/prover.hpp>
 
-#include <string>
-
 #include "json.hpp"
-#include "readable.hpp"
 
-/// Decisions of the prover, for machines and for people.
+/// Decisions of the prover for machines.
 
 namespace blossom::cli {
 
-/// {"verdict", "cases", "terms", "conditions", "counterexample"}.
-Json to_json(const proofs::Decision& decision);
-
-/// "n = 2, a(t) = t (degree 2), t = 0" and both sides, on indented lines, with commands that compute the
-/// values.
-std::string readable(const proofs::Counterexample& counterexample);
+/// {"verdict", "as_expected", "cases", "terms", "conditions", "title", "statement", "ranges", "by_case",
+/// "counterexample"?, "error"?} of one line of a block.
+Json to_json(const proofs::Block& block, const proofs::Decision& decision);
 
 }  // namespace blossom::cli

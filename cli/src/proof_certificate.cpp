@@ -1,162 +1,173 @@
 #include "proof_certificate.hpp"
 
-#include <fmt/format.h>
+#include <array>
+#include <string_view>
 
-#include <cstdint>
-#include <map>
+#include "fields.hpp"
 
 namespace blossom::cli {
 
 namespace {
 
-using proofs::GroundBlock;
-using proofs::NodeId;
-using proofs::NodeKind;
+using proofs::second::Branch;
+using proofs::second::Certificate;
+using proofs::second::NamedPolynomial;
+using proofs::second::NamedTerm;
+using proofs::second::Step;
 
-/// Nodes get new numbers, so that an entry holds only what it needs.
-using Numbers = std::map<NodeId, std::size_t>;
+constexpr std::size_t version = 2;
+constexpr std::array<std::string_view, 4> ends{"agree", "impossible", "split", "open"};
 
-Json argument_json(const proofs::NodeArgument& argument, const Numbers& numbers) {
-    Json::Array entries;
-    for (const NodeId coordinate : argument.coordinates) entries.emplace_back(numbers.at(coordinate));
-    entries.emplace_back(numbers.at(argument.mass));
-    return entries;
-}
+Json integer(long long value) { return Json::Number{std::to_string(value)}; }
 
-Json application_json(const proofs::Application& application, const Numbers& numbers) {
-    Json::Array arguments;
-    for (const auto& list : application.arguments) {
-        Json::Array direction;
-        for (const proofs::NodeArgument& argument : list)
-            direction.push_back(argument_json(argument, numbers));
-        arguments.emplace_back(std::move(direction));
-    }
-    if (application.polar) return Json::Array{"blossom", application.map, std::move(arguments)};
-    Json::Array orders;
-    for (const std::size_t order : application.orders) orders.emplace_back(order);
-    return Json::Array{"value", application.map, std::move(orders), std::move(arguments)};
-}
-
-Json node_json(const GroundBlock& block, NodeId id, const Numbers& numbers) {
-    const proofs::Node& node = block.nodes[id];
-    Json::Array result;
-    switch (node.kind) {
-        case NodeKind::constant:
-            return Json::Array{"constant", node.value};
-        case NodeKind::symbol:
-            return Json::Array{"symbol", node.index};
-        case NodeKind::application:
-            return application_json(block.applications[node.index], numbers);
-        case NodeKind::sum:
-            result.emplace_back("sum");
-            break;
-        case NodeKind::product:
-            result.emplace_back("product");
-            break;
-        case NodeKind::quotient:
-            result.emplace_back("quotient");
-            break;
-        case NodeKind::power:
-            result.emplace_back("power");
-    }
-    for (const NodeId operand : node.operands) result.emplace_back(numbers.at(operand));
-    if (node.kind == NodeKind::power) result.emplace_back(node.index);
-    return result;
-}
-
-/// [["3/2", [symbol, exponent], ...], ...]
-Json polynomial_json(const SparsePolynomial& polynomial) {
+/// [["3/2", ["t_1", 2], ...], ...]
+Json polynomial_json(const NamedPolynomial& polynomial) {
     Json::Array terms;
-    for (std::size_t i = 0; i < polynomial.size(); ++i) {
-        Json::Array term{polynomial.coefficient(i)};
-        for (std::size_t j = 0; j < polynomial.variables(); ++j) {
-            const std::size_t exponent = polynomial.exponent(i, j);
-            if (exponent != 0) term.emplace_back(Json::Array{j, exponent});
-        }
-        terms.emplace_back(std::move(term));
+    for (const NamedTerm& term : polynomial) {
+        Json::Array parts{term.coefficient};
+        for (const auto& [name, exponent] : term.powers) parts.emplace_back(Json::Array{name, exponent});
+        terms.emplace_back(std::move(parts));
     }
     return terms;
 }
 
-Json maps_json(const GroundBlock& block, const Numbers& numbers) {
-    Json::Array maps;
-    for (const proofs::GroundMap& map : block.maps) {
-        Json::Array directions;
-        for (const auto& [degree, dimension] : map.directions)
-            directions.emplace_back(Json::Array{degree, dimension});
-        Json::Array coefficients;
-        for (const NodeId coefficient : map.coefficients) coefficients.emplace_back(numbers.at(coefficient));
-        maps.emplace_back(Json::Object{{"name", map.name},
-                                       {"directions", std::move(directions)},
-                                       {"coefficients", std::move(coefficients)}});
+/// {"steps": [{"symbol", "degree", "relation"}], "end", "pivot"?, "branches"?}
+Json branch_json(const Branch& branch) {
+    Json::Array steps;
+    for (const Step& step : branch.steps) {
+        steps.emplace_back(Json::Object{{"symbol", step.symbol},
+                                        {"degree", step.degree},
+                                        {"relation", polynomial_json(step.relation)}});
     }
-    return maps;
+    Json result = Json::Object{{"steps", std::move(steps)}, {"end", ends[static_cast<std::size_t>(branch.end)]}};
+    if (branch.end != Branch::End::split) return result;
+    Json::Array branches;
+    for (const Branch& below : branch.branches) branches.emplace_back(branch_json(below));
+    result["pivot"] = polynomial_json(branch.pivot);
+    result["branches"] = std::move(branches);
+    return result;
 }
+
+Json certificate_json(const Certificate& certificate) {
+    Json::Object parameters;
+    for (const auto& [name, value] : certificate.which.parameters) parameters.emplace_back(name, integer(value));
+    Json::Array conditions;
+    for (const NamedPolynomial& condition : certificate.conditions) conditions.emplace_back(polynomial_json(condition));
+    return Json::Object{{"id", certificate.id},
+                        {"title", certificate.title},
+                        {"text", certificate.text},
+                        {"line", certificate.which.line},
+                        {"parameters", std::move(parameters)},
+                        {"conditions", std::move(conditions)},
+                        {"proof", branch_json(certificate.root)}};
+}
+
+/// Reads the parts of a certificate, which may be anything.
+class CertificateReader {
+public:
+    explicit CertificateReader(const Limits& limits) : limits_(limits) {}
+
+    Certificate certificate(const Json& json) const {
+        Fields fields(json);
+        Certificate result;
+        result.id = fields.required("id", read_text);
+        result.title = fields.required("title", read_text);
+        result.text = fields.required("text", read_text);
+        result.which.line = fields.required("line", [&](const Json& line) { return read_index(line, limits_); });
+        result.which.parameters = fields.required("parameters", [&](const Json& list) { return parameters(list); });
+        result.conditions = fields.required("conditions", [&](const Json& list) {
+            return read_list(list, [&](const Json& one) { return polynomial(one); });
+        });
+        result.root = fields.required("proof", [&](const Json& root) { return branch(root); });
+        fields.finish();
+        return result;
+    }
+
+private:
+    std::vector<std::pair<std::string, long long>> parameters(const Json& json) const {
+        if (!json.object()) throw Error(ErrorCode::wrong_kind, "the parameters are an object of integers");
+        std::vector<std::pair<std::string, long long>> list;
+        for (const auto& [name, value] : *json.object()) {
+            const Rational number = within(name, [&] { return read_number(value, limits_); });
+            const auto word = number.is_integer() ? number.numerator().to_int64() : std::nullopt;
+            if (!word) throw Error(ErrorCode::wrong_kind, "a parameter is an integer of 64 bits", pointer_token(name));
+            list.emplace_back(name, *word);
+        }
+        return list;
+    }
+
+    NamedPolynomial polynomial(const Json& json) const {
+        return read_list(json, [&](const Json& term) {
+            const Json::Array& parts = read_array(term);
+            if (parts.empty()) throw Error(ErrorCode::wrong_arity, "a term begins with its coefficient");
+            NamedTerm result{within(std::size_t{0}, [&] { return read_number(parts[0], limits_); }), {}};
+            for (std::size_t i = 1; i < parts.size(); ++i)
+                result.powers.push_back(within(i, [&] { return power(parts[i]); }));
+            return result;
+        });
+    }
+
+    std::pair<std::string, std::size_t> power(const Json& json) const {
+        const Json::Array& parts = read_array(json);
+        if (parts.size() != 2) throw Error(ErrorCode::wrong_arity, "a power is a name and an exponent");
+        return {within(std::size_t{0}, [&] { return read_text(parts[0]); }),
+                within(std::size_t{1}, [&] { return read_count(parts[1], limits_); })};
+    }
+
+    Step step(const Json& json) const {
+        Fields fields(json);
+        Step result;
+        result.symbol = fields.required("symbol", read_text);
+        result.degree = fields.required("degree", [&](const Json& degree) { return read_count(degree, limits_); });
+        result.relation = fields.required("relation", [&](const Json& one) { return polynomial(one); });
+        fields.finish();
+        return result;
+    }
+
+    Branch branch(const Json& json) const {
+        Fields fields(json);
+        Branch result;
+        result.steps = fields.required(
+            "steps", [&](const Json& steps) { return read_list(steps, [&](const Json& one) { return step(one); }); });
+        result.end = static_cast<Branch::End>(fields.required(
+            "end", [&](const Json& end) { return read_alternative(end, ends, "an end of a branch"); }));
+        if (result.end == Branch::End::split) {
+            result.pivot = fields.required("pivot", [&](const Json& pivot) { return polynomial(pivot); });
+            result.branches = fields.required("branches", [&](const Json& branches) {
+                return read_list(branches, [&](const Json& one) { return branch(one); });
+            });
+        }
+        fields.finish();
+        return result;
+    }
+
+    const Limits& limits_;
+};
 
 }  // namespace
 
-Json certificate_entry(const proofs::ProvedCase& proved, const std::string& id,
-                       const std::string& statement) {
-    const GroundBlock& block = proved.block;
-    std::vector<NodeId> roots{proved.relation.left, proved.relation.right};
-    for (const proofs::Relation& hypothesis : block.hypotheses) {
-        roots.push_back(hypothesis.left);
-        roots.push_back(hypothesis.right);
-    }
-    for (const proofs::GroundMap& map : block.maps)
-        roots.insert(roots.end(), map.coefficients.begin(), map.coefficients.end());
-    Numbers numbers;
-    Json::Array nodes;
-    for (const NodeId node : proofs::nodes_below(block, roots)) {
-        numbers.emplace(node, numbers.size());
-        nodes.push_back(node_json(block, node, numbers));
-    }
-    Json::Object parameters;
-    for (const auto& list : {block.parameters, proved.relation.parameters}) {
-        for (const auto& [name, value] : list)
-            parameters.emplace_back(name, Json::Number{std::to_string(value)});
-    }
-    Json::Array symbols;
-    for (const proofs::Symbol& symbol : block.symbols) symbols.emplace_back(symbol.name);
-    Json::Array hypotheses;
-    for (const proofs::Relation& hypothesis : block.hypotheses) {
-        Json::Array quantified;
-        for (const std::size_t symbol : hypothesis.quantified) quantified.emplace_back(symbol);
-        hypotheses.emplace_back(
-            Json::Array{numbers.at(hypothesis.left), numbers.at(hypothesis.right), std::move(quantified)});
-    }
-    Json::Array solved;
-    for (const std::size_t symbol : proved.solved) solved.emplace_back(symbol);
-    Json::Array denominator;
-    for (const auto& [factor, exponent] : proved.left.denominator)
-        denominator.emplace_back(Json::Array{polynomial_json(proved.factors[factor]), exponent});
-    return Json::Object{{"id", id},
-                        {"statement", statement},
-                        {"parameters", std::move(parameters)},
-                        {"symbols", std::move(symbols)},
-                        {"maps", maps_json(block, numbers)},
-                        {"nodes", std::move(nodes)},
-                        {"hypotheses", std::move(hypotheses)},
-                        {"solved", std::move(solved)},
-                        {"left", numbers.at(proved.relation.left)},
-                        {"right", numbers.at(proved.relation.right)},
-                        {"numerator", polynomial_json(proved.left.numerator)},
-                        {"denominator", std::move(denominator)}};
+Json certificates_json(std::span<const Certificate> certificates) {
+    Json::Array proofs;
+    for (const Certificate& certificate : certificates) proofs.emplace_back(certificate_json(certificate));
+    return Json::Object{{"certificate", version}, {"proofs", std::move(proofs)}};
 }
 
-std::string seal_of(const Json& entries) {
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : to_text(entries)) {
-        hash ^= static_cast<unsigned char>(c);
-        hash *= 0x100000001b3;
+std::vector<Certificate> read_certificates(const Json& json, const Limits& limits) {
+    Fields fields(json);
+    const std::size_t written =
+        fields.required("certificate", [&](const Json& number) { return read_count(number, limits); });
+    if (written != version) {
+        throw Error(ErrorCode::wrong_kind,
+                    "this certificate has version " + std::to_string(written) + "; this program reads version " +
+                        std::to_string(version),
+                    "/certificate");
     }
-    return fmt::format("{:016x}", hash);
-}
-
-Json sealed_certificate(Json::Array entries) {
-    Json proofs(std::move(entries));
-    const std::string seal = seal_of(proofs);
-    return Json::Object{{"certificate", std::size_t{1}}, {"seal", seal}, {"proofs", std::move(proofs)}};
+    const CertificateReader reader(limits);
+    std::vector<Certificate> certificates = fields.required("proofs", [&](const Json& proofs) {
+        return read_list(proofs, [&](const Json& one) { return reader.certificate(one); });
+    });
+    fields.finish();
+    return certificates;
 }
 
 }  // namespace blossom::cli

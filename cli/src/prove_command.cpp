@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <blossom/proofs/coq.hpp>
+#include <blossom/proofs/doubtful_names.hpp>
 #include <blossom/proofs/formatter.hpp>
 #include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>
@@ -14,6 +15,7 @@
 #include <mutex>
 #include <thread>
 
+#include "decision_text.hpp"
 #include "decisions.hpp"
 #include "json_text.hpp"
 #include "operations/map_options.hpp"
@@ -51,7 +53,8 @@ struct Task {
     const Text* text = nullptr;
     const proofs::Block* block = nullptr;
     std::vector<proofs::Decision> decisions = {};
-    Json::Array certificates = {};
+    std::vector<proofs::Warning> warnings = {};
+    std::vector<proofs::second::Certificate> certificates = {};
     std::vector<std::string> lemmas = {};
     std::size_t without_lemma = 0;
     bool done = false;
@@ -64,6 +67,7 @@ struct Count {
     std::size_t unexpected = 0;
     std::size_t undecided = 0;
     std::size_t unread = 0;
+    std::size_t disagreements = 0;
 
     void add(const Count& other) {
         theorems += other.theorems;
@@ -72,6 +76,7 @@ struct Count {
         unexpected += other.unexpected;
         undecided += other.undecided;
         unread += other.unread;
+        disagreements += other.disagreements;
     }
 };
 
@@ -114,29 +119,10 @@ std::string title_of(const Task& task, const proofs::Decision& decision) {
     return id.empty() ? fmt::format("{}:{}", task.text->name, task.text->line(decision.offset)) : id;
 }
 
-/// One line for the verdict, what it rests on, and the counterexample or the error below.
+/// The verdict, and the error below it.
 std::string report_text(const Task& task, const proofs::Decision& decision, const Style& style) {
-    const std::string verdict = fmt::format("{:<9}", proofs::verdict_name(decision.verdict));
-    std::string text = decision.as_expected() ? style.good(verdict) : style.bad(verdict);
-    text += " " + title_of(task, decision);
-    if (decision.verdict == proofs::Verdict::proved) {
-        text += fmt::format("  ({} {}, {} terms)", decision.cases, decision.cases == 1 ? "case" : "cases",
-                            decision.terms);
-    }
-    if (!decision.as_expected() && !decision.error) {
-        text += style.bad(decision.expects_proof ? "  which was claimed" : "  which was to be refuted");
-    }
-    text += "\n";
-    if (!decision.conditions.empty())
-        text += fmt::format("    if {}\n", fmt::join(decision.conditions, ", "));
-    if (decision.counterexample) text += readable(*decision.counterexample);
-    if (decision.error) text += task.text->diagnostic(*decision.error);
-    return text;
-}
-
-std::string block_text(const proofs::Block& block) {
-    std::string text;
-    for (const proofs::Statement& statement : block.statements) text += proofs::to_text(statement) + "\n";
+    std::string text = readable(*task.block, decision, title_of(task, decision), style);
+    if (const Error* error = decision.error()) text += task.text->diagnostic(*error);
     return text;
 }
 
@@ -153,10 +139,9 @@ std::string lemma_name(const Task& task, const proofs::ProvedCase& proved) {
 
 /// Decides one task, with the records that are asked for.
 void decide(Task& task, const ProveCommand& command) {
-    const std::string text = command.certificate.empty() ? "" : block_text(*task.block);
     const auto record = [&](const proofs::ProvedCase& proved) {
         if (!command.certificate.empty())
-            task.certificates.push_back(certificate_entry(proved, task.block->id, text));
+            task.certificates.push_back(proved.certificate);
         if (command.coq.empty()) return;
         const std::string name = fmt::format("{}_line_{}_{}", lemma_name(task, proved),
                                              task.text->line(proved.relation.offset), task.lemmas.size());
@@ -167,8 +152,14 @@ void decide(Task& task, const ProveCommand& command) {
         }
     };
     const bool records = !command.certificate.empty() || !command.coq.empty();
-    task.decisions =
-        proofs::decide(*task.block, command.limits, records ? proofs::ProofListener(record) : nullptr);
+    proofs::DecisionOptions options{.seconds = command.seconds};
+    if (records) options.on_proof = record;
+    try {
+        task.warnings = proofs::doubtful_names(*task.block);
+    } catch (const Error&) {
+        // What is wrong with the declarations is the error of every decision.
+    }
+    task.decisions = proofs::decide(*task.block, command.limits, options);
 }
 
 /// Decides the tasks on several threads and hands each to `report` in order.
@@ -195,13 +186,23 @@ void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
     }
 }
 
+/// "warning: file:3:7: ..." with a caret, a warning each.
+std::string warnings_text(const Task& task) {
+    std::string text;
+    for (const proofs::Warning& warning : task.warnings)
+        text += "warning: " + task.text->diagnostic(Error(ErrorCode::syntax, warning.message, "", warning.offset));
+    return text;
+}
+
 Count count_of(const std::vector<proofs::Decision>& decisions) {
     Count count;
     count.theorems = 1;
     for (const proofs::Decision& decision : decisions) {
-        if (decision.verdict == proofs::Verdict::proved) ++count.proved;
-        if (decision.verdict == proofs::Verdict::refuted) ++count.refuted;
-        if (decision.verdict == proofs::Verdict::undecided) ++count.undecided;
+        const proofs::Verdict verdict = decision.verdict();
+        if (verdict == proofs::Verdict::proved) ++count.proved;
+        if (verdict == proofs::Verdict::refuted) ++count.refuted;
+        if (verdict == proofs::Verdict::undecided) ++count.undecided;
+        if (verdict == proofs::Verdict::disagreement) ++count.disagreements;
         if (!decision.as_expected()) ++count.unexpected;
     }
     return count;
@@ -238,9 +239,15 @@ Json line_of(const Task& task, const proofs::Decision& decision) {
     Json line = Json::Object{{"id", task.block->id},
                              {"file", task.text->name},
                              {"line", task.text->line(decision.offset)},
-                             {"kind", decision.expects_proof ? "claim" : "refute"}};
-    const Json result = to_json(decision);
+                             {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
+    const Json result = to_json(*task.block, decision);
     for (const auto& [name, value] : *result.object()) line[name] = value;
+    Json::Array warnings;
+    for (const proofs::Warning& warning : task.warnings) {
+        warnings.emplace_back(
+            Json::Object{{"line", task.text->line(warning.offset)}, {"message", warning.message}});
+    }
+    if (!warnings.empty()) line["warnings"] = std::move(warnings);
     return line;
 }
 
@@ -254,9 +261,9 @@ void write_file(const std::string& path, std::string_view text) {
 
 void write_records(std::vector<Task>& tasks, const ProveCommand& command, const Streams& streams) {
     if (!command.certificate.empty()) {
-        Json::Array entries;
-        for (Task& task : tasks) std::ranges::move(task.certificates, std::back_inserter(entries));
-        write_file(command.certificate, to_text(sealed_certificate(std::move(entries))) + "\n");
+        std::vector<proofs::second::Certificate> certificates;
+        for (Task& task : tasks) std::ranges::move(task.certificates, std::back_inserter(certificates));
+        write_file(command.certificate, to_text(certificates_json(certificates)) + "\n");
     }
     if (command.coq.empty()) return;
     std::string text = proofs::coq_preamble();
@@ -277,10 +284,19 @@ void write_records(std::vector<Task>& tasks, const ProveCommand& command, const 
 
 Outcome check_certificate_file(const std::string& path, const Limits& limits, const Streams& streams) {
     const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
-    const CertificateCheck check = check_certificate(parse_json(text, limits));
-    for (const std::string& problem : check.problems) streams.output(problem + "\n");
-    streams.output(fmt::format("{} proofs confirmed, {} problems\n", check.confirmed, check.problems.size()));
-    return check.problems.empty() ? Outcome::success : Outcome::refused;
+    const auto certificates = read_certificates(parse_json(text, limits), limits);
+    bool complete = !certificates.empty();
+    std::size_t confirmed = 0;
+    for (const proofs::second::Confirmed& line : proofs::second::confirmed_theorems(certificates, limits)) {
+        complete = complete && line.confirmed;
+        confirmed += line.confirmed ? 1 : 0;
+        streams.output(fmt::format("{:<9} {}, line {}: {} of {} cases\n", line.confirmed ? "confirmed" : "open",
+                                   line.id.empty() ? "a statement without a name" : line.id, line.line + 1, line.proved,
+                                   line.cases));
+        if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
+    }
+    streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));
+    return complete ? Outcome::success : Outcome::refused;
 }
 
 Outcome prove(const ProveCommand& command, const Streams& streams) {
@@ -308,6 +324,7 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
         Count& count = rows[static_cast<std::size_t>(task.text - texts.data())].second;
         count.add(count_of(task.decisions));
         if (streams.shows_progress && !command.as_json) streams.errors("\r\x1b[K");
+        if (!command.as_json) streams.errors(warnings_text(task));
         for (const proofs::Decision& decision : task.decisions) {
             if (command.as_json) {
                 streams.output(to_text(line_of(task, decision)) + "\n");
@@ -323,6 +340,7 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
     write_records(tasks, command, streams);
     Count total;
     for (const auto& [name, count] : rows) total.add(count);
+    if (total.disagreements > 0) return Outcome::disagreement;
     if (total.unread > 0) return Outcome::wrong_usage;
     return total.unexpected > 0 ? Outcome::refused : Outcome::success;
 }

@@ -22,6 +22,7 @@ struct ProveCommand {
     std::string certificate;  ///< the file for it, or empty
     std::string coq;          ///< the file for lemmas, or empty
     std::size_t jobs = 1;
+    std::size_t seconds = 0;  ///< for one case of a line; 0: no limit
     Limits limits;
 };
 

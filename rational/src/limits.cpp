@@ -16,6 +16,11 @@ void require_within(std::size_t value, std::size_t limit, std::string_view name,
     throw Error(ErrorCode::limit_exceeded, message, std::string(field));
 }
 
+void require_time(const Limits& limits) {
+    if (limits.deadline.has_passed())
+        throw Error(ErrorCode::limit_exceeded, "the time of one case exceeds the limit timeout");
+}
+
 void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count) {
     // log10(2) < 1/3, so that bits / 3 bounds the decimal digits from above, up to the last one.
     const std::size_t digits = bits / 3;

@@ -10,8 +10,14 @@ namespace blossom::cli {
 
 namespace {
 
+/// A line of a statement with the block that it stands in.
+struct DecidedLine {
+    proofs::Block block;
+    proofs::Decision decision;
+};
+
 /// The decisions of all lines of a statement. Errors: the first one in it, with its offset.
-std::vector<proofs::Decision> decisions_of(const std::string& statement, const Limits& limits) {
+std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits& limits) {
     // The place is part of the message, for those who read no offset.
     const auto refuse = [&](const Error& error) {
         if (!error.offset()) throw Error(error);
@@ -21,11 +27,14 @@ std::vector<proofs::Decision> decisions_of(const std::string& statement, const L
     };
     const proofs::Document document = proofs::parse(statement, limits);
     if (!document.errors.empty()) refuse(document.errors.front());
-    std::vector<proofs::Decision> decisions;
+    std::vector<DecidedLine> decisions;
     for (const proofs::Block& block : document.blocks) {
         for (proofs::Decision& decision : proofs::decide(block, limits)) {
-            if (decision.error) refuse(*decision.error);
-            decisions.push_back(std::move(decision));
+            // A limit in one case leaves the others; what means nothing at all is an error of the request.
+            const bool nothing = decision.verdict() == proofs::Verdict::undecided ||
+                                 decision.verdict() == proofs::Verdict::disagreement;
+            if (nothing) refuse(*decision.error());
+            decisions.push_back({block, std::move(decision)});
         }
     }
     if (decisions.empty()) {
@@ -40,11 +49,14 @@ Json answer(Fields& request, const Limits& limits) {
         "statement", [&](const Json& value) { return decisions_of(read_text(value), limits); });
     request.finish();
     // Of several lines the first that is refuted speaks for all.
-    const auto refuted = std::ranges::find(decisions, proofs::Verdict::refuted, &proofs::Decision::verdict);
-    Json result = to_json(refuted == decisions.end() ? decisions.front() : *refuted);
+    const auto refuted = std::ranges::find_if(decisions, [](const DecidedLine& line) {
+        return line.decision.verdict() == proofs::Verdict::refuted;
+    });
+    const DecidedLine& first = refuted == decisions.end() ? decisions.front() : *refuted;
+    Json result = to_json(first.block, first.decision);
     if (decisions.size() == 1) return result;
     Json::Array lines;
-    for (const proofs::Decision& decision : decisions) lines.push_back(to_json(decision));
+    for (const DecidedLine& line : decisions) lines.push_back(to_json(line.block, line.decision));
     result["lines"] = std::move(lines);
     return result;
 }

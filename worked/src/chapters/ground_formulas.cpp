@@ -14,15 +14,17 @@ using proofs::NodeKind;
 
 bool is_written(const proofs::GroundBlock& block) {
     const auto one_argument = [](const proofs::GroundMap& map) {
-        return map.directions.size() == 1 && map.directions.front().dimension == 1;
+        return map.directions.size() == 1 && map.directions.front().dimension == 1 && map.barycentric.empty();
     };
+    const auto is_derivative = [](const proofs::Node& node) { return node.kind == NodeKind::derivative; };
     const auto is_coefficient_name = [&](const proofs::Symbol& symbol) {
         return !symbol.is_coefficient && std::ranges::any_of(block.maps, [&](const proofs::GroundMap& map) {
             return symbol.name.starts_with(map.name + "_");
         });
     };
     return std::ranges::all_of(block.maps, one_argument) &&
-           std::ranges::none_of(block.symbols, is_coefficient_name);
+           std::ranges::none_of(block.symbols, is_coefficient_name) &&
+           std::ranges::none_of(block.nodes, is_derivative);
 }
 
 Formula GroundFormulas::symbol_formula(std::size_t i) const {
@@ -63,6 +65,8 @@ Formula GroundFormulas::operator()(proofs::NodeId id) {
             return power((*this)(node.operands[0]), number(node.index));
         case NodeKind::application:
             return application(block_.applications[node.index]);
+        case NodeKind::derivative:
+            break;
     }
     return {};
 }
@@ -99,12 +103,14 @@ Formula GroundFormulas::argument(const proofs::NodeArgument& argument) {
 
 Formula GroundFormulas::application(const proofs::Application& application) {
     const std::string& name = block_.maps[application.map].name;
+    using Form = proofs::Application::Form;
+    if (application.form == Form::derivative && application.orders.front() > 0)
+        return derivative_of(name, application.orders.front(), argument(application.places.front()));
+    if (application.form == Form::derivative) return call(name, {argument(application.places.front())});
     std::vector<Formula> arguments;
     arguments.reserve(application.arguments.front().size());
     for (const proofs::NodeArgument& one : application.arguments.front()) arguments.push_back(argument(one));
-    if (application.polar) return blossom_of(name, std::move(arguments));
-    const std::size_t order = application.orders.empty() ? 0 : application.orders.front();
-    if (order > 0) return derivative_of(name, order, std::move(arguments.front()));
+    if (application.form == Form::blossom) return blossom_of(name, std::move(arguments));
     // The homogeneous form at a pair has two arguments.
     if (arguments.front().kind == FormulaKind::tuple) return call(name, std::move(arguments.front().parts));
     return call(name, std::move(arguments));

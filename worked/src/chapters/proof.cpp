@@ -59,8 +59,8 @@ Decided decided(std::string_view statement, const Limits& limits) {
         const bool readable = proved.left.numerator.size() <= most_terms;
         if (readable && is_written(proved.block)) result.written = {proved.block, proved.relation};
     };
-    result.decision = proofs::decide(result.block, limits, keep).front();
-    if (result.decision.error) refuse(statement, *result.decision.error);
+    result.decision = proofs::decide(result.block, limits, {.on_proof = keep}).front();
+    if (const Error* error = result.decision.error()) refuse(statement, *error);
     return result;
 }
 
@@ -186,7 +186,7 @@ std::vector<proofs::NodeId> applications_of(const WrittenCase& written) {
 void append_proof(Document& document, const DecidedClaim& claim, const std::optional<WrittenCase>& written,
                   const Limits& limits) {
     const proofs::Decision& decision = claim.decision;
-    const bool alone = decision.cases == 1;
+    const std::size_t cases = decision.cases.size();
     if (written) {
         append_expansions(document, *written, limits);
     } else {
@@ -196,34 +196,35 @@ void append_proof(Document& document, const DecidedClaim& claim, const std::opti
                     "Both sides were expanded as rational functions of the variables and of the coefficients "
                     "of the maps, after the hypotheses, if there are any, had been solved for "
                     "coefficients. They have the same normal form. Its " +
-                    std::to_string(decision.terms) + " terms in " + cases_text(decision.cases) +
+                    std::to_string(decision.terms()) + " terms in " + cases_text(cases) +
                     " are not written out.")
                 .done());
     }
     std::string holds = "This holds for all maps of the degrees and all values of the variables";
     std::string before = ", where ";
-    for (std::string condition : decision.conditions) {
-        condition.replace(condition.find("!="), 2, "≠");
-        holds += before + condition;
+    for (const proofs::Condition& condition : decision.conditions()) {
+        std::string text = condition.text;
+        text.replace(text.find("!="), 2, "≠");
+        holds += before + text;
         before = ", ";
     }
     document.result.emplace_back(Paragraph{holds + "."});
-    if (!alone) {
-        document.result.emplace_back(Paragraph{"The other cases, " + cases_text(decision.cases) +
+    if (cases > 1) {
+        document.result.emplace_back(Paragraph{"The other cases, " + cases_text(cases) +
                                                " in all, were decided in the same way."});
     }
     document.check = {
         {Paragraph{
-            "Every value was expanded twice, by the engine's own construction and from the definition; "
-            "a difference between them would have been reported as an error, not as a proof."}},
-        decision.verdict == proofs::Verdict::proved,
+            "The statement was read a second time by a program that shares nothing with the first: both sides have "
+            "the same values at points that it chose, and it accepts the certificate of the expansion."}},
+        decision.verdict() == proofs::Verdict::proved,
         "The claim is proved."};
 }
 
 Document claim_decided(std::string_view statement, const Limits& limits) {
     Decided decided_claim = decided(statement, limits);
     const proofs::Decision& decision = decided_claim.decision;
-    const bool proved = decision.verdict == proofs::Verdict::proved;
+    const bool proved = decision.verdict() == proofs::Verdict::proved;
     Document document;
     document.title = std::string(proved ? "A proof" : "A refutation");
     if (!decided_claim.block.title.empty()) document.title += ": " + decided_claim.block.title;
@@ -231,7 +232,7 @@ Document claim_decided(std::string_view statement, const Limits& limits) {
     document.statement.emplace_back(
         Paragraph{"The question is whether this holds for all maps and all values of the variables."});
     document.statement.emplace_back(statement_table(decided_claim.block));
-    if (!proved) decided_claim.written = case_of(decided_claim.block, *decision.counterexample, limits);
+    if (!proved) decided_claim.written = case_of(decided_claim.block, *decision.counterexample(), limits);
     const bool has_hypotheses = decided_claim.written && !decided_claim.written->block.hypotheses.empty();
     if (proved && has_hypotheses) decided_claim.written.reset();
     if (decided_claim.written) {

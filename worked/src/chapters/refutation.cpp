@@ -2,6 +2,7 @@
 #include <blossom/core/polynomial_text.hpp>
 #include <blossom/proofs/evaluation.hpp>
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
 
@@ -24,7 +25,7 @@ std::vector<Rational> values_of(const WrittenCase& written, const proofs::Counte
         const auto map = std::ranges::find(written.block.maps, witness.name, &proofs::GroundMap::name);
         for (std::size_t k = 0; k < map->coefficients.size(); ++k) {
             const proofs::Node& node = written.block.nodes[map->coefficients[k]];
-            if (map->arbitrary) values[node.index] = k <= polynomial.degree() ? polynomial[k] : Rational(0);
+            if (node.kind == proofs::NodeKind::symbol && written.block.symbols[node.index].is_coefficient) values[node.index] = k <= polynomial.degree() ? polynomial[k] : Rational(0);
         }
     }
     return values;
@@ -112,6 +113,11 @@ Step counterexample_step(Document& document, const WrittenCase& written,
     return step.done();
 }
 
+/// A side with its value; an expression in variables without a rational value as it is written.
+Formula side_formula(const proofs::Counterexample& found, const std::string& side) {
+    return found.roots.empty() ? number(parse_rational(side)) : symbol(side);
+}
+
 /// The counterexample in words, for maps whose values are not written.
 Step counterexample_in_words(const proofs::Counterexample& found) {
     StepBuilder step("The counterexample");
@@ -135,9 +141,11 @@ Step counterexample_in_words(const proofs::Counterexample& found) {
 void append_refutation(Document& document, const DecidedClaim& claim,
                        const std::optional<WrittenCase>& written, const Limits& limits) {
     static_cast<void>(limits);
-    const proofs::Counterexample& found = *claim.decision.counterexample;
-    const Formula differ = relation("≠", {number(found.left), number(found.right)});
-    if (written) {
+    const proofs::Counterexample& found = *claim.decision.counterexample();
+    const Formula left_value = side_formula(found, found.left);
+    const Formula right_value = side_formula(found, found.right);
+    const Formula differ = relation("≠", {left_value, right_value});
+    if (written && found.roots.empty()) {
         const std::vector<Rational> values = values_of(*written, found);
         const std::vector<proofs::NodeId> applications = applications_of(*written);
         document.steps.push_back(counterexample_step(document, *written, found));
@@ -154,7 +162,7 @@ void append_refutation(Document& document, const DecidedClaim& claim,
         document.steps.push_back(counterexample_in_words(found));
     }
     document.result.emplace_back(Paragraph{
-        {"The sides are ", number(found.left), " and ", number(found.right), ": the claim does not hold."}});
+        {"The sides are ", left_value, " and ", right_value, ": the claim does not hold."}});
     std::vector<Block> again{Paragraph{"Both sides were computed anew with these numbers, and differ:"},
                              Display{{differ}}};
     Table commands{"Every value can be computed again with these commands.", {"value", "command"}, {}};

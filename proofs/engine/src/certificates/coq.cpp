@@ -34,6 +34,8 @@ public:
                 return "(" + text(node.operands[0]) + ")^" + std::to_string(node.index);
             case NodeKind::application:
                 return checked(application(block_.applications[node.index]));
+            case NodeKind::derivative:
+                throw TooLong{};
         }
         return "";
     }
@@ -74,23 +76,23 @@ private:
         const GroundMap& map = block_.maps[application.map];
         if (map.directions.size() != 1 || map.directions[0].dimension != 1) throw TooLong{};
         const std::size_t n = map.directions[0].degree;
-        return application.polar ? blossom_of(map, application.arguments[0])
-                                 : value_of(map, n, application.orders[0], application.arguments[0][0]);
+        if (!map.barycentric.empty()) throw TooLong{};
+        if (application.form == Application::Form::value) return value_of(map, n, application.arguments[0][0]);
+        const std::string blossom = blossom_of(map, application.arguments[0]);
+        return application.scale == Rational(1) ? blossom : "(" + number(application.scale) + " * " + blossom + ")";
     }
 
-    std::string value_of(const GroundMap& map, std::size_t n, std::size_t order,
-                         const NodeArgument& argument) {
+    std::string value_of(const GroundMap& map, std::size_t n, const NodeArgument& argument) {
         std::string result;
         const std::string u = text(argument.coordinates[0]);
         const std::string mass = text(argument.mass);
-        for (std::size_t k = order; k <= n; ++k) {
-            const std::string scale = to_string(falling_factorial(k, order));
+        for (std::size_t k = 0; k <= n; ++k) {
             result += result.empty() ? "(" : " + ";
-            result.append(scale).append(" * ").append(text(map.coefficients[k])).append(" * (").append(u);
-            result += ")^" + std::to_string(k - order);
+            result.append(text(map.coefficients[k])).append(" * (").append(u);
+            result += ")^" + std::to_string(k);
             if (mass != "1") result += " * (" + mass + ")^" + std::to_string(n - k);
         }
-        return result.empty() ? "0" : checked(result + ")");
+        return checked(result + ")");
     }
 
     /// sum_k c_k / C(n, k) sum over k-subsets S of prod_{i in S} u_i prod_{i not in S} mass_i

@@ -1,13 +1,17 @@
 #include "elimination.hpp"
 
+#include <blossom/core/sparse_algebra.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 namespace blossom::proofs {
 
 namespace {
+
+constexpr std::size_t most_branches = 512;
 
 std::vector<std::size_t> exponents_of(const SparsePolynomial& polynomial, std::size_t term) {
     std::vector<std::size_t> exponents(polynomial.variables());
@@ -34,6 +38,10 @@ std::vector<SparsePolynomial> coefficients_by_monomials(const SparsePolynomial& 
     return result;
 }
 
+SparsePolynomial power_of(std::size_t variable, std::size_t exponent) {
+    return pow(SparsePolynomial::variable(variable), exponent);
+}
+
 }  // namespace
 
 std::vector<SparsePolynomial> coefficients_in(const SparsePolynomial& polynomial, std::size_t variable) {
@@ -50,94 +58,215 @@ std::vector<SparsePolynomial> coefficients_in(const SparsePolynomial& polynomial
     return result;
 }
 
-void Elimination::solve() {
-    for (const Relation& assumption : block_.assumptions) assume(assumption);
-    struct Equation {
-        SparsePolynomial polynomial;
-        std::size_t offset;
-        bool has_coefficients;
-    };
-    std::vector<Equation> equations;
+Elimination::Elimination(const GroundBlock& block, Expander& expander) : block_(block), expander_(expander) {
+    for (const Relation& assumption : block_.assumptions) {
+        const Fraction difference =
+            expander_.field().difference(expander_(assumption.left), expander_(assumption.right));
+        if (difference.is_zero()) {
+            throw Error(ErrorCode::syntax, "this condition can never hold: the two sides are equal", "",
+                        assumption.offset);
+        }
+        assumed_.merge(factors_of(difference.numerator));
+    }
     for (const Relation& hypothesis : block_.hypotheses) {
         const Fraction difference =
             expander_.field().difference(expander_(hypothesis.left), expander_(hypothesis.right));
-        for (SparsePolynomial& equation : coefficients_by_monomials(difference.numerator, hypothesis.quantified)) {
-            bool has_coefficients = false;
-            for (std::size_t i = 0; i < equation.variables(); ++i) {
-                has_coefficients =
-                    has_coefficients || (equation.degree_in(i) > 0 && block_.symbols[i].is_coefficient);
-            }
-            equations.push_back({std::move(equation), hypothesis.offset, has_coefficients});
-        }
+        for (SparsePolynomial& equation : coefficients_by_monomials(difference.numerator, hypothesis.quantified))
+            equations_.push_back({std::move(equation), hypothesis.offset});
     }
-    // Relations between numbers first: they may occur in the coefficients of the others.
-    std::ranges::stable_partition(equations, [](const Equation& e) { return !e.has_coefficients; });
-    for (const Equation& equation : equations) use(equation.polynomial, equation.offset);
 }
 
-void Elimination::assume(const Relation& relation) {
-    const Fraction difference =
-        expander_.field().difference(expander_(relation.left), expander_(relation.right));
-    if (difference.is_zero()) {
-        throw Error(ErrorCode::syntax, "this condition can never hold: the two sides are equal", "",
-                    relation.offset);
+bool Elimination::has_coefficients(const SparsePolynomial& polynomial) const {
+    for (std::size_t i = 0; i < block_.symbols.size(); ++i) {
+        if (block_.symbols[i].is_coefficient && polynomial.degree_in(i) > 0) return true;
     }
-    for (const auto& [factor, exponent] : expander_.field().factorise(difference.numerator).factors)
-        assumed_.insert(factor);
+    return false;
 }
 
-void Elimination::use(const SparsePolynomial& equation, std::size_t offset) {
-    const SparsePolynomial rest = reduced(equation);
-    if (rest.is_zero()) return;
-    // The best symbol to solve for is a coefficient of a map whose own coefficient is a number; then one
-    // whose coefficient is known not to vanish; then the one with the smallest coefficient.
-    struct Candidate {
-        bool scalar;
-        std::size_t size;
-        std::size_t symbol;
-        SparsePolynomial cofactor;
-    };
-    std::optional<Candidate> best;
-    for (std::size_t i = rest.variables(); i-- > 0;) {
-        if (rest.degree_in(i) != 1) continue;
-        SparsePolynomial cofactor = coefficients_in(rest, i)[1];
-        std::size_t size = 0;
-        for (const auto& [factor, exponent] : expander_.field().factorise(cofactor).factors) {
-            if (!assumed_.contains(factor)) size += expander_.field().factors()[factor].size();
-        }
-        const bool scalar = !block_.symbols[i].is_coefficient;
-        if (!best || std::pair(scalar, size) < std::pair(best->scalar, best->size)) {
-            best = Candidate{scalar, size, i, std::move(cofactor)};
-        }
-    }
-    if (!best) {
-        const bool constant = rest.total_degree() == 0;
-        throw Error(ErrorCode::syntax,
-                    constant ? "the hypotheses contradict each other"
-                             : "this hypothesis is not linear in the values of the maps or in a variable",
-                    "", offset);
-    }
-    for (const auto& [factor, exponent] : expander_.field().factorise(best->cofactor).factors)
-        conditions_.insert(factor);
-    const SparsePolynomial without = coefficients_in(rest, best->symbol)[0];
-    solutions_.push_back({best->symbol, -without, best->cofactor});
+std::set<std::size_t> Elimination::factors_of(const SparsePolynomial& polynomial) {
+    std::set<std::size_t> result;
+    for (const auto& [factor, exponent] : expander_.field().factorise(polynomial).factors) result.insert(factor);
+    return result;
 }
 
-SparsePolynomial Elimination::reduced(SparsePolynomial polynomial) {
+Branch& Elimination::root(const std::set<std::size_t>& nonzero) {
+    const auto [entry, fresh] = known_.try_emplace(nonzero);
+    if (fresh) entry->second.state = {equations_, nonzero, {}};
+    return entry->second;
+}
+
+SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
+    if (polynomial.is_zero() || factors.empty() || polynomial.total_degree() == 0) return polynomial;
+    return expander_.field().without(std::move(polynomial), factors);
+}
+
+/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what the
+/// relation says, times the leading coefficient of the relation.
+SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const Substitution& step) {
+    if (polynomial.degree_in(step.symbol) < step.degree) return polynomial;
     FractionField& field = expander_.field();
-    for (const Solution& solution : solutions_) {
-        if (polynomial.degree_in(solution.symbol) == 0) continue;
-        // sum p_k s^k with s = N/D, times D^d: Horner's rule from above with the powers of D.
-        const auto powers = coefficients_in(polynomial, solution.symbol);
-        SparsePolynomial value = powers.back();
-        SparsePolynomial scale = 1;
-        for (std::size_t k = powers.size() - 1; k-- > 0;) {
-            scale = field.product(scale, solution.denominator);
-            value = field.product(value, solution.numerator) + field.product(powers[k], scale);
+    const std::vector<SparsePolynomial> relation = coefficients_in(step.relation, step.symbol);
+    const SparsePolynomial& leading = relation[step.degree];
+    std::vector<SparsePolynomial> powers = coefficients_in(polynomial, step.symbol);
+    while (powers.size() > step.degree) {
+        const SparsePolynomial highest = std::move(powers.back());
+        powers.pop_back();
+        if (highest.is_zero()) continue;
+        const std::size_t shift = powers.size() - step.degree;
+        for (std::size_t k = 0; k < powers.size(); ++k) {
+            powers[k] = field.product(powers[k], leading);
+            if (k >= shift) powers[k] -= field.product(highest, relation[k - shift]);
         }
-        polynomial = std::move(value);
     }
-    return polynomial;
+    std::vector<SparsePolynomial> summands;
+    summands.reserve(powers.size());
+    for (std::size_t k = 0; k < powers.size(); ++k) summands.push_back(powers[k] * power_of(step.symbol, k));
+    return without_factors(sum(summands), factors_of(leading));
+}
+
+/// Leaves out what says nothing and factors that do not vanish. False if nothing satisfies the equations.
+bool Elimination::simplify(BranchState& state) {
+    for (Equation& equation : state.equations)
+        equation.polynomial = without_factors(std::move(equation.polynomial), state.nonzero);
+    std::erase_if(state.equations, [](const Equation& e) { return e.polynomial.is_zero(); });
+    return std::ranges::none_of(state.equations,
+                                [](const Equation& e) { return e.polynomial.total_degree() == 0; });
+}
+
+/// False if something that must not vanish does.
+bool Elimination::apply(BranchState& state, const Substitution& step) {
+    state.solved.insert(step.symbol);
+    for (Equation& equation : state.equations) equation.polynomial = reduced(equation.polynomial, step);
+    std::set<std::size_t> nonzero;
+    for (const std::size_t factor : state.nonzero) {
+        const SparsePolynomial before = expander_.field().factors()[factor];
+        const SparsePolynomial after = reduced(before, step);
+        if (after.is_zero()) return false;
+        if (after == before) {
+            nonzero.insert(factor);
+        } else {
+            nonzero.merge(factors_of(after));
+        }
+    }
+    state.nonzero = std::move(nonzero);
+    return true;
+}
+
+std::optional<Elimination::Candidate> Elimination::linear_candidate(const BranchState& state, std::size_t equation,
+                                                                    bool coefficients) {
+    const SparsePolynomial& polynomial = state.equations[equation].polynomial;
+    std::optional<Candidate> best;
+    for (std::size_t i = block_.symbols.size(); i-- > 0;) {
+        if (block_.symbols[i].is_coefficient != coefficients || state.solved.contains(i)) continue;
+        if (polynomial.degree_in(i) != 1) continue;
+        Candidate candidate{equation, {i, 1, polynomial}, {}};
+        const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
+        for (const std::size_t factor : factors_of(cofactor)) {
+            if (state.nonzero.contains(factor)) continue;
+            candidate.doubtful.push_back(factor);
+            candidate.doubt += expander_.field().factors()[factor].size();
+        }
+        candidate.size = cofactor.size();
+        const auto rank = [](const Candidate& c) { return std::pair(c.doubt, c.size); };
+        if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
+        if (best->doubtful.empty() && best->size == 1) break;
+    }
+    return best;
+}
+
+/// An equation that has the power of a variable alone, as w^2 == 1/2 or c^2 + s^2 == 1. Repeated factors are left
+/// out: what is zero on the others is zero.
+std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchState& state, std::size_t equation) {
+    const SparsePolynomial& polynomial = state.equations[equation].polynomial;
+    std::optional<Candidate> best;
+    for (std::size_t i = block_.symbols.size(); i-- > 0;) {
+        const std::size_t degree = polynomial.degree_in(i);
+        if (degree < 2 || state.solved.contains(i) || (best && best->step.degree <= degree)) continue;
+        const SparsePolynomial leading = coefficients_in(polynomial, i)[degree];
+        if (leading.total_degree() > 0) continue;
+        SparsePolynomial relation = polynomial * SparsePolynomial(Rational(1) / leading.coefficient(0));
+        const SparsePolynomial repeated = gcd(relation, derivative(relation, i));
+        if (repeated.degree_in(i) > 0) relation = divide_exactly(relation, repeated);
+        const std::size_t simple = relation.degree_in(i);
+        best = Candidate{equation, {i, simple, std::move(relation)}, {}, 0, simple};
+    }
+    return best;
+}
+
+/// The best equation and variable to go on with: relations between numbers first, since they may occur in the
+/// coefficients of others; then what is linear with a leading coefficient known not to vanish.
+std::optional<Elimination::Candidate> Elimination::best_candidate(const BranchState& state) {
+    std::optional<Candidate> best;
+    const auto rank = [&](const Candidate& c) {
+        return std::tuple(!c.doubtful.empty(), has_coefficients(state.equations[c.equation].polynomial),
+                          c.step.degree, c.doubt, c.size);
+    };
+    const auto consider = [&](std::optional<Candidate> candidate) {
+        if (candidate && (!best || rank(*candidate) < rank(*best))) best = std::move(candidate);
+    };
+    for (std::size_t i = 0; i < state.equations.size(); ++i) {
+        const bool with_maps = has_coefficients(state.equations[i].polynomial);
+        std::optional<Candidate> found = linear_candidate(state, i, with_maps);
+        if (!found && with_maps) found = linear_candidate(state, i, false);
+        if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
+        consider(std::move(found));
+    }
+    return best;
+}
+
+void Elimination::grow(Branch& branch) {
+    if (branch.end != Branch::End::unknown) return;
+    if (++branches_ > most_branches) {
+        throw Error(ErrorCode::limit_exceeded,
+                    "the hypotheses fall into more than " + std::to_string(most_branches) +
+                        " cases by pivots that may vanish; state with \"assume\" what does not vanish",
+                    "", block_.hypotheses.front().offset);
+    }
+    BranchState state = std::move(branch.state);
+    branch.state = {};
+    while (true) {
+        if (!simplify(state)) {
+            branch.end = Branch::End::impossible;
+            return;
+        }
+        if (state.equations.empty()) {
+            branch.end = Branch::End::solved;
+            return;
+        }
+        const std::optional<Candidate> candidate = best_candidate(state);
+        if (!candidate) {
+            if (!state.by_split) {
+                throw Error(ErrorCode::syntax,
+                            "this hypothesis is linear neither in the values of the maps nor in a variable, and has no "
+                            "power of a variable alone",
+                            "", state.equations.front().offset);
+            }
+            branch.end = Branch::End::open;
+            return;
+        }
+        if (!candidate->doubtful.empty()) {
+            split(branch, std::move(state), *candidate);
+            return;
+        }
+        branch.steps.push_back(candidate->step);
+        state.equations.erase(state.equations.begin() + static_cast<std::ptrdiff_t>(candidate->equation));
+        if (!apply(state, branch.steps.back())) {
+            branch.end = Branch::End::impossible;
+            return;
+        }
+    }
+}
+
+void Elimination::split(Branch& branch, BranchState state, const Candidate& candidate) {
+    branch.end = Branch::End::split;
+    branch.pivot = expander_.field().factors()[candidate.doubtful.front()];
+    branch.branches.resize(2);
+    BranchState& zero = branch.branches[1].state;
+    zero = state;
+    zero.by_split = true;
+    zero.equations.push_back({branch.pivot, state.equations[candidate.equation].offset});
+    state.nonzero.insert(candidate.doubtful.front());
+    branch.branches[0].state = std::move(state);
 }
 
 }  // namespace blossom::proofs

@@ -2,6 +2,7 @@
 
 #include <blossom/proofs/expansion.hpp>
 
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
@@ -9,39 +10,92 @@
 
 namespace blossom::proofs {
 
-/// The hypotheses of a case, solved: each gives one symbol as a rational function of those that stay free.
+/// One use of a hypothesis: `relation` is zero, and of degree `degree` in the symbol with a leading coefficient
+/// that does not vanish, so that higher powers of the symbol are replaced by lower ones. Of degree 1 it gives the
+/// symbol as a rational function of others; of a higher degree its leading coefficient is 1.
+struct Substitution {
+    std::size_t symbol = 0;
+    std::size_t degree = 1;
+    SparsePolynomial relation;
+};
+
+/// A hypothesis as an equation: the polynomial is zero. It keeps the place of its line.
+struct Equation {
+    SparsePolynomial polynomial;
+    std::size_t offset = 0;
+};
+
+/// What is known at a place of the tree of branches.
+struct BranchState {
+    std::vector<Equation> equations;   ///< still to be used
+    std::set<std::size_t> nonzero;     ///< factors that do not vanish, by number
+    std::set<std::size_t> solved;      ///< symbols that have a step
+    bool by_split = false;             ///< a pivot was required to vanish: what does not fit stays open
+};
+
+/// The hypotheses of a case, solved. Where a pivot may vanish the case falls into two: the pivot is not zero in the
+/// first branch, and zero, a further hypothesis, in the second one. Branches are grown as they are walked through.
+struct Branch {
+    enum class End {
+        unknown,     ///< not grown yet
+        solved,      ///< every hypothesis is used
+        impossible,  ///< no values satisfy what is required here
+        split,       ///< `pivot` decides between the two branches
+        open,        ///< what is required here does not fit: it is neither linear nor monic in a variable
+    };
+    std::vector<Substitution> steps;
+    End end = End::unknown;
+    SparsePolynomial pivot;
+    std::vector<Branch> branches;
+    BranchState state;  ///< of a branch that is not grown yet
+};
+
+/// Solves the hypotheses of a block for one choice of its parameters.
 class Elimination {
 public:
-    Elimination(const GroundBlock& block, Expander& expander) : block_(block), expander_(expander) {}
+    /// Takes hypotheses and assumptions. Errors, with the offset of the line: `syntax` for a condition that can
+    /// never hold; those of the expansion.
+    Elimination(const GroundBlock& block, Expander& expander);
 
-    /// Takes the hypotheses and assumptions of the block. Errors, with the offset of the line: `syntax` for a
-    /// condition that can never hold, and for a hypothesis that is not linear in any symbol.
-    void solve();
+    /// The tree where the factors with these numbers do not vanish; the same one for the same factors.
+    Branch& root(const std::set<std::size_t>& nonzero);
+    /// Takes a branch to its end, and begins the branches below it. Errors: `syntax` with the offset of a hypothesis
+    /// that is neither linear nor monic in a variable; `limit_exceeded` for too many branches.
+    void grow(Branch& branch);
 
-    /// What remains of a polynomial when the solved symbols are replaced, up to factors that do not vanish.
-    SparsePolynomial reduced(SparsePolynomial polynomial);
-
-    /// The factors that must not vanish for this: the conditions of the solutions.
-    const std::set<std::size_t>& conditions() const { return conditions_; }
-
-    struct Solution {
-        std::size_t symbol{};
-        SparsePolynomial numerator;  ///< symbol = numerator / denominator
-        SparsePolynomial denominator;
-    };
-    const std::vector<Solution>& solutions() const { return solutions_; }
     /// The factors of left - right of each `assume`.
     const std::set<std::size_t>& assumed() const { return assumed_; }
 
+    /// What remains of a polynomial after one step, up to factors known not to vanish.
+    SparsePolynomial reduced(const SparsePolynomial& polynomial, const Substitution& step);
+
+    /// The factors of a polynomial, by number.
+    std::set<std::size_t> factors_of(const SparsePolynomial& polynomial);
+
 private:
-    void assume(const Relation& relation);
-    void use(const SparsePolynomial& equation, std::size_t offset);
+    struct Candidate {
+        std::size_t equation;
+        Substitution step;
+        std::vector<std::size_t> doubtful;  ///< the factors of the leading coefficient that may vanish
+        std::size_t doubt = 0;              ///< their terms
+        std::size_t size = 0;
+    };
+
+    bool simplify(BranchState& state);
+    bool apply(BranchState& state, const Substitution& step);
+    void split(Branch& branch, BranchState state, const Candidate& candidate);
+    std::optional<Candidate> best_candidate(const BranchState& state);
+    std::optional<Candidate> linear_candidate(const BranchState& state, std::size_t equation, bool coefficients);
+    std::optional<Candidate> monic_candidate(const BranchState& state, std::size_t equation);
+    SparsePolynomial without_factors(SparsePolynomial polynomial, const std::set<std::size_t>& factors);
+    bool has_coefficients(const SparsePolynomial& polynomial) const;
 
     const GroundBlock& block_;
     Expander& expander_;
-    std::vector<Solution> solutions_;
-    std::set<std::size_t> conditions_;
+    std::vector<Equation> equations_;
     std::set<std::size_t> assumed_;
+    std::map<std::set<std::size_t>, Branch> known_;
+    std::size_t branches_ = 0;
 };
 
 /// The coefficients of a polynomial by powers of one variable, lowest first.

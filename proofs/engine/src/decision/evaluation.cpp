@@ -31,6 +31,13 @@ Rational Evaluator::operator()(NodeId id) {
             break;
         case NodeKind::application:
             result = application(block_.applications[node.index]);
+            break;
+        case NodeKind::derivative: {
+            const Fraction expanded = expand_(id);
+            result = expanded.numerator(symbols_);
+            for (const auto& [factor, exponent] : expanded.denominator)
+                result /= pow(expand_.field().factors()[factor](symbols_), exponent);
+        }
     }
     known_[id] = result;
     return result;
@@ -51,19 +58,16 @@ Rational Evaluator::application(const Application& application) {
     std::vector<Rational> coefficients;
     coefficients.reserve(map.coefficients.size());
     for (const NodeId coefficient : map.coefficients) coefficients.push_back((*this)(coefficient));
-    Rational scale = 1;
-    const Rational value = contracted(
+    const bool value = application.form == Application::Form::value;
+    Rational scale = application.scale;
+    const Rational result = contracted(
         map.directions, std::move(coefficients), [&](std::size_t i, std::span<const Rational> row) {
-            if (application.polar) return polar_form<Rational>(map.directions[i], row, arguments[i]);
-            const std::size_t order = application.orders[i];
-            if (order == 0) return form_value<Rational>(map.directions[i], row, arguments[i].front());
-            const std::vector<Rational> lower = derivative_coefficients(row, order);
-            return form_value<Rational>({lower.size() - 1, 1}, lower, arguments[i].front());
+            return value ? form_value<Rational>(map.directions[i], row, arguments[i].front())
+                         : polar_form<Rational>(map.directions[i], row, arguments[i]);
         });
-    if (application.polar) {
-        for (const Direction& direction : map.directions) scale *= Rational(factorial(direction.degree));
-    }
-    return value / scale;
+    if (value) return result;
+    for (const Direction& direction : map.directions) scale /= Rational(factorial(direction.degree));
+    return result * scale;
 }
 
 }  // namespace blossom::proofs

@@ -64,25 +64,10 @@ void require_agreement(bool agree, const GroundMap& map, std::size_t offset) {
                 "", offset);
 }
 
-/// p(t), or the derivative of order k as n!/(n-k)! p[t^(n-k), delta^k] by the engine's construction, held
-/// against the derivatives of powers.
-Ring value_in(const GroundMap& map, const Direction& direction, std::span<const Ring> coefficients,
-              const Argument& argument, std::size_t order, std::size_t offset) {
-    if (order > direction.degree) return {};
+Ring value_in(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
     const bool number = direction.dimension == 1 && argument.mass == Ring(1);
-    const auto evaluate = [&](std::span<const Ring> row) {
-        const Direction lower{row.size() - 1, 1};
-        return number ? polynomial_value(row, argument.coordinates.front())
-                      : form_value<Ring>(direction.dimension == 1 ? lower : direction, row, argument);
-    };
-    if (order == 0) return evaluate(coefficients);
-    const std::size_t n = direction.degree;
-    std::vector<Argument> arguments(n - order, argument);
-    arguments.insert(arguments.end(), order, Argument{{Ring(1)}, Ring(0)});
-    const Ring value =
-        engine_blossom(coefficients, arguments) * Ring(Rational(falling_factorial(n, order), factorial(n)));
-    require_agreement(value == evaluate(derivative_coefficients(coefficients, order)), map, offset);
-    return value;
+    return number ? polynomial_value(coefficients, argument.coordinates.front())
+                  : form_value<Ring>(direction, coefficients, argument);
 }
 
 }  // namespace
@@ -137,6 +122,11 @@ Fraction Expander::expanded(const Node& node) {
             return field_.quotient(operand(0), operand(1));
         case NodeKind::application:
             return application(block_.applications[node.index]);
+        case NodeKind::derivative: {
+            Fraction result = operand(0);
+            for (std::size_t i = 0; i < node.order; ++i) result = field_.derivative(result, node.index);
+            return result;
+        }
     }
     return {};
 }
@@ -153,6 +143,7 @@ FractionField::Common Expander::over_common_denominator(const NodeArgument& argu
 /// each argument.
 Fraction Expander::application(const Application& application) {
     const GroundMap& map = block_.maps[application.map];
+    const bool value = application.form == Application::Form::value;
     std::vector<std::vector<Argument>> arguments(map.directions.size());
     Fraction result{1, {}};
     for (std::size_t i = 0; i < arguments.size(); ++i) {
@@ -162,7 +153,7 @@ Fraction Expander::application(const Application& application) {
             numerators.pop_back();
             arguments[i].push_back({std::move(numerators), std::move(mass)});
             if (denominator.empty()) continue;
-            const std::size_t copies = application.polar ? 1 : map.directions[i].degree;
+            const std::size_t copies = value ? map.directions[i].degree : 1;
             result = field_.product(result, field_.power({1, denominator}, copies));
         }
     }
@@ -174,7 +165,7 @@ Fraction Expander::application(const Application& application) {
 
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         std::vector<Argument> all = arguments[i];
-        if (!application.polar) all.assign(map.directions[i].degree, arguments[i].front());
+        if (value) all.assign(map.directions[i].degree, arguments[i].front());
         const std::size_t size = greatest_size(all, limits_);
         field_.spend(size, saturating_product(size, coefficients.size()));
     }
@@ -182,7 +173,7 @@ Fraction Expander::application(const Application& application) {
         return contracted(map.directions, coefficients, one_direction);
     };
     Ring numerator;
-    if (application.polar) {
+    if (!value) {
         Integer scale = 1;
         for (const Direction& direction : map.directions) scale *= factorial(direction.degree);
         const Ring defined = contract([&](std::size_t i, std::span<const Ring> row) {
@@ -193,11 +184,10 @@ Fraction Expander::application(const Application& application) {
                                                     : polar_form<Ring>(map.directions[i], row, arguments[i]);
         });
         require_agreement(numerator == defined, map, application.offset);
-        numerator *= Ring(Rational(1) / Rational(scale));
+        numerator *= Ring(application.scale / Rational(scale));
     } else {
         numerator = contract([&](std::size_t i, std::span<const Ring> row) {
-            return value_in(map, map.directions[i], row, arguments[i].front(), application.orders[i],
-                            application.offset);
+            return value_in(map.directions[i], row, arguments[i].front());
         });
     }
     field_.spend(numerator.size(), numerator.size());

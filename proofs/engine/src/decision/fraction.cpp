@@ -54,6 +54,8 @@ void FractionField::spend(std::size_t terms, std::size_t work) {
     require_within(terms, limits_.expansion_terms, "expansion_terms", "the number of terms, up to");
     work_ = work > limits_.expansion_work ? limits_.expansion_work + 1 : work_ + work;
     require_within(work_, limits_.expansion_work, "expansion_work", "the number of term operations");
+    constexpr std::size_t calls_between_looks = 64;
+    if (++calls_ % calls_between_looks == 0) require_time(limits_);
 }
 
 SparsePolynomial FractionField::product(const SparsePolynomial& a, const SparsePolynomial& b) {
@@ -123,6 +125,22 @@ Fraction FractionField::power(const Fraction& base, std::size_t exponent) {
     return result;
 }
 
+/// (N / prod f_j^e_j)' = (N' prod f_j - N sum_j e_j f_j' prod_{i != j} f_i) / prod f_j^(e_j + 1)
+Fraction FractionField::derivative(const Fraction& a, std::size_t variable) {
+    Fraction result{blossom::derivative(a.numerator, variable), a.denominator};
+    SparsePolynomial without = a.numerator;
+    for (auto& [factor, exponent] : result.denominator) {
+        const SparsePolynomial& f = factors_[factor];
+        const SparsePolynomial df = blossom::derivative(f, variable);
+        if (df.is_zero()) continue;
+        result.numerator = product(result.numerator, f) -
+                           product(without, df * SparsePolynomial(Rational(exponent)));
+        without = product(without, f);
+        ++exponent;
+    }
+    return reduced(std::move(result));
+}
+
 Fraction FractionField::quotient(const Fraction& a, const Fraction& b) {
     if (b.is_zero()) throw Error(ErrorCode::division_by_zero, "the denominator is zero");
     const Factorisation divisor = factorise(b.numerator);
@@ -152,6 +170,18 @@ Fraction FractionField::reduced(Fraction a) {
     return a;
 }
 
+SparsePolynomial FractionField::without(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
+    for (const std::size_t factor : factors) {
+        while (!polynomial.is_zero()) {
+            spend(0, polynomial.size());
+            auto smaller = quotient_if_exact(polynomial, factors_[factor]);
+            if (!smaller) break;
+            polynomial = std::move(*smaller);
+        }
+    }
+    return polynomial;
+}
+
 std::size_t FractionField::number_of(const SparsePolynomial& factor) {
     const auto known = std::ranges::find(factors_, factor);
     if (known != factors_.end()) return static_cast<std::size_t>(known - factors_.begin());
@@ -176,7 +206,7 @@ void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& re
     constexpr std::size_t most_terms = 30;
     for (std::size_t i = 0; rest.size() <= most_terms && i < rest.variables(); ++i) {
         if (rest.degree_in(i) < 2) continue;
-        const SparsePolynomial repeated = gcd(rest, derivative(rest, i));
+        const SparsePolynomial repeated = gcd(rest, blossom::derivative(rest, i));
         if (is_constant(repeated)) continue;
         for (const SparsePolynomial& part : {repeated, divide_exactly(rest, repeated)}) {
             const Factorisation split = factorise(part);

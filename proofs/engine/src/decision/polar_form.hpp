@@ -75,17 +75,6 @@ R form_value(const Direction& direction, std::span<const R> coefficients, const 
     return sum;
 }
 
-/// The coefficients of the derivative of order k by the rule for powers; the degree falls by k, or to 0.
-template <class R>
-std::vector<R> derivative_coefficients(std::span<const R> coefficients, std::size_t order) {
-    std::vector<R> result;
-    for (std::size_t i = order; i < coefficients.size(); ++i) {
-        result.push_back(coefficients[i] * R(falling_factorial(i, order)));
-    }
-    if (result.empty()) result.push_back(R(0));
-    return result;
-}
-
 /// Applies `contract` to the coefficients one direction after the other, the last one first: in each step the
 /// rows are the coefficients in that direction.
 template <class R, class Contract>

@@ -1,121 +1,143 @@
-#include <blossom/core/polynomial_text.hpp>
-#include <blossom/proofs/expansion.hpp>
 #include <blossom/proofs/prover.hpp>
 
 #include <algorithm>
-#include <set>
 
-#include "elimination.hpp"
-#include "witness.hpp"
+#include "decided_case.hpp"
+#include "second_opinion.hpp"
 
 namespace blossom::proofs {
 
 namespace {
 
-/// "a != b" for a difference of two names, otherwise "polynomial != 0".
-std::string condition_text(const SparsePolynomial& factor, const std::vector<Symbol>& symbols) {
-    std::vector<std::string> names;
-    names.reserve(symbols.size());
-    for (const Symbol& symbol : symbols) names.push_back(symbol.name);
-    const SparsePolynomial zero;
-    if (factor.size() == 2 && factor.coefficient(0) == Rational(1) && factor.coefficient(1) == Rational(-1) &&
-        factor.total_degree() == 1 && factor.degree(1) == 1) {
-        std::string sides[2];
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            for (std::size_t term = 0; term < 2; ++term) {
-                if (factor.exponent(term, i) == 1) sides[term] = names[i];
-            }
-        }
-        return sides[0] + " != " + sides[1];
-    }
-    return to_text(factor, names) + " != 0";
-}
-
-/// Decides the claims of one case; `decisions` has one entry a line, in the order of the lines.
-class Case {
+/// One block on its way.
+class BlockDecision {
 public:
-    Case(const GroundBlock& block, const Limits& limits)
-        : block_(block), expander_(block, limits), elimination_(block, expander_) {}
+    BlockDecision(const Block& block, const Limits& limits, const DecisionOptions& options)
+        : block_(block), limits_(limits), options_(options), opinion_(block, limits) {
+        for (std::size_t i = 0; i < block.statements.size(); ++i) {
+            const Statement& statement = block.statements[i];
+            if (statement.kind != StatementKind::claim && statement.kind != StatementKind::refute) continue;
+            const Expectation expectation = statement.kind == StatementKind::claim ? Expectation::proof
+                                            : statement.some ? Expectation::some_refutation
+                                                             : Expectation::refutation;
+            decisions_.push_back({i, statement.offset, expectation, {}});
+        }
+    }
 
-    void prepare() { elimination_.solve(); }
-
-    void decide(const Relation& relation, Decision& decision, const ProofListener& on_proof) {
-        const Fraction left = expander_(relation.left);
-        const Fraction right = expander_(relation.right);
-        decision.terms += left.numerator.size();
-        FractionField& field = expander_.field();
-        const SparsePolynomial difference = elimination_.reduced(field.difference(left, right).numerator);
-        std::set<std::size_t> conditions = elimination_.conditions();
-        add_divisors(relation, conditions);
-        for (const auto* list : {&block_.assumptions, &block_.hypotheses}) {
-            for (const Relation& other : *list) add_divisors(other, conditions);
+    std::vector<Decision> run() {
+        try {
+            for (const Parameters& parameters : parameter_choices(block_, limits_)) decide_choice(parameters);
+        } catch (const Error& error) {
+            for (Decision& decision : decisions_) add_error(decision, {}, error);
         }
-        conditions.insert(elimination_.assumed().begin(), elimination_.assumed().end());
-        for (const std::size_t factor : conditions) {
-            const std::string text = condition_text(field.factors()[factor], block_.symbols);
-            if (std::ranges::find(decision.conditions, text) == decision.conditions.end())
-                decision.conditions.push_back(text);
+        for (Decision& decision : decisions_) {
+            if (!decision.cases.empty()) continue;
+            add_error(decision, {},
+                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "", decision.offset));
         }
-        ++decision.cases;
-        std::vector<SparsePolynomial> nonzero;
-        for (const std::size_t factor : conditions) {
-            nonzero.push_back(elimination_.reduced(field.factors()[factor]));
-            if (nonzero.back().is_zero()) {
-                throw Error(ErrorCode::syntax,
-                            "the hypotheses leave no case: they make " +
-                                condition_text(field.factors()[factor], block_.symbols) + " impossible",
-                            "", relation.offset);
-            }
-        }
-        if (difference.is_zero()) {
-            if (on_proof && decision.expects_proof) {
-                std::vector<std::size_t> solved;
-                for (const auto& solution : elimination_.solutions()) solved.push_back(solution.symbol);
-                on_proof({block_, relation, left, field.factors(), std::move(solved)});
-            }
-            return;
-        }
-        decision.verdict = Verdict::refuted;
-        decision.counterexample =
-            find_counterexample(block_, relation, difference, std::move(nonzero), elimination_);
+        compare_cases();
+        return std::move(decisions_);
     }
 
 private:
-    /// The factors of every divisor in the two sides: it may have cancelled, but where it vanishes the side
-    /// is not defined.
-    void add_divisors(const Relation& relation, std::set<std::size_t>& conditions) {
-        for (const NodeId id : nodes_below(block_, {relation.left, relation.right})) {
-            const Node& node = block_.nodes[id];
-            if (node.kind != NodeKind::quotient) continue;
-            const Fraction divisor = expander_(node.operands[1]);
-            for (const auto& [factor, exponent] : expander_.field().factorise(divisor.numerator).factors)
-                conditions.insert(factor);
+    static void add_error(Decision& decision, const Parameters& parameters, const Error& error) {
+        CaseDecision failed;
+        failed.parameters = parameters;
+        record(failed, error, decision.offset);
+        decision.cases.push_back(std::move(failed));
+    }
+
+    static void record(CaseDecision& decision, const Error& error, std::size_t offset) {
+        decision.verdict = Verdict::undecided;
+        decision.error = error.offset() ? error : Error(error.code(), error.message(), "", offset);
+    }
+
+    Limits limits_of_case() const {
+        Limits limits = limits_;
+        if (options_.seconds > 0) limits.deadline = Deadline::after_seconds(options_.seconds);
+        return limits;
+    }
+
+    void decide_choice(const Parameters& parameters) {
+        const Limits limits = limits_of_case();
+        std::optional<GroundBlock> grounded;
+        std::optional<BlockCase> block_case;
+        try {
+            grounded = ground(block_, parameters, limits);
+            block_case.emplace(*grounded, limits);
+        } catch (const Error& error) {
+            for (Decision& decision : decisions_) add_error(decision, parameters, error);
+            return;
+        }
+        for (const Relation& relation : grounded->claims) {
+            const auto decision = std::ranges::find(decisions_, relation.statement, &Decision::statement);
+            const auto line = static_cast<std::size_t>(decision - decisions_.begin());
+            CaseDecision decided;
+            decided.parameters = parameters;
+            decided.parameters.insert(decided.parameters.end(), relation.parameters.begin(),
+                                      relation.parameters.end());
+            try {
+                decide_claim(*grounded, *block_case, relation, {line, decided.parameters}, decided);
+            } catch (const Error& error) {
+                record(decided, error, relation.offset);
+            }
+            decision->cases.push_back(std::move(decided));
         }
     }
 
-    const GroundBlock& block_;
-    Expander expander_;
-    Elimination elimination_;
+    void decide_claim(const GroundBlock& grounded, BlockCase& block_case, const Relation& relation,
+                      const second::Case& which, CaseDecision& decided) {
+        if (relation.error) throw Error(*relation.error);
+        const CaseOutcome outcome = block_case.decide(relation, decided);
+        if (decided.verdict == Verdict::refuted) {
+            settle(opinion_.on_refutation(which, *outcome.witness), "refuted", relation.offset, decided);
+            return;
+        }
+        const second::Certificate certificate = certificate_of(block_, grounded, which, outcome);
+        settle(opinion_.on_proof(grounded, which, outcome, certificate), "proved", relation.offset, decided);
+        if (options_.on_proof && decided.verdict == Verdict::proved) {
+            options_.on_proof(
+                {grounded, relation, outcome.left, block_case.expander().field().factors(), certificate});
+        }
+    }
+
+    /// A verdict stands when the second road says nothing against it.
+    static void settle(const std::optional<std::string>& objection, std::string_view verdict, std::size_t offset,
+                       CaseDecision& decided) {
+        if (!objection) return;
+        decided.verdict = Verdict::disagreement;
+        decided.counterexample.reset();
+        decided.error = Error(ErrorCode::internal,
+                              "the two roads disagree, which is an error of the program: the expansion says \"" +
+                                  std::string(verdict) + "\", but " + *objection,
+                              "", offset);
+    }
+
+    /// A verdict on a range is one on all its cases, as both readers list them.
+    void compare_cases() {
+        const bool complete = std::ranges::none_of(decisions_, [](const Decision& decision) {
+            return std::ranges::any_of(decision.cases, [](const CaseDecision& decided) {
+                return decided.verdict == Verdict::undecided;
+            });
+        });
+        if (!complete || decisions_.empty()) return;
+        const std::optional<std::string> objection = opinion_.on_cases(decisions_);
+        if (!objection) return;
+        for (Decision& decision : decisions_) {
+            for (CaseDecision& decided : decision.cases)
+                settle(objection, verdict_name(decided.verdict), decision.offset, decided);
+        }
+    }
+
+    const Block& block_;
+    const Limits& limits_;
+    const DecisionOptions& options_;
+    SecondOpinion opinion_;
+    std::vector<Decision> decisions_;
 };
 
-void record(Decision& decision, const Error& error) {
-    decision.verdict = Verdict::undecided;
-    decision.error = error.offset() ? error : Error(error.code(), error.message(), "", decision.offset);
-}
-
-std::vector<Decision> lines_of(const Block& block) {
-    std::vector<Decision> decisions;
-    for (std::size_t i = 0; i < block.statements.size(); ++i) {
-        const Statement& statement = block.statements[i];
-        const bool claim = statement.kind == StatementKind::claim;
-        if (!claim && statement.kind != StatementKind::refute) continue;
-        Decision decision;
-        decision.statement = i;
-        decision.offset = statement.offset;
-        decision.expects_proof = claim;
-        decisions.push_back(std::move(decision));
-    }
-    return decisions;
+std::size_t number_of(const Decision& decision, Verdict verdict) {
+    return static_cast<std::size_t>(std::ranges::count(decision.cases, verdict, &CaseDecision::verdict));
 }
 
 }  // namespace
@@ -126,42 +148,55 @@ std::string_view verdict_name(Verdict verdict) {
             return "proved";
         case Verdict::refuted:
             return "refuted";
+        case Verdict::disagreement:
+            return "disagreement";
         default:
             return "undecided";
     }
 }
 
-std::vector<Decision> decide(const Block& block, const Limits& limits, const ProofListener& on_proof) {
-    std::vector<Decision> decisions = lines_of(block);
-    const auto is_open = [](const Decision& decision) { return decision.verdict == Verdict::proved; };
-    try {
-        for (const auto& parameters : parameter_choices(block, limits)) {
-            if (std::ranges::none_of(decisions, is_open)) break;
-            const GroundBlock grounded = ground(block, parameters, limits);
-            Case decided(grounded, limits);
-            decided.prepare();
-            for (const Relation& relation : grounded.claims) {
-                Decision& decision = *std::ranges::find(decisions, relation.statement, &Decision::statement);
-                if (!is_open(decision)) continue;
-                try {
-                    decided.decide(relation, decision, on_proof);
-                } catch (const Error& error) {
-                    record(decision, error);
-                }
-            }
-        }
-    } catch (const Error& error) {
-        for (Decision& decision : decisions) {
-            if (is_open(decision)) record(decision, error);
+Verdict Decision::verdict() const {
+    for (const Verdict worst : {Verdict::disagreement, Verdict::refuted, Verdict::undecided}) {
+        if (number_of(*this, worst) > 0) return worst;
+    }
+    return cases.empty() ? Verdict::undecided : Verdict::proved;
+}
+
+bool Decision::as_expected() const {
+    if (verdict() == Verdict::disagreement) return false;
+    if (expectation == Expectation::proof) return verdict() == Verdict::proved;
+    const std::size_t refuted = number_of(*this, Verdict::refuted);
+    return expectation == Expectation::some_refutation ? refuted > 0 : refuted > 0 && refuted == cases.size();
+}
+
+std::size_t Decision::terms() const {
+    std::size_t sum = 0;
+    for (const CaseDecision& decided : cases) sum += decided.terms;
+    return sum;
+}
+
+std::vector<Condition> Decision::conditions() const {
+    std::vector<Condition> all;
+    for (const CaseDecision& decided : cases) {
+        for (const Condition& condition : decided.conditions) {
+            if (std::ranges::find(all, condition) == all.end()) all.push_back(condition);
         }
     }
-    for (Decision& decision : decisions) {
-        if (is_open(decision) && decision.cases == 0) {
-            record(decision, Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "",
-                                   decision.offset));
-        }
-    }
-    return decisions;
+    return all;
+}
+
+const Counterexample* Decision::counterexample() const {
+    const auto found = std::ranges::find_if(cases, [](const CaseDecision& c) { return c.counterexample.has_value(); });
+    return found == cases.end() ? nullptr : &*found->counterexample;
+}
+
+const Error* Decision::error() const {
+    const auto found = std::ranges::find_if(cases, [](const CaseDecision& c) { return c.error.has_value(); });
+    return found == cases.end() ? nullptr : &*found->error;
+}
+
+std::vector<Decision> decide(const Block& block, const Limits& limits, const DecisionOptions& options) {
+    return BlockDecision(block, limits, options).run();
 }
 
 }  // namespace blossom::proofs

@@ -32,8 +32,8 @@ Rational small_integer(std::size_t number) {
     return number % 2 == 1 ? half : -half;
 }
 
-/// The free symbols in the order in which they get their values.
-std::vector<std::size_t> order_of_symbols(const GroundBlock& block, const Elimination& elimination) {
+/// The symbols without a step, in the order in which they get their values.
+std::vector<std::size_t> order_of_symbols(const GroundBlock& block, std::span<const Substitution> steps) {
     std::vector<std::size_t> order;
     for (std::size_t i = block.symbols.size(); i-- > 0;) {
         if (block.symbols[i].is_coefficient) order.push_back(i);
@@ -41,33 +41,102 @@ std::vector<std::size_t> order_of_symbols(const GroundBlock& block, const Elimin
     for (std::size_t i = 0; i < block.symbols.size(); ++i) {
         if (!block.symbols[i].is_coefficient) order.push_back(i);
     }
-    for (const auto& solution : elimination.solutions()) std::erase(order, solution.symbol);
+    for (const Substitution& step : steps) std::erase(order, step.symbol);
     return order;
 }
 
-std::vector<Rational> find_values(const GroundBlock& block, std::vector<SparsePolynomial> nonzero,
-                                  const Elimination& elimination) {
-    std::vector<Rational> values(block.symbols.size());
-    for (const std::size_t symbol : order_of_symbols(block, elimination)) {
-        // Each polynomial rules out no more values than it has degree.
-        for (std::size_t number = 0;; ++number) {
-            std::vector<SparsePolynomial> left;
-            for (const SparsePolynomial& polynomial : nonzero) {
-                left.push_back(specialised(polynomial, symbol, small_integer(number)));
-                if (left.back().is_zero()) break;
-            }
-            if (!left.empty() && left.back().is_zero()) continue;
-            values[symbol] = small_integer(number);
-            nonzero = std::move(left);
-            break;
+/// Chooses values for the symbols of one branch.
+class WitnessSearch {
+public:
+    WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps, std::vector<SparsePolynomial> nonzero)
+        : block_(block), steps_(steps), nonzero_(std::move(nonzero)), values_(block.symbols.size()) {
+        for (const Substitution& step : steps) relations_.push_back(step.relation);
+    }
+
+    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that roots may
+    /// become rational. False if one that has a root has no rational one.
+    bool choose(std::size_t attempt) {
+        const auto touches_root = [&](std::size_t symbol) {
+            return std::ranges::any_of(steps_, [&](const Substitution& step) {
+                return step.degree > 1 && step.relation.degree_in(symbol) > 0;
+            });
+        };
+        for (const std::size_t symbol : order_of_symbols(block_, steps_))
+            give_value(symbol, touches_root(symbol) ? attempt : 0);
+        bool rational = true;
+        for (std::size_t i = steps_.size(); i-- > 0;) rational = solve(i) && rational;
+        return rational;
+    }
+
+    const std::vector<Rational>& values() const { return values_; }
+    const std::vector<std::size_t>& algebraic() const { return algebraic_; }
+    const std::vector<SparsePolynomial>& relations() const { return relations_; }
+
+private:
+    void put(std::size_t symbol, const Rational& value) {
+        values_[symbol] = value;
+        for (SparsePolynomial& polynomial : nonzero_) polynomial = specialised(polynomial, symbol, value);
+        for (SparsePolynomial& relation : relations_) relation = specialised(relation, symbol, value);
+    }
+
+    bool is_possible(std::size_t symbol, const Rational& value) const {
+        return std::ranges::none_of(nonzero_, [&](const SparsePolynomial& polynomial) {
+            return specialised(polynomial, symbol, value).is_zero();
+        });
+    }
+
+    /// Each polynomial rules out no more values than it has degree.
+    void give_value(std::size_t symbol, std::size_t first) {
+        static const Rational triples[] = {Rational(3, 5), Rational(5, 13), Rational(1, 2), Rational(2)};
+        if (first > 0 && is_possible(symbol, triples[(first - 1) % std::size(triples)])) {
+            put(symbol, triples[(first - 1) % std::size(triples)]);
+            return;
         }
+        std::size_t number = 0;
+        while (!is_possible(symbol, small_integer(number))) ++number;
+        put(symbol, small_integer(number));
     }
-    const auto& solutions = elimination.solutions();
-    for (const auto& solution : std::ranges::reverse_view(solutions)) {
-        values[solution.symbol] = solution.numerator(values) / solution.denominator(values);
+
+    /// The value of the symbol of a step, where all others of its relation have one.
+    bool solve(std::size_t number) {
+        const std::size_t symbol = steps_[number].symbol;
+        const auto powers = coefficients_in(relations_[number], symbol);
+        for (const SparsePolynomial& power : powers) {
+            if (power.total_degree() > 0) return leave(symbol);
+        }
+        std::vector<Rational> coefficients;
+        for (const SparsePolynomial& power : powers)
+            coefficients.push_back(power.is_zero() ? Rational(0) : power.coefficient(0));
+        if (coefficients.size() == 2) {
+            put(symbol, -coefficients[0] / coefficients[1]);
+            return true;
+        }
+        constexpr long long greatest = 30;
+        for (long long denominator = 1; denominator <= greatest; ++denominator) {
+            for (long long numerator = -greatest; numerator <= greatest; ++numerator) {
+                const Rational root{Integer(numerator), Integer(denominator)};
+                Rational value;
+                for (std::size_t k = coefficients.size(); k-- > 0;) value = value * root + coefficients[k];
+                if (!value.is_zero() || !is_possible(symbol, root)) continue;
+                put(symbol, root);
+                return true;
+            }
+        }
+        return leave(symbol);
     }
-    return values;
-}
+
+    bool leave(std::size_t symbol) {
+        algebraic_.push_back(symbol);
+        return false;
+    }
+
+    const GroundBlock& block_;
+    std::span<const Substitution> steps_;
+    std::vector<SparsePolynomial> nonzero_;
+    std::vector<SparsePolynomial> relations_;
+    std::vector<Rational> values_;
+    std::vector<std::size_t> algebraic_;
+};
 
 WitnessMap written_out(const GroundMap& map, Evaluator& evaluate) {
     std::vector<std::string> names;
@@ -120,7 +189,10 @@ WitnessValue written_out(const GroundBlock& block, NodeId id, const std::vector<
     std::string readable;
     std::string options;
     bool has_command = map.directions.size() == 1 && map.directions[0].dimension == 1;
-    for (const auto& list : application.arguments) {
+    const bool derivative = application.form == Application::Form::derivative;
+    std::vector<std::vector<NodeArgument>> shown = application.arguments;
+    if (derivative) shown = {application.places};
+    for (const auto& list : shown) {
         if (!readable.empty()) readable += "; ";
         for (std::size_t i = 0; i < list.size(); ++i) {
             const auto [text, option] = written_out(list[i], evaluate);
@@ -131,59 +203,121 @@ WitnessValue written_out(const GroundBlock& block, NodeId id, const std::vector<
     std::string order;
     std::string name = map.name;
     for (const std::size_t k : application.orders) order += (order.empty() ? "" : ", ") + std::to_string(k);
-    const bool derivative = std::ranges::any_of(application.orders, [](std::size_t k) { return k != 0; });
     if (derivative) name = "D(" + map.name + ", " + order + ")";
-    WitnessValue result{application.polar ? name + "[" + readable + "]" : name + "(" + readable + ")", ""};
+    const bool polar = application.form == Application::Form::blossom;
+    WitnessValue result{polar ? name + "[" + readable + "]" : name + "(" + readable + ")", ""};
     result.text += " = " + to_string(evaluate(id));
-    const bool plain = application.polar || options.find(':') == std::string::npos;
+    const bool plain = polar || options.find(':') == std::string::npos;
     if (has_command && plain && !options.empty()) {
         result.command = std::string("blossom ") +
-                         (application.polar ? "blossom"
-                          : derivative      ? "derivative"
-                                            : "evaluate") +
+                         (polar        ? "blossom"
+                          : derivative ? "derivative"
+                                       : "evaluate") +
                          " \"" + map.text + "\" --degree " + std::to_string(map.directions[0].degree) +
                          (derivative ? " --order " + order : "") + " --at " + options;
     }
     return result;
 }
 
+/// Everything that the claim, the hypotheses and the assumptions are made of.
+std::set<NodeId> nodes_of_case(const GroundBlock& block, const Relation& relation) {
+    std::vector<NodeId> roots{relation.left, relation.right};
+    for (const auto* list : {&block.hypotheses, &block.assumptions}) {
+        for (const Relation& other : *list) roots.insert(roots.end(), {other.left, other.right});
+    }
+    return nodes_below(block, std::move(roots));
+}
+
+/// The numerator of a side over its denominator, with numbers for all symbols that have one.
+std::string side_text(Expander& expander, NodeId side, const WitnessSearch& choice,
+                      const std::vector<std::string>& names) {
+    const Fraction fraction = expander(side);
+    const auto with_values = [&](SparsePolynomial polynomial) {
+        for (std::size_t i = 0; i < choice.values().size(); ++i) {
+            const bool open = std::ranges::find(choice.algebraic(), i) != choice.algebraic().end();
+            if (!open) polynomial = specialised(polynomial, i, choice.values()[i]);
+        }
+        return "(" + to_text(polynomial, names) + ")";
+    };
+    std::string text = with_values(fraction.numerator);
+    for (const auto& [factor, exponent] : fraction.denominator) {
+        text += "/" + with_values(expander.field().factors()[factor]);
+        if (exponent > 1) text += "^" + std::to_string(exponent);
+    }
+    return text;
+}
+
 }  // namespace
 
-Counterexample find_counterexample(const GroundBlock& block, const Relation& relation,
-                                   SparsePolynomial difference, std::vector<SparsePolynomial> conditions,
-                                   const Elimination& elimination) {
-    conditions.insert(conditions.begin(), std::move(difference));
-    const std::vector<Rational> values = find_values(block, std::move(conditions), elimination);
-    Evaluator evaluate(block, values);
-    Counterexample result;
+Witness find_counterexample(const GroundBlock& block, const Relation& relation, Expander& expander,
+                            std::span<const Substitution> steps, const SparsePolynomial& difference,
+                            const std::vector<SparsePolynomial>& nonzero) {
+    std::vector<SparsePolynomial> required = nonzero;
+    required.insert(required.begin(), difference);
+    constexpr std::size_t most_attempts = 5;
+    std::optional<WitnessSearch> choice;
+    for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
+        WitnessSearch next(block, steps, required);
+        const bool rational = next.choose(attempt);
+        if (rational || !choice) choice.emplace(std::move(next));
+        if (rational) break;
+    }
+    std::vector<std::string> names;
+    names.reserve(block.symbols.size());
+    for (const Symbol& symbol : block.symbols) names.push_back(symbol.name);
+    Witness witness;
+    Counterexample& result = witness.counterexample;
     result.parameters = block.parameters;
     result.parameters.insert(result.parameters.end(), relation.parameters.begin(), relation.parameters.end());
-    result.left = evaluate(relation.left);
-    result.right = evaluate(relation.right);
+    const auto is_algebraic = [&](std::size_t i) {
+        return std::ranges::find(choice->algebraic(), i) != choice->algebraic().end();
+    };
+    const std::set<NodeId> nodes = nodes_of_case(block, relation);
+    std::set<std::size_t> maps;
+    std::set<std::size_t> symbols;
+    for (const NodeId id : nodes) {
+        const Node& node = block.nodes[id];
+        if (node.kind == NodeKind::application) maps.insert(block.applications[node.index].map);
+        if (node.kind == NodeKind::symbol && !block.symbols[node.index].is_coefficient) symbols.insert(node.index);
+    }
+    for (std::size_t i = 0; i < block.symbols.size(); ++i) {
+        if (is_algebraic(i)) {
+            witness.algebraic.push_back(names[i]);
+        } else {
+            witness.values.emplace_back(names[i], choice->values()[i]);
+        }
+    }
+    for (const std::size_t symbol : symbols) {
+        if (!is_algebraic(symbol)) result.variables.emplace_back(names[symbol], choice->values()[symbol]);
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (is_algebraic(steps[i].symbol))
+            result.roots.push_back(to_text(choice->relations()[i], names) + " == 0");
+    }
+    if (!choice->algebraic().empty()) {
+        result.left = side_text(expander, relation.left, *choice, names);
+        result.right = side_text(expander, relation.right, *choice, names);
+        return witness;
+    }
+    Evaluator evaluate(block, choice->values());
+    result.left = to_string(evaluate(relation.left));
+    result.right = to_string(evaluate(relation.right));
     if (result.left == result.right) {
         throw Error(ErrorCode::internal, "the counterexample found is none: this is an error of the program",
                     "", relation.offset);
     }
-    std::set<std::size_t> maps;
-    std::set<std::size_t> symbols;
-    const std::set<NodeId> nodes = nodes_below(block, {relation.left, relation.right});
-    for (const NodeId id : nodes) {
-        const Node& node = block.nodes[id];
-        if (node.kind == NodeKind::application) maps.insert(block.applications[node.index].map);
-        if (node.kind == NodeKind::symbol && !block.symbols[node.index].is_coefficient)
-            symbols.insert(node.index);
-    }
-    for (const std::size_t map : maps) result.maps.push_back(written_out(block.maps[map], evaluate));
-    for (const std::size_t symbol : symbols) {
-        result.variables.emplace_back(block.symbols[symbol].name, values[symbol]);
+    for (const std::size_t map : maps) {
+        if (block.maps[map].barycentric.empty()) result.maps.push_back(written_out(block.maps[map], evaluate));
     }
     std::set<std::string> listed;
-    for (const NodeId id : nodes) {
+    for (const NodeId id : nodes_below(block, {relation.left, relation.right})) {
         if (block.nodes[id].kind != NodeKind::application) continue;
+        const GroundMap& map = block.maps[block.applications[block.nodes[id].index].map];
+        if (!map.barycentric.empty()) continue;
         WitnessValue value = written_out(block, id, result.maps, evaluate);
         if (listed.insert(value.text).second) result.values.push_back(std::move(value));
     }
-    return result;
+    return witness;
 }
 
 }  // namespace blossom::proofs

@@ -9,25 +9,19 @@ namespace blossom::proofs {
 
 namespace {
 
-using Choice = std::vector<std::pair<std::string, long long>>;
-
 /// Calls `action` with every choice of values of the ranges from number `i` on.
 void for_each_choice(Grounder& grounder, const std::vector<const Range*>& ranges, std::size_t i,
-                     Choice& chosen, const std::function<void(const Choice&)>& action) {
+                     Parameters& chosen, const std::function<void(const Parameters&)>& action) {
     if (i == ranges.size()) {
         action(chosen);
         return;
     }
     const Range& range = *ranges[i];
-    if (grounder.bound(range.name)) {
-        throw Error(ErrorCode::syntax, "\"" + range.name + "\" is declared already", "", range.offset);
-    }
     for (const long long value : grounder.interval(range.first, range.last)) {
-        grounder.bind(range.name, value);
+        const Grounder::Binding binding(grounder, range.name, value);
         chosen.emplace_back(range.name, value);
         for_each_choice(grounder, ranges, i + 1, chosen, action);
         chosen.pop_back();
-        grounder.unbind(range.name);
     }
 }
 
@@ -41,22 +35,35 @@ std::vector<const Range*> pointers(const std::vector<Range>& ranges) {
 /// The relations of a line, one for each choice of its own ranges.
 void add_relations(Grounder& grounder, const Statement& statement, std::size_t number,
                    std::vector<Relation> GroundBlock::* list) {
-    Choice chosen;
-    for_each_choice(grounder, pointers(statement.ranges), 0, chosen, [&](const Choice& choice) {
-        Relation relation{grounder.scalar(statement.sides[0]),
-                          grounder.scalar(statement.sides[1]),
-                          number,
-                          statement.offset,
-                          {},
-                          choice};
-        for (const Expression& quantified : statement.quantified) {
-            for (const Expression& name : grounder.members(quantified))
-                relation.quantified.push_back(grounder.scalar_symbol(name));
-        }
+    Parameters chosen;
+    for_each_choice(grounder, pointers(statement.ranges), 0, chosen, [&](const Parameters& choice) {
         auto& relations = grounder.block().*list;
         require_within(relations.size() + 1, grounder.limits().expansion_terms, "expansion_terms",
                        "the number of cases of one line, up to");
+        Relation relation = grounder.relation(statement);
+        relation.statement = number;
+        relation.parameters = choice;
         relations.push_back(std::move(relation));
+    });
+}
+
+/// The claims of a line. An error in one choice of its ranges is kept as that choice's own.
+void add_claims(Grounder& grounder, const Statement& statement, std::size_t number) {
+    Parameters chosen;
+    for_each_choice(grounder, pointers(statement.ranges), 0, chosen, [&](const Parameters& choice) {
+        auto& claims = grounder.block().claims;
+        require_within(claims.size() + 1, grounder.limits().expansion_terms, "expansion_terms",
+                       "the number of cases of one line, up to");
+        Relation relation;
+        try {
+            relation = grounder.relation(statement);
+        } catch (const Error& error) {
+            relation.offset = statement.offset;
+            relation.error = error;
+        }
+        relation.statement = number;
+        relation.parameters = choice;
+        claims.push_back(std::move(relation));
     });
 }
 
@@ -73,8 +80,12 @@ std::vector<NodeId> operands_of(const GroundBlock& block, NodeId id) {
             operands.push_back(argument.mass);
         }
     }
-    const auto& coefficients = block.maps[application.map].coefficients;
-    operands.insert(operands.end(), coefficients.begin(), coefficients.end());
+    for (const NodeArgument& place : application.places) {
+        operands.insert(operands.end(), place.coordinates.begin(), place.coordinates.end());
+    }
+    const GroundMap& map = block.maps[application.map];
+    operands.insert(operands.end(), map.coefficients.begin(), map.coefficients.end());
+    operands.insert(operands.end(), map.conditions.begin(), map.conditions.end());
     return operands;
 }
 
@@ -90,42 +101,43 @@ std::set<NodeId> nodes_below(const GroundBlock& block, std::vector<NodeId> roots
     return found;
 }
 
-std::vector<Choice> parameter_choices(const Block& block, const Limits& limits) {
+std::set<NodeId> divisors_below(const GroundBlock& block, const std::vector<NodeId>& roots) {
+    std::set<NodeId> divisors;
+    for (const NodeId id : nodes_below(block, roots)) {
+        const Node& node = block.nodes[id];
+        if (node.kind == NodeKind::quotient) divisors.insert(node.operands[1]);
+        if (node.kind != NodeKind::application) continue;
+        const auto& conditions = block.maps[block.applications[node.index].map].conditions;
+        divisors.insert(conditions.begin(), conditions.end());
+    }
+    return divisors;
+}
+
+std::vector<Parameters> parameter_choices(const Block& block, const Limits& limits) {
     Grounder grounder(limits);
     std::vector<const Range*> ranges;
     for (const Statement& statement : block.statements) {
         if (statement.kind == StatementKind::parameter) ranges.push_back(&statement.ranges.front());
     }
-    std::vector<Choice> choices;
-    Choice chosen;
-    for_each_choice(grounder, ranges, 0, chosen, [&](const Choice& choice) {
-        if (choices.size() == limits.expansion_terms) {
-            throw Error(ErrorCode::limit_exceeded,
-                        "the number of cases exceeds the limit expansion_terms = " +
-                            std::to_string(limits.expansion_terms),
-                        "", ranges.empty() ? block.offset : ranges.front()->offset);
-        }
+    std::vector<Parameters> choices;
+    Parameters chosen;
+    for_each_choice(grounder, ranges, 0, chosen, [&](const Parameters& choice) {
+        require_elements(choices.size() + 1, limits, ranges.empty() ? block.offset : ranges.front()->offset);
         choices.push_back(choice);
     });
     return choices;
 }
 
-GroundBlock ground(const Block& block, const Choice& parameters, const Limits& limits) {
+GroundBlock ground(const Block& block, const Parameters& parameters, const Limits& limits) {
     Grounder grounder(limits);
     for (const auto& [name, value] : parameters) grounder.bind(name, value);
-    grounder.finish_parameters();
+    grounder.begin(block);
     grounder.block().parameters = parameters;
     for (std::size_t i = 0; i < block.statements.size(); ++i) {
         const Statement& statement = block.statements[i];
         switch (statement.kind) {
-            case StatementKind::parameter:
-                break;
             case StatementKind::map:
                 grounder.declare_map(statement);
-                break;
-            case StatementKind::point:
-            case StatementKind::vector:
-                grounder.declare_points(statement);
                 break;
             case StatementKind::polynomial:
                 grounder.declare_polynomial(statement);
@@ -133,17 +145,18 @@ GroundBlock ground(const Block& block, const Choice& parameters, const Limits& l
             case StatementKind::raise:
                 grounder.declare_raised(statement);
                 break;
-            case StatementKind::let:
-                grounder.declare_let(statement);
-                break;
             case StatementKind::assume:
                 add_relations(grounder, statement, i, &GroundBlock::assumptions);
                 break;
             case StatementKind::given:
                 add_relations(grounder, statement, i, &GroundBlock::hypotheses);
                 break;
+            case StatementKind::claim:
+            case StatementKind::refute:
+                add_claims(grounder, statement, i);
+                break;
             default:
-                add_relations(grounder, statement, i, &GroundBlock::claims);
+                break;
         }
     }
     return std::move(grounder.block());

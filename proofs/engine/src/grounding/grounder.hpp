@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "language/kinds.hpp"
+
 namespace blossom::proofs {
 
 /// Throws the `syntax` error of what stands at `offset` of the text.
@@ -20,41 +22,19 @@ namespace blossom::proofs {
 }
 
 using Set = std::vector<long long>;
-using Bound = std::variant<long long, Set>;
+struct Permutation {
+    std::vector<long long> images;
+};
+/// What a name that runs stands for.
+using Bound = std::variant<long long, Set, std::vector<Set>, Permutation>;
+/// A number, or an argument with coordinates and mass.
+using Value = std::variant<NodeId, NodeArgument>;
 
-/// Grounds the expressions of one block.
+/// Grounds the expressions of one block, whose kinds are known to fit.
 class Grounder {
 public:
     explicit Grounder(const Limits& limits) : limits_(limits) {}
 
-    void bind(const std::string& name, Bound value) { bound_[name] = std::move(value); }
-    void unbind(const std::string& name) { bound_.erase(name); }
-    const Bound* bound(const std::string& name) const;
-
-    void declare_map(const Statement& statement);
-    void declare_points(const Statement& statement);
-    void declare_polynomial(const Statement& statement);
-    void declare_raised(const Statement& statement);
-    void declare_let(const Statement& statement);
-
-    NodeId scalar(const Expression& e);
-    long long integer(const Expression& e);
-    /// first, ..., last. Errors: `limit_exceeded` for more than `expansion_terms`.
-    Set interval(const Expression& first, const Expression& last);
-    /// A degree, dimension, order or number of copies.
-    std::size_t count(const Expression& e);
-    /// The members of t_1..t_n, or the only name.
-    std::vector<Expression> members(const Expression& name_or_run);
-    std::size_t scalar_symbol(const Expression& name);
-    /// What is bound now is what abbreviations see.
-    void finish_parameters() { parameters_ = bound_; }
-
-    GroundBlock& block() { return block_; }
-    const Limits& limits() const { return limits_; }
-
-private:
-    /// A number, or an argument with coordinates and mass.
-    using Value = std::variant<NodeId, NodeArgument>;
     /// Binds a name for as long as it lives.
     class Binding {
     public:
@@ -70,27 +50,74 @@ private:
         std::string name_;
         std::optional<Bound> hidden_;
     };
-    struct Space {
-        std::size_t dimension;
-        int mass;
-    };
 
+
+    void bind(const std::string& name, Bound value) { bound_[name] = std::move(value); }
+    /// Reads the declarations and infers all kinds; what is bound now are the parameters of the block, which
+    /// abbreviations see wherever they are used.
+    void begin(const Block& block);
+
+    void declare_map(const Statement& statement);
+    void declare_polynomial(const Statement& statement);
+    void declare_raised(const Statement& statement);
+    Relation relation(const Statement& statement);
+
+    long long integer(const Expression& e);
+    /// first, ..., last. Errors: `limit_exceeded` for more than `expansion_terms`.
+    Set interval(const Expression& first, const Expression& last);
+    /// A degree, dimension, order or number of copies.
+    std::size_t count(const Expression& e);
+
+    GroundBlock& block() { return block_; }
+    const Limits& limits() const { return limits_; }
+
+private:
+    using Bindings = std::map<std::string, Bound>;
+    const Bound* bound(const std::string& name) const;
+    NodeId scalar(const Expression& e);
     Value value(const Expression& e);
     Value name(const Expression& e);
-    Value let_value(const std::string& name, const Expression& e);
+    Value variable(const std::string& full, const Declared* declared, std::size_t offset);
+    Value let_value(const std::string& full, const Expression& e);
+    std::optional<Value> clause_value(const Statement& clause, const std::vector<long long>& indices);
+    Value without_clause(const std::string& full, const Expression& e);
+    bool is_declared_member(const Declared& family, const Expression& e);
     Value call(const Expression& e);
-    Value sum_of(const Expression& e, std::vector<Value> values);
+    Value zero_of(const Kind& kind);
+    Value sum_of(std::vector<Value> values, const Kind& kind);
     Value scaled(NodeId factor, const Value& value);
     Value binary(const Expression& e);
+    Value chosen(const Expression& e);
     NodeId power(const Expression& e);
-    NodeId application(const Expression& e);
+    NodeId derivative(const Expression& e);
     NodeId bernstein(const Expression& e);
-    NodeArgument argument(const Expression& e, const Direction& direction);
-    void add_arguments(const Expression& e, const Direction& direction, std::vector<NodeArgument>& arguments);
+    NodeId determinant(const Expression& e);
+    NodeId determinant(const std::vector<std::vector<NodeId>>& rows);
+    NodeId bspline(const Expression& e);
+    NodeId basis_function(const Expression& knots, long long j, long long degree, long long span, NodeId t,
+                          std::size_t offset);
+
+    NodeId application(const Expression& e);
+    NodeId blossom(const Expression& e, Application result);
+    NodeId value_of(const Expression& e, Application result);
+    NodeId derivative_of(const Expression& e, Application result);
+    NodeArgument place_of(const Expression& e, const GroundMap& map, std::size_t direction);
+    NodeId push(Application application);
+    NodeArgument argument(const Expression& e, std::size_t dimension);
+    /// The argument as the map takes it: in the coordinates of its frame, if it has one.
+    NodeArgument placed(const NodeArgument& argument, const GroundMap& map);
+    void add_arguments(const Expression& e, const GroundMap& map, std::size_t direction,
+                       std::vector<NodeArgument>& arguments);
 
     std::vector<Value> over_range(const Expression& call);
     Set set_of(const Expression& e);
+    Set base_set(const Expression& e);
     std::vector<Bound> elements_of(const Expression& e);
+    std::vector<Bound> subsets(const Expression& e);
+    std::vector<Bound> partitions(const Expression& e);
+    std::vector<Bound> permutations(const Expression& e);
+    bool holds(const Expression& comparison);
+    const Permutation* permutation(const std::string& name) const;
     std::vector<Expression> run_members(const Expression& run);
     std::vector<long long> family_indices(const Expression& family);
     std::string full_name(const Expression& name);
@@ -98,7 +125,7 @@ private:
     NodeId constant(Rational value);
     void spend(std::size_t steps, std::size_t offset);
     NodeId symbol_node(std::size_t number);
-    std::size_t symbol(const std::string& name, bool coefficient);
+    std::size_t symbol(const std::string& key, Symbol symbol);
     NodeId polynomial_node(const SparsePolynomial& polynomial);
     NodeId add(std::vector<NodeId> operands);
     NodeId multiply(std::vector<NodeId> operands);
@@ -106,28 +133,29 @@ private:
     NodeId raise(NodeId base, std::size_t exponent, std::size_t offset);
     NodeId push(Node node, std::size_t offset = 0);
     const Rational* constant_value(NodeId id) const;
-    NodeArgument lifted(const Value& value, const Direction& direction, std::size_t offset);
-    NodeArgument as_argument(const Value& value, std::size_t dimension);
+    NodeArgument as_argument(const Value& value);
 
-    std::size_t map_named(const Expression& e) const;
-    void add_map(GroundMap map, std::size_t offset);
-    void require_new(const std::string& name, std::size_t offset) const;
+    void add_map(GroundMap map);
     std::vector<Direction> directions(const Statement& statement);
+    void add_net(const Statement& statement, GroundMap& map);
 
     const Limits& limits_;
     GroundBlock block_;
-    std::map<std::string, Bound> bound_;
-    std::map<std::string, Bound> parameters_;
-    std::map<std::string, std::size_t> local_symbols_;  ///< variables of the polynomial being read
+    const Block* text_ = nullptr;
+    std::optional<Names> names_;
+    std::optional<Kinds> kinds_;
+    Bindings bound_;
+    Bindings parameters_;
     std::map<std::string, std::size_t> symbols_;
     std::map<std::string, std::size_t> maps_;
-    std::map<std::string, Space> spaces_;  ///< of points and vectors, by the name without indices
-    std::map<std::string, std::vector<const Statement*>> lets_;
     std::map<std::string, Value> let_values_;
     std::set<std::string> open_lets_;
     std::map<Rational, NodeId> constants_;
     std::size_t depth_ = 0;
     std::size_t steps_ = 0;  ///< of grounding, against `expansion_work`
 };
+
+/// The limit on the elements that a sum runs over, named in an error at its place.
+void require_elements(const Integer& elements, const Limits& limits, std::size_t offset);
 
 }  // namespace blossom::proofs

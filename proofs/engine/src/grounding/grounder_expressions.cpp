@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "language/functions.hpp"
 #include "grounder.hpp"
+
+/// Expressions, names and abbreviations.
 
 namespace blossom::proofs {
 
@@ -39,13 +40,25 @@ private:
 
 }  // namespace
 
+void Grounder::begin(const Block& block) {
+    text_ = &block;
+    parameters_ = bound_;
+    names_.emplace(block);
+    kinds_.emplace(block, *names_, [this](const Expression& e) {
+        const std::size_t dimension = count(e);
+        if (dimension == 0) refuse("a dimension is at least 1", e.offset);
+        require_within(dimension, limits_.variables, "variables", "the dimension");
+        return dimension;
+    });
+}
+
 NodeId Grounder::scalar(const Expression& e) {
     const Value result = value(e);
     if (const NodeId* id = std::get_if<NodeId>(&result)) return *id;
     refuse("a point, vector or pair found, expected a number", e.offset);
 }
 
-Grounder::Value Grounder::value(const Expression& e) {
+Value Grounder::value(const Expression& e) {
     const Depth depth(depth_, e.offset);
     spend(steps_an_expression, e.offset);
     switch (e.kind) {
@@ -59,43 +72,54 @@ Grounder::Value Grounder::value(const Expression& e) {
             return power(e);
         case ExpressionKind::pair:
             return NodeArgument{{scalar(e.children[0])}, scalar(e.children[1])};
+        case ExpressionKind::point: {
+            NodeArgument point{{}, constant(1)};
+            for (const Expression& coordinate : e.children) point.coordinates.push_back(scalar(coordinate));
+            return point;
+        }
         case ExpressionKind::call:
             return call(e);
         case ExpressionKind::value:
         case ExpressionKind::blossom:
             return application(e);
+        case ExpressionKind::derivative:
+            return derivative(e);
+        case ExpressionKind::comparison:
         case ExpressionKind::copies:
         case ExpressionKind::run:
         case ExpressionKind::family:
-            refuse("copies, runs and families stand among the arguments of a blossom only", e.offset);
+            refuse("this stands in a condition or among the arguments of a blossom only", e.offset);
         default:
             return binary(e);
     }
 }
 
-NodeArgument Grounder::as_argument(const Value& value, std::size_t dimension) {
+/// A number as the point of the line with mass 1.
+NodeArgument Grounder::as_argument(const Value& value) {
     if (const auto* argument = std::get_if<NodeArgument>(&value)) return *argument;
-    return {std::vector<NodeId>(dimension, std::get<NodeId>(value)), constant(1)};
+    return {{std::get<NodeId>(value)}, constant(1)};
 }
 
-/// The sum; when an argument with a mass is among the values, numbers are points of the affine line.
-Grounder::Value Grounder::sum_of(const Expression& e, std::vector<Value> values) {
-    const auto argument =
-        std::ranges::find_if(values, [](const Value& v) { return std::holds_alternative<NodeArgument>(v); });
+Value Grounder::zero_of(const Kind& kind) {
+    if (!kind.is_geometric()) return constant(0);
+    return NodeArgument{std::vector<NodeId>(kind.dimension, constant(0)), constant(0)};
+}
+
+/// The sum of values of one kind; of none, the zero of that kind. Coordinates and masses add.
+Value Grounder::sum_of(std::vector<Value> values, const Kind& kind) {
+    const bool geometric =
+        std::ranges::any_of(values, [](const Value& v) { return std::holds_alternative<NodeArgument>(v); });
+    if (values.empty()) return zero_of(kind);
     std::vector<NodeId> masses;
-    if (argument == values.end()) {
+    if (!geometric) {
         for (const Value& value : values) masses.push_back(std::get<NodeId>(value));
         return add(std::move(masses));
     }
-    const std::size_t dimension = std::get<NodeArgument>(*argument).coordinates.size();
-    std::vector<std::vector<NodeId>> coordinates(dimension);
+    std::vector<std::vector<NodeId>> coordinates;
     for (const Value& value : values) {
-        const bool number = std::holds_alternative<NodeId>(value);
-        const NodeArgument summand = as_argument(value, dimension);
-        if ((number && dimension != 1) || summand.coordinates.size() != dimension) {
-            refuse("what is added here has different dimensions", e.offset);
-        }
-        for (std::size_t i = 0; i < dimension; ++i) coordinates[i].push_back(summand.coordinates[i]);
+        const NodeArgument summand = as_argument(value);
+        coordinates.resize(summand.coordinates.size());
+        for (std::size_t i = 0; i < coordinates.size(); ++i) coordinates[i].push_back(summand.coordinates[i]);
         masses.push_back(summand.mass);
     }
     NodeArgument result{{}, add(std::move(masses))};
@@ -103,7 +127,7 @@ Grounder::Value Grounder::sum_of(const Expression& e, std::vector<Value> values)
     return result;
 }
 
-Grounder::Value Grounder::scaled(NodeId factor, const Value& value) {
+Value Grounder::scaled(NodeId factor, const Value& value) {
     if (const NodeId* id = std::get_if<NodeId>(&value)) return multiply({factor, *id});
     NodeArgument result = std::get<NodeArgument>(value);
     for (NodeId& coordinate : result.coordinates) coordinate = multiply({factor, coordinate});
@@ -111,19 +135,14 @@ Grounder::Value Grounder::scaled(NodeId factor, const Value& value) {
     return result;
 }
 
-Grounder::Value Grounder::binary(const Expression& e) {
+Value Grounder::binary(const Expression& e) {
     const Value left = value(e.children[0]);
     const Value right = value(e.children[1]);
-    if (e.kind == ExpressionKind::sum) return sum_of(e, {left, right});
-    if (e.kind == ExpressionKind::difference) return sum_of(e, {left, scaled(constant(-1), right)});
+    if (e.kind == ExpressionKind::sum) return sum_of({left, right}, {});
+    if (e.kind == ExpressionKind::difference) return sum_of({left, scaled(constant(-1), right)}, {});
     const NodeId* a = std::get_if<NodeId>(&left);
     const NodeId* b = std::get_if<NodeId>(&right);
-    if (e.kind == ExpressionKind::product) {
-        if (a) return scaled(*a, right);
-        if (b) return scaled(*b, left);
-        refuse("two points or vectors cannot be multiplied", e.offset);
-    }
-    if (!b) refuse("a point or vector cannot divide", e.children[1].offset);
+    if (e.kind == ExpressionKind::product) return a ? scaled(*a, right) : scaled(std::get<NodeId>(right), left);
     if (a) return divide(*a, *b, e.children[1].offset);
     return scaled(divide(constant(1), *b, e.children[1].offset), left);
 }
@@ -136,118 +155,178 @@ NodeId Grounder::power(const Expression& e) {
                   e.offset);
 }
 
-Grounder::Value Grounder::name(const Expression& e) {
-    if (e.children.empty()) {
+/// D(e, t, k)
+NodeId Grounder::derivative(const Expression& e) {
+    const NodeId body = scalar(e.children[0]);
+    const NodeId variable = scalar(e.children[1]);
+    const std::size_t order = e.children.size() == 3 ? count(e.children[2]) : 1;
+    if (block_.nodes[variable].kind != NodeKind::symbol)
+        refuse("a derivative is taken with respect to a variable", e.children[1].offset);
+    if (order == 0) return body;
+    spend(order, e.offset);
+    return push({NodeKind::derivative, {}, block_.nodes[variable].index, {body}, 0, order}, e.offset);
+}
+
+Value Grounder::name(const Expression& e) {
+    const bool bare = e.children.empty();
+    const std::string full = full_name(e);
+    if (bare) {
         if (const Bound* value = bound(e.name)) {
             if (const long long* number = std::get_if<long long>(value)) return constant(*number);
             refuse(quoted(e.name) + " is a set, expected a number", e.offset);
         }
         if (e.name == "delta") return NodeArgument{{constant(1)}, constant(0)};
-        const auto local = local_symbols_.find(e.name);
-        if (local != local_symbols_.end()) return symbol_node(local->second);
     }
-    if (e.children.empty() && maps_.contains(e.name)) {
+    const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
+    if (bare && declared && declared->meaning == Meaning::map) {
         refuse(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " + e.name +
                    "[...]",
                e.offset);
     }
-    const std::string full = full_name(e);
-    if (lets_.contains(e.name)) return let_value(full, e);
-    const auto space = spaces_.find(e.name);
-    if (space == spaces_.end()) return symbol_node(scalar_symbol(e));
-    NodeArgument result{{}, constant(space->second.mass)};
-    for (std::size_t i = 1; i <= space->second.dimension; ++i) {
-        result.coordinates.push_back(symbol_node(symbol(full + "." + std::to_string(i), false)));
+    if (bare ? declared && declared->meaning == Meaning::let : names_->clauses(e.name) != nullptr)
+        return let_value(full, e);
+    if (!bare && declared && text_->strict && !is_declared_member(*declared, e))
+        refuse(full + " is not among the declared members of " + e.name + "_i", e.offset);
+    return variable(full, declared, e.offset);
+}
+
+/// A number, or the coordinates of a point or vector.
+Value Grounder::variable(const std::string& full, const Declared* declared, std::size_t offset) {
+    const bool geometric = declared && (declared->meaning == Meaning::point || declared->meaning == Meaning::vector ||
+                                        declared->meaning == Meaning::frame);
+    if (!geometric) return symbol_node(symbol(full, {full}));
+    const Statement& statement = *declared->statements.front();
+    const std::size_t dimension = count(statement.dimension[0]);
+    NodeArgument result{{}, constant(declared->meaning == Meaning::vector ? 0 : 1)};
+    if (declared->meaning != Meaning::frame) {
+        for (std::size_t i = 1; i <= dimension; ++i) {
+            const std::string coordinate = full + "." + std::to_string(i);
+            result.coordinates.push_back(symbol_node(symbol(coordinate, {coordinate})));
+        }
+        return result;
     }
+    // The first point of a frame is the origin, the others are the unit points.
+    if (statement.expressions.size() != dimension + 1) {
+        refuse("a frame of a space of dimension " + std::to_string(dimension) + " has " +
+                   std::to_string(dimension + 1) + " points, not " + std::to_string(statement.expressions.size()),
+               statement.offset);
+    }
+    std::size_t position = 0;
+    while (statement.expressions[position].name != full) {
+        if (++position == statement.expressions.size()) refuse("the points of a frame have no indices", offset);
+    }
+    result.coordinates.assign(dimension, constant(0));
+    if (position > 0) result.coordinates[position - 1] = constant(1);
     return result;
 }
 
-std::size_t Grounder::scalar_symbol(const Expression& name) {
-    if (name.kind != ExpressionKind::name) refuse("the name of a variable is expected here", name.offset);
-    return symbol(full_name(name), false);
+/// The two sides of a line. `for all` takes variables, in abbreviations too; all coordinates of a point or vector.
+Relation Grounder::relation(const Statement& statement) {
+    Relation result;
+    result.offset = statement.offset;
+    for (const Expression& quantified : statement.quantified) {
+        const bool run = quantified.kind == ExpressionKind::run;
+        for (const Expression& name : run ? run_members(quantified) : std::vector<Expression>{quantified}) {
+            const Value variable = value(name);
+            const bool number = std::holds_alternative<NodeId>(variable);
+            for (const NodeId id : number ? std::vector<NodeId>{std::get<NodeId>(variable)}
+                                          : std::get<NodeArgument>(variable).coordinates) {
+                const Node& node = block_.nodes[id];
+                if (node.kind != NodeKind::symbol || full_name(name) != block_.symbols[node.index].name.substr(
+                                                                            0, full_name(name).size())) {
+                    refuse("\"for all\" takes variables; " + full_name(name) + " is something else", name.offset);
+                }
+                result.quantified.push_back(node.index);
+            }
+        }
+    }
+    result.left = scalar(statement.sides[0]);
+    result.right = scalar(statement.sides[1]);
+    return result;
 }
 
-/// The abbreviation whose indices fit, the first of several: an index that is a name not bound before stands
-/// for any integer, every other one for its value. A name that no line fits is a variable.
-Grounder::Value Grounder::let_value(const std::string& full, const Expression& e) {
+/// Whether a line declares this member: by its indices, or in a run.
+bool Grounder::is_declared_member(const Declared& family, const Expression& e) {
+    if (family.members.empty()) return true;
+    const std::string full = full_name(e);
+    return std::ranges::any_of(family.members, [&](const Expression* declared) {
+        if (declared->kind != ExpressionKind::run) return full_name(*declared) == full;
+        return std::ranges::any_of(run_members(*declared),
+                                   [&](const Expression& member) { return full_name(member) == full; });
+    });
+}
+
+/// The abbreviation whose indices fit, the first of several. It is read where it is declared: it sees the
+/// parameters of the block and its own indices, and nothing of the place where it is used.
+Value Grounder::let_value(const std::string& full, const Expression& e) {
     const auto known = let_values_.find(full);
     if (known != let_values_.end()) return known->second;
     if (!open_lets_.insert(full).second) refuse("the abbreviation " + full + " refers to itself", e.offset);
     std::vector<long long> indices;
     indices.reserve(e.children.size());
     for (const Expression& index : e.children) indices.push_back(integer(index));
-    const auto hidden = std::exchange(bound_, parameters_);
     std::optional<Value> result;
-    for (const Statement* statement : lets_[e.name]) {
-        const auto& patterns = statement->sides[0].children;
-        bound_ = parameters_;
-        bool fits = patterns.size() == indices.size();
-        for (std::size_t i = 0; fits && i < indices.size(); ++i) {
-            const Expression& pattern = patterns[i];
-            const bool any =
-                pattern.kind == ExpressionKind::name && pattern.children.empty() && !bound(pattern.name);
-            if (any) bound_[pattern.name] = indices[i];
-            fits = any || integer(pattern) == indices[i];
+    Bindings outer = std::exchange(bound_, parameters_);
+    try {
+        if (e.children.empty()) {
+            result = value(names_->bare(e.name)->statements.front()->sides[1]);
+        } else {
+            for (const Statement* clause : *names_->clauses(e.name)) {
+                bound_ = parameters_;
+                result = clause_value(*clause, indices);
+                if (result) break;
+            }
         }
-        if (!fits) continue;
-        result = value(statement->sides[1]);
-        break;
+    } catch (...) {
+        bound_ = std::move(outer);
+        open_lets_.erase(full);
+        throw;
     }
-    bound_ = hidden;
+    bound_ = std::move(outer);
     open_lets_.erase(full);
-    if (!result) result = symbol_node(symbol(full, false));
+    if (!result) result = without_clause(full, e);
     return let_values_[full] = *result;
 }
 
-Grounder::Value Grounder::call(const Expression& e) {
-    const Function& function = *find_function(e.name);
-    if (e.children.size() < function.least || e.children.size() > function.most) {
-        throw Error(
-            ErrorCode::wrong_arity,
-            std::to_string(e.children.size()) + " arguments found, expected " + std::string(function.form),
-            "", e.offset);
+/// An index that is a name stands for any integer, unless it is a parameter of the block; every other one for its
+/// value.
+std::optional<Value> Grounder::clause_value(const Statement& clause, const std::vector<long long>& indices) {
+    const auto& patterns = clause.sides[0].children;
+    if (patterns.size() != indices.size()) return std::nullopt;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const Expression& pattern = patterns[i];
+        const bool any =
+            pattern.kind == ExpressionKind::name && pattern.children.empty() && !bound(pattern.name);
+        if (any) {
+            bound_[pattern.name] = indices[i];
+        } else if (integer(pattern) != indices[i]) {
+            return std::nullopt;
+        }
     }
-    if (e.name == "sum") return sum_of(e, over_range(e));
-    if (e.name == "size") return constant(set_of(e.children[0]).size());
-    if (e.name == "bernstein") return bernstein(e);
-    if (e.name == "factorial") {
-        const std::size_t n = count(e.children[0]);
-        spend(n, e.offset);
-        return constant(factorial(n));
-    }
-    if (e.name == "binomial") {
-        const std::size_t n = count(e.children[0]);
-        const long long k = integer(e.children[1]);
-        spend(n, e.offset);
-        return constant(k < 0 ? Integer(0) : binomial(n, static_cast<std::size_t>(k)));
-    }
-    if (e.name == "subsets" || e.name == "without") {
-        refuse("a set found, expected a number", e.offset);
-    }
-    std::vector<Value> values = over_range(e);
-    if (e.name == "mean") {
-        if (values.empty()) refuse("the mean of nothing is not defined", e.offset);
-        const NodeId weight = constant(Rational(1, values.size()));
-        return scaled(weight, sum_of(e, std::move(values)));
-    }
-    std::vector<NodeId> factors;
-    for (const Value& value : values) {
-        const NodeId* factor = std::get_if<NodeId>(&value);
-        if (!factor) refuse("points and vectors cannot be multiplied", e.offset);
-        factors.push_back(*factor);
-    }
-    return multiply(std::move(factors));
+    return value(clause.sides[1]);
 }
 
-/// C(n, i) t^i (1 - t)^(n - i), zero for i outside 0..n.
-NodeId Grounder::bernstein(const Expression& e) {
-    const long long i = integer(e.children[0]);
-    const std::size_t n = count(e.children[1]);
-    const NodeId t = scalar(e.children[2]);
-    if (i < 0 || static_cast<std::size_t>(i) > n) return constant(0);
-    const auto k = static_cast<std::size_t>(i);
-    const NodeId rest = add({constant(1), multiply({constant(-1), t})});
-    return multiply({constant(binomial(n, k)), raise(t, k, e.offset), raise(rest, n - k, e.offset)});
+/// A member of a family that no clause fits is what the family is declared as, or else a free number, unless a
+/// clause stands for any index: then the member is a mistake.
+Value Grounder::without_clause(const std::string& full, const Expression& e) {
+    const Declared* declared = names_->family(e.name);
+    if (declared) {
+        if (text_->strict && !is_declared_member(*declared, e))
+            refuse(full + " is not declared, and no line \"let\" fits it", e.offset);
+        return variable(full, declared, e.offset);
+    }
+    if (text_->strict || has_open_index(*names_->clauses(e.name)) || kinds_->of_family(e.name).is_geometric()) {
+        std::string reason;
+        for (const Statement* clause : *names_->clauses(e.name)) {
+            for (const Expression& index : clause->sides[0].children) {
+                const bool parameter = index.kind == ExpressionKind::name && index.children.empty() &&
+                                       parameters_.contains(index.name);
+                if (parameter) reason = "; " + index.name + " is a parameter of the block there, and stands for its value";
+            }
+        }
+        refuse("no line \"let\" fits " + full + reason, e.offset);
+    }
+    return variable(full, nullptr, e.offset);
 }
 
 }  // namespace blossom::proofs

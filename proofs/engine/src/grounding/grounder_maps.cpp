@@ -6,10 +6,9 @@
 
 #include <blossom/proofs/expansion.hpp>
 
-#include "language/functions.hpp"
 #include "grounder.hpp"
 
-/// Declarations of maps and their applications.
+/// Declarations of maps.
 
 namespace blossom::proofs {
 
@@ -36,6 +35,43 @@ std::size_t number_of_coefficients(const std::vector<Direction>& directions) {
     return word ? static_cast<std::size_t>(*word) : std::size_t(-1);
 }
 
+std::size_t total(const std::vector<std::size_t>& exponents) {
+    std::size_t sum = 0;
+    for (const std::size_t exponent : exponents) sum += exponent;
+    return sum;
+}
+
+/// n! / (alpha_1! ... alpha_s! (n - |alpha|)!)
+Integer multinomial(const std::vector<std::size_t>& exponents, std::size_t n) {
+    Integer result = 1;
+    for (const std::size_t exponent : exponents) {
+        result *= binomial(n, exponent);
+        n -= exponent;
+    }
+    return result;
+}
+
+/// The terms of a polynomial whose exponents of `symbols` are `powers`, without these symbols.
+SparsePolynomial coefficient_of(const SparsePolynomial& polynomial, const std::vector<std::size_t>& symbols,
+                                const std::vector<std::size_t>& powers) {
+    std::vector<SparsePolynomial> terms;
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        std::vector<std::size_t> term(polynomial.variables());
+        for (std::size_t j = 0; j < term.size(); ++j) term[j] = polynomial.exponent(i, j);
+        bool belongs = true;
+        for (std::size_t j = 0; j < symbols.size(); ++j) {
+            belongs = belongs && polynomial.exponent(i, symbols[j]) == powers[j];
+            if (symbols[j] < term.size()) term[symbols[j]] = 0;
+        }
+        if (belongs) terms.push_back(SparsePolynomial::term(polynomial.coefficient(i), term));
+    }
+    return sum(terms);
+}
+
+bool contains_any(const SparsePolynomial& polynomial, const std::vector<std::size_t>& symbols) {
+    return std::ranges::any_of(symbols, [&](std::size_t symbol) { return polynomial.degree_in(symbol) > 0; });
+}
+
 }  // namespace
 
 std::vector<std::vector<std::size_t>> monomials(const Direction& direction) {
@@ -60,17 +96,7 @@ std::vector<std::vector<std::size_t>> monomials(const std::vector<Direction>& di
     return result;
 }
 
-void Grounder::require_new(const std::string& name, std::size_t offset) const {
-    if (name == "delta" || name == "D" || is_function(name)) {
-        refuse(quoted(name) + " is a word of the language and cannot be declared", offset);
-    }
-    if (maps_.contains(name) || spaces_.contains(name) || bound_.contains(name) || lets_.contains(name)) {
-        refuse(quoted(name) + " is declared already", offset);
-    }
-}
-
-void Grounder::add_map(GroundMap map, std::size_t offset) {
-    require_new(map.name, offset);
+void Grounder::add_map(GroundMap map) {
     maps_[map.name] = block_.maps.size();
     block_.maps.push_back(std::move(map));
 }
@@ -82,7 +108,6 @@ std::vector<Direction> Grounder::directions(const Statement& statement) {
     if (!statement.dimension.empty()) {
         if (result.size() != 1) refuse("a map on a simplex has one degree", statement.offset);
         result[0].dimension = count(statement.dimension[0]);
-        if (result[0].dimension == 0) refuse("the dimension of a simplex is at least 1", statement.offset);
     }
     if (number_of_coefficients(result) > limits_.variables) {
         throw Error(ErrorCode::limit_exceeded,
@@ -95,211 +120,150 @@ std::vector<Direction> Grounder::directions(const Statement& statement) {
 
 void Grounder::declare_map(const Statement& statement) {
     for (const std::string& name : statement.names) {
-        GroundMap map{name, directions(statement), {}, true};
-        for (const auto& exponents : monomials(map.directions)) {
-            std::string index = name;
-            for (const std::size_t exponent : exponents) index += "." + std::to_string(exponent);
-            map.coefficients.push_back(symbol_node(symbol(index, true)));
+        GroundMap map{name, directions(statement), {}};
+        if (!statement.net.empty()) {
+            add_net(statement, map);
+        } else {
+            for (const auto& exponents : monomials(map.directions)) {
+                std::string index = name;
+                for (const std::size_t exponent : exponents) index += "." + std::to_string(exponent);
+                map.coefficients.push_back(symbol_node(symbol(index, {index, true})));
+            }
         }
-        add_map(std::move(map), statement.offset);
+        add_map(std::move(map));
     }
 }
 
-void Grounder::declare_points(const Statement& statement) {
-    const std::size_t dimension = count(statement.dimension[0]);
-    if (dimension == 0) refuse("the dimension of a point is at least 1", statement.offset);
-    for (const Expression& name_or_run : statement.expressions) {
-        const Expression& name =
-            name_or_run.kind == ExpressionKind::run ? name_or_run.children[0] : name_or_run;
-        // Points with indices share their name: each declaration of one must agree with the others.
-        const Space space{dimension, statement.kind == StatementKind::point ? 1 : 0};
-        const auto known = spaces_.find(name.name);
-        if (known == spaces_.end()) require_new(name.name, name.offset);
-        spaces_.insert_or_assign(name.name, space);
+/// `map q degree n on simplex s net c over P_0, ..., P_s`: with barycentric coordinates over the frame, by Cramer's
+/// rule, the coefficients are control points times multinomials.
+void Grounder::add_net(const Statement& statement, GroundMap& map) {
+    const Direction direction = map.directions[0];
+    if (map.directions.size() != 1 || statement.frame.size() != direction.dimension + 1) {
+        refuse("a map of one degree on a simplex of dimension " + std::to_string(direction.dimension) +
+                   " has a net over " + std::to_string(direction.dimension + 1) + " points",
+               statement.offset);
+    }
+    std::vector<std::vector<NodeId>> frame;
+    for (const Expression& point : statement.frame) {
+        const NodeArgument corner = argument(point, direction.dimension);
+        const Rational* mass = constant_value(corner.mass);
+        if (!mass || *mass != Rational(1)) refuse("a point of the frame has mass 1", point.offset);
+        frame.push_back(corner.coordinates);
+        frame.back().push_back(corner.mass);
+    }
+    const NodeId whole = determinant(frame);
+    // The barycentric coordinate of P_j is the determinant with the argument in its place, linear in the argument:
+    // cofactors of the frame.
+    for (std::size_t j = 0; j <= direction.dimension; ++j) {
+        map.barycentric.emplace_back();
+        for (std::size_t i = 0; i <= direction.dimension; ++i) {
+            auto replaced = frame;
+            for (std::size_t k = 0; k <= direction.dimension; ++k) replaced[j][k] = constant(k == i ? 1 : 0);
+            map.barycentric.back().push_back(divide(determinant(replaced), whole, statement.offset));
+        }
+    }
+    if (!constant_value(whole)) map.conditions.push_back(whole);
+    for (const auto& exponents : monomials(direction)) {
+        Expression name{ExpressionKind::name, statement.offset, statement.net, {}, {}};
+        std::vector<std::size_t> index = exponents;
+        if (direction.dimension > 1) index.insert(index.begin(), direction.degree - total(exponents));
+        for (const std::size_t i : index)
+            name.children.push_back({ExpressionKind::number, statement.offset, std::to_string(i), {}, {}});
+        const NodeId scale = constant(Rational(multinomial(exponents, direction.degree)));
+        map.coefficients.push_back(multiply({scale, scalar(name)}));
     }
 }
 
-void Grounder::declare_let(const Statement& statement) {
-    const Expression& name = statement.sides[0];
-    if (name.kind != ExpressionKind::name) refuse("an abbreviation has a name, not a run", name.offset);
-    // With an index it is another name: b_0 beside the map b.
-    if (name.children.empty() || spaces_.contains(name.name) || bound_.contains(name.name)) {
-        require_new(name.name, name.offset);
-    }
-    lets_[name.name].push_back(&statement);
-}
-
-/// `poly P(t) degree n = expression`: the expression, expanded, has the coefficients by powers of t.
+/// `poly P(t) degree n = expression`: the expression, expanded, has the coefficients by powers of the variable t, which
+/// abbreviations in it contain too.
 void Grounder::declare_polynomial(const Statement& statement) {
     const std::size_t variables = statement.names.size() - 1;
-    std::vector<Direction> directions;
-    directions.reserve(statement.expressions.size());
-    for (const Expression& degree : statement.expressions) directions.push_back({count(degree), 1});
-    if (directions.size() == 1) directions[0].dimension = variables;
-    if (directions.size() != 1 && directions.size() != variables) {
+    GroundMap map{statement.names[0], {}, {}};
+    for (const Expression& degree : statement.expressions) map.directions.push_back({count(degree), 1});
+    if (map.directions.size() == 1) map.directions[0].dimension = variables;
+    if (map.directions.size() != 1 && map.directions.size() != variables) {
         throw Error(ErrorCode::wrong_arity,
                     std::to_string(variables) + " variables have one degree together or one each", "",
                     statement.offset);
     }
     std::vector<std::size_t> symbols;
-    for (std::size_t i = 1; i <= variables; ++i) {
-        const std::string& name = statement.names[i];
-        require_new(name, statement.offset);
-        symbols.push_back(symbol(statement.names[0] + "(" + name + ")", false));
-        local_symbols_[name] = symbols.back();
-    }
+    for (std::size_t i = 1; i <= variables; ++i) symbols.push_back(symbol(statement.names[i], {statement.names[i]}));
     const NodeId body = scalar(statement.sides[0]);
-    local_symbols_.clear();
     Expander expander(block_, limits_);
     const auto [numerator, denominator] = expander(body);
-    GroundMap map{statement.names[0], directions, {}, false};
     std::vector<NodeId> divisors;
     for (const auto& [factor, exponent] : denominator) {
         const SparsePolynomial& divisor = expander.field().factors()[factor];
-        for (const std::size_t symbol : symbols) {
-            if (divisor.degree_in(symbol) > 0)
-                refuse("the expression is not a polynomial", statement.sides[0].offset);
-        }
+        if (contains_any(divisor, symbols))
+            refuse("the expression is not a polynomial", statement.sides[0].offset);
         divisors.push_back(raise(polynomial_node(divisor), exponent, statement.offset));
+    }
+    for (const NodeId divisor : divisors_below(block_, {body})) {
+        for (const auto& [factor, exponent] : expander.field().factorise(expander(divisor).numerator).factors) {
+            const SparsePolynomial condition = expander.field().factors()[factor];
+            if (!contains_any(condition, symbols)) map.conditions.push_back(polynomial_node(condition));
+        }
     }
     const NodeId divisor = multiply(std::move(divisors));
     std::size_t used = 0;
-    for (const auto& powers : monomials(directions)) {
-        std::vector<SparsePolynomial> terms;
-        for (std::size_t i = 0; i < numerator.size(); ++i) {
-            std::vector<std::size_t> term(numerator.variables());
-            for (std::size_t j = 0; j < term.size(); ++j) term[j] = numerator.exponent(i, j);
-            bool belongs = true;
-            for (std::size_t j = 0; j < symbols.size(); ++j) {
-                belongs = belongs && numerator.exponent(i, symbols[j]) == powers[j];
-                if (symbols[j] < term.size()) term[symbols[j]] = 0;
-            }
-            if (belongs) terms.push_back(SparsePolynomial::term(numerator.coefficient(i), term));
-        }
-        used += terms.size();
-        const NodeId coefficient = polynomial_node(sum(terms));
-        map.coefficients.push_back(divide(coefficient, divisor, statement.sides[0].offset));
+    for (const auto& powers : monomials(map.directions)) {
+        const SparsePolynomial coefficient = coefficient_of(numerator, symbols, powers);
+        used += coefficient.size();
+        map.coefficients.push_back(divide(polynomial_node(coefficient), divisor, statement.sides[0].offset));
     }
     if (used != numerator.size()) {
         throw Error(ErrorCode::degree_too_low, "the polynomial has a higher degree than declared", "",
                     statement.sides[0].offset);
     }
-    add_map(std::move(map), statement.offset);
+    add_map(std::move(map));
 }
 
+/// `raise p to m as q`, with one degree for each direction. The homogeneous form gets a power of the mass as a
+/// factor; for a net the mass is the sum of the barycentric coordinates.
 void Grounder::declare_raised(const Statement& statement) {
     const auto source = maps_.find(statement.names[0]);
-    if (source == maps_.end()) refuse("there is no map " + quoted(statement.names[0]), statement.offset);
-    GroundMap map = block_.maps[source->second];
-    const std::vector<NodeId> coefficients = map.coefficients;
-    if (map.directions.size() != 1) refuse("a tensor-product map is not raised as a whole", statement.offset);
-    const auto before = monomials(map.directions[0]);
-    const std::size_t degree = count(statement.expressions[0]);
-    if (degree < map.directions[0].degree) {
-        throw Error(ErrorCode::degree_too_low,
-                    "the degree " + std::to_string(degree) + " is lower than that of " + map.name, "",
-                    statement.expressions[0].offset);
+    if (source == maps_.end()) {
+        refuse("the map " + quoted(statement.names[0]) + " is declared below the line that raises it",
+               statement.offset);
     }
-    map.directions[0].degree = degree;
+    const GroundMap before = block_.maps[source->second];
+    GroundMap map = before;
     map.name = statement.names[1];
-    map.arbitrary = false;
+    if (statement.expressions.size() != map.directions.size()) {
+        throw Error(ErrorCode::wrong_arity,
+                    std::to_string(statement.expressions.size()) + " degrees found, " + before.name + " has " +
+                        std::to_string(map.directions.size()),
+                    "", statement.offset);
+    }
+    for (std::size_t i = 0; i < map.directions.size(); ++i) {
+        const std::size_t degree = count(statement.expressions[i]);
+        if (degree < map.directions[i].degree) {
+            throw Error(ErrorCode::degree_too_low,
+                        "the degree " + std::to_string(degree) + " is lower than that of " + before.name, "",
+                        statement.expressions[i].offset);
+        }
+        map.directions[i].degree = degree;
+    }
+    if (number_of_coefficients(map.directions) > limits_.variables) {
+        throw Error(ErrorCode::limit_exceeded,
+                    "the number of coefficients of the map exceeds the limit variables = " +
+                        std::to_string(limits_.variables),
+                    "", statement.offset);
+    }
+    const auto known = monomials(before.directions);
+    const std::size_t steps = map.barycentric.empty() ? 0 : map.directions[0].degree - before.directions[0].degree;
+    std::map<std::vector<std::size_t>, std::vector<NodeId>> summands;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        for (const auto& further : monomials({steps, known[i].size()})) {
+            std::vector<std::size_t> exponents = known[i];
+            for (std::size_t j = 0; j < exponents.size(); ++j) exponents[j] += further[j];
+            const NodeId scale = constant(Rational(multinomial(further, steps)));
+            summands[exponents].push_back(multiply({scale, before.coefficients[i]}));
+        }
+    }
     map.coefficients.clear();
-    for (const auto& exponents : monomials(map.directions[0])) {
-        const auto known = std::ranges::find(before, exponents);
-        map.coefficients.push_back(known == before.end()
-                                       ? constant(0)
-                                       : coefficients[static_cast<std::size_t>(known - before.begin())]);
-    }
-    add_map(std::move(map), statement.offset);
-}
-
-std::size_t Grounder::map_named(const Expression& e) const {
-    const auto found = maps_.find(e.name);
-    if (found == maps_.end()) {
-        refuse("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
-                   " degree n\"",
-               e.offset);
-    }
-    return found->second;
-}
-
-NodeArgument Grounder::lifted(const Value& value, const Direction& direction, std::size_t offset) {
-    const bool number = std::holds_alternative<NodeId>(value);
-    NodeArgument argument = as_argument(value, 1);
-    if ((number && direction.dimension != 1) || argument.coordinates.size() != direction.dimension) {
-        refuse("an argument of dimension " + std::to_string(argument.coordinates.size()) +
-                   " found, expected one of dimension " + std::to_string(direction.dimension),
-               offset);
-    }
-    return argument;
-}
-
-NodeArgument Grounder::argument(const Expression& e, const Direction& direction) {
-    return lifted(value(e), direction, e.offset);
-}
-
-void Grounder::add_arguments(const Expression& e, const Direction& direction,
-                             std::vector<NodeArgument>& arguments) {
-    if (e.kind == ExpressionKind::copies) {
-        const std::size_t copies = count(e.children[1]);
-        arguments.insert(arguments.end(), copies, argument(e.children[0], direction));
-    } else if (e.kind == ExpressionKind::run) {
-        for (const Expression& member : run_members(e)) arguments.push_back(argument(member, direction));
-    } else if (e.kind == ExpressionKind::family) {
-        for (const long long i : family_indices(e)) {
-            const Binding binding(*this, e.name, i);
-            arguments.push_back(argument(e.children[0], direction));
-        }
-    } else {
-        arguments.push_back(argument(e, direction));
-    }
-}
-
-NodeId Grounder::application(const Expression& e) {
-    Application result{map_named(e), e.kind == ExpressionKind::blossom, {}, {}, e.offset};
-    const std::vector<Direction> directions = block_.maps[result.map].directions;
-    const auto wrong_arity = [&](std::size_t found, std::size_t expected, const std::string& what) {
-        throw Error(
-            ErrorCode::wrong_arity,
-            std::to_string(found) + " " + what + " found, " + e.name + " expects " + std::to_string(expected),
-            "", e.offset);
-    };
-    if (result.polar) {
-        if (e.groups.size() != directions.size())
-            wrong_arity(e.groups.size(), directions.size(), "directions of arguments");
-        for (std::size_t i = 0; i < directions.size(); ++i) {
-            result.arguments.emplace_back();
-            for (const Expression& given : e.groups[i])
-                add_arguments(given, directions[i], result.arguments[i]);
-            if (result.arguments[i].size() != directions[i].degree)
-                wrong_arity(result.arguments[i].size(), directions[i].degree, "arguments of the blossom");
-        }
-    } else {
-        const auto& given = e.groups[0];
-        const bool coordinates =
-            directions.size() == 1 && directions[0].dimension > 1 && given.size() == directions[0].dimension;
-        if (coordinates) {
-            NodeArgument point{{}, constant(1)};
-            for (const Expression& coordinate : given) point.coordinates.push_back(scalar(coordinate));
-            result.arguments.push_back({std::move(point)});
-        } else {
-            if (given.size() != directions.size()) wrong_arity(given.size(), directions.size(), "arguments");
-            for (std::size_t i = 0; i < given.size(); ++i)
-                result.arguments.push_back({argument(given[i], directions[i])});
-        }
-        for (const Expression& order : e.children) result.orders.push_back(count(order));
-        if (result.orders.empty()) result.orders.assign(directions.size(), 0);
-        if (result.orders.size() != directions.size())
-            wrong_arity(result.orders.size(), directions.size(), "orders of a derivative");
-        for (std::size_t i = 0; i < directions.size(); ++i) {
-            if (result.orders[i] == 0) continue;
-            const Rational* mass = constant_value(result.arguments[i][0].mass);
-            if (directions[i].dimension != 1 || !mass || *mass != Rational(1))
-                refuse("a derivative is taken of a map of one variable, at a number", e.offset);
-        }
-    }
-    block_.applications.push_back(std::move(result));
-    return push({NodeKind::application, {}, block_.applications.size() - 1, {}, 0}, e.offset);
+    for (const auto& exponents : monomials(map.directions)) map.coefficients.push_back(add(summands[exponents]));
+    add_map(std::move(map));
 }
 
 }  // namespace blossom::proofs

@@ -38,11 +38,11 @@ NodeId Grounder::constant(Rational value) {
     return id;
 }
 
-std::size_t Grounder::symbol(const std::string& name, bool coefficient) {
-    const auto [entry, fresh] = symbols_.try_emplace(name, block_.symbols.size());
+std::size_t Grounder::symbol(const std::string& key, Symbol symbol) {
+    const auto [entry, fresh] = symbols_.try_emplace(key, block_.symbols.size());
     if (fresh) {
         require_within(block_.symbols.size() + 1, limits_.variables, "variables", "the number of variables");
-        block_.symbols.push_back({name, coefficient});
+        block_.symbols.push_back(std::move(symbol));
     }
     return entry->second;
 }
@@ -95,7 +95,7 @@ NodeId Grounder::raise(NodeId base, std::size_t exponent, std::size_t offset) {
     } catch (const Error& error) {
         throw Error(error.code(), error.message(), "", offset);
     }
-    if (exponent == 0) return constant(1);
+    // The power 0 is kept: it is 1 only where its base is defined.
     return exponent == 1 ? base : push({NodeKind::power, {}, exponent, {base}, 0});
 }
 

@@ -11,11 +11,30 @@
 
 namespace blossom::proofs {
 
+namespace {
+
+Set interval_to(std::size_t n) {
+    Set members(n);
+    std::iota(members.begin(), members.end(), 1LL);
+    return members;
+}
+
+}  // namespace
+
+void require_elements(const Integer& elements, const Limits& limits, std::size_t offset) {
+    if (elements <= Integer(limits.expansion_terms)) return;
+    throw Error(ErrorCode::limit_exceeded,
+                "the number of elements or cases exceeds the limit expansion_terms = " +
+                    std::to_string(limits.expansion_terms),
+                "", offset);
+}
+
 Grounder::Binding::Binding(Grounder& grounder, const std::string& name, Bound value)
     : grounder_(grounder), name_(name) {
-    const auto known = grounder_.bound_.find(name);
-    if (known != grounder_.bound_.end()) hidden_ = known->second;
-    grounder_.bound_[name] = std::move(value);
+    auto& bound = grounder_.bound_;
+    const auto known = bound.find(name);
+    if (known != bound.end()) hidden_ = std::move(known->second);
+    bound[name] = std::move(value);
 }
 
 Grounder::Binding::~Binding() {
@@ -65,13 +84,7 @@ Set Grounder::interval(const Expression& first, const Expression& last) {
     const long long high = integer(last);
     Set members;
     if (high < low) return members;
-    if (static_cast<unsigned long long>(high) - static_cast<unsigned long long>(low) >=
-        limits_.expansion_terms) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the number of members exceeds the limit expansion_terms = " +
-                        std::to_string(limits_.expansion_terms),
-                    "", first.offset);
-    }
+    require_elements(Integer(high) - Integer(low) + Integer(1), limits_, first.offset);
     members.resize(static_cast<std::size_t>(high - low) + 1);
     std::iota(members.begin(), members.end(), low);
     return members;
@@ -83,56 +96,114 @@ Set Grounder::set_of(const Expression& e) {
         const Set* set = value ? std::get_if<Set>(value) : nullptr;
         if (set) return *set;
     }
-    if (e.kind == ExpressionKind::call && e.name == "without" && e.children.size() == 2) {
-        Set members;
-        const Set excluded = set_of(e.children[1]);
-        const std::size_t n = count(e.children[0]);
-        for (std::size_t i = 1; i <= n; ++i) {
-            const auto member = static_cast<long long>(i);
-            if (std::ranges::find(excluded, member) == excluded.end()) members.push_back(member);
-        }
-        return members;
-    }
-    throw Error(ErrorCode::syntax, "a set is expected here: one bound by sum, or without(n, S)", "",
-                e.offset);
+    if (e.kind != ExpressionKind::call || e.name != "without") refuse("a set of integers is expected here", e.offset);
+    Set members = interval_to(count(e.children[0]));
+    const Set excluded = set_of(e.children[1]);
+    std::erase_if(members, [&](long long i) { return std::ranges::find(excluded, i) != excluded.end(); });
+    return members;
 }
 
-/// What a sum over `e` runs over: the members of a set, or the subsets of 1..n with k members.
+/// 1..n for an integer n, or the set itself.
+Set Grounder::base_set(const Expression& e) {
+    if (kinds_->of(e).name == KindName::set) return set_of(e);
+    const std::size_t n = count(e);
+    require_elements(Integer(n), limits_, e.offset);
+    return interval_to(n);
+}
+
+const Permutation* Grounder::permutation(const std::string& name) const {
+    const Bound* value = bound(name);
+    return value ? std::get_if<Permutation>(value) : nullptr;
+}
+
+/// What a sum over `e` runs over: the members of a set, subsets, partitions and their blocks, or permutations.
 std::vector<Bound> Grounder::elements_of(const Expression& e) {
-    std::vector<Bound> elements;
-    if (e.kind != ExpressionKind::call || e.name != "subsets" || e.children.size() != 2) {
-        for (const long long member : set_of(e)) elements.emplace_back(member);
-        return elements;
+    if (e.kind == ExpressionKind::call) {
+        if (e.name == "subsets") return subsets(e);
+        if (e.name == "partitions") return partitions(e);
+        if (e.name == "permutations") return permutations(e);
     }
-    const std::size_t n = count(e.children[0]);
+    std::vector<Bound> elements;
+    const Bound* value = e.kind == ExpressionKind::name && e.children.empty() ? bound(e.name) : nullptr;
+    if (const auto* blocks = value ? std::get_if<std::vector<Set>>(value) : nullptr) {
+        elements.assign(blocks->begin(), blocks->end());
+    } else {
+        for (const long long member : set_of(e)) elements.emplace_back(member);
+    }
+    return elements;
+}
+
+/// Every subset with k members, in lexicographic order.
+std::vector<Bound> Grounder::subsets(const Expression& e) {
+    std::vector<Bound> elements;
+    const Set base = base_set(e.children[0]);
+    const std::size_t n = base.size();
     const long long size = integer(e.children[1]);
     if (size < 0 || static_cast<std::size_t>(size) > n) return elements;
     const auto k = static_cast<std::size_t>(size);
-    if (binomial(n, k) > Integer(limits_.expansion_terms)) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the number of subsets exceeds the limit expansion_terms = " +
-                        std::to_string(limits_.expansion_terms),
-                    "", e.offset);
-    }
-    Set members(k);
-    std::iota(members.begin(), members.end(), 1);
+    require_elements(binomial(n, k), limits_, e.offset);
+    std::vector<std::size_t> places(k);
+    std::iota(places.begin(), places.end(), std::size_t{0});
     while (true) {
-        elements.emplace_back(members);
-        // The last member that can grow does, and those behind follow it.
+        Set members;
+        for (const std::size_t place : places) members.push_back(base[place]);
+        elements.emplace_back(std::move(members));
+        // The last place that can grow does, and those behind follow it.
         std::size_t i = k;
-        while (i > 0 && members[i - 1] == static_cast<long long>(n) - static_cast<long long>(k - i)) --i;
+        while (i > 0 && places[i - 1] == n - k + i - 1) --i;
         if (i == 0) return elements;
-        std::iota(members.begin() + static_cast<std::ptrdiff_t>(i) - 1, members.end(), members[i - 1] + 1);
+        std::iota(places.begin() + static_cast<std::ptrdiff_t>(i) - 1, places.end(), places[i - 1] + 1);
     }
 }
 
-/// The values of the last argument of sum, prod or mean.
-std::vector<Grounder::Value> Grounder::over_range(const Expression& call) {
-    const Expression& binder = call.children[0];
-    if (binder.kind != ExpressionKind::name || !binder.children.empty()) {
-        throw Error(ErrorCode::syntax, "the first argument of " + call.name + " is the name that runs", "",
-                    binder.offset);
+/// Every partition into blocks that are not empty, ordered by their least members: each member in turn joins a block
+/// or begins one.
+std::vector<Bound> Grounder::partitions(const Expression& e) {
+    std::vector<std::vector<Set>> found{{}};
+    for (const long long member : base_set(e.children[0])) {
+        std::vector<std::vector<Set>> longer;
+        for (const std::vector<Set>& blocks : found) {
+            for (std::size_t i = 0; i <= blocks.size(); ++i) {
+                require_elements(longer.size() + 1, limits_, e.offset);
+                longer.push_back(blocks);
+                if (i == blocks.size()) longer.back().emplace_back();
+                longer.back()[i].push_back(member);
+            }
+        }
+        found = std::move(longer);
     }
+    return {found.begin(), found.end()};
+}
+
+std::vector<Bound> Grounder::permutations(const Expression& e) {
+    const std::size_t n = count(e.children[0]);
+    require_within(n, limits_.nesting, "nesting", "the number of permuted integers");
+    require_elements(factorial(n), limits_, e.offset);
+    std::vector<Bound> elements;
+    Set images = interval_to(n);
+    do elements.emplace_back(Permutation{images});
+    while (std::ranges::next_permutation(images).found);
+    return elements;
+}
+
+/// Whether the condition of if(...) holds.
+bool Grounder::holds(const Expression& comparison) {
+    const long long left = integer(comparison.children[0]);
+    const Expression& other = comparison.children[1];
+    if (comparison.name.ends_with("in")) {
+        const Set set = set_of(other);
+        return (std::ranges::find(set, left) != set.end()) == (comparison.name == "in");
+    }
+    const long long right = integer(other);
+    if (comparison.name == "==") return left == right;
+    if (comparison.name == "!=") return left != right;
+    if (comparison.name == "<") return left < right;
+    if (comparison.name == "<=") return left <= right;
+    return comparison.name == ">" ? left > right : left >= right;
+}
+
+/// The values of the last argument of sum, prod or mean.
+std::vector<Value> Grounder::over_range(const Expression& call) {
     std::vector<Bound> elements;
     if (call.children.size() == 4) {
         for (const long long i : interval(call.children[1], call.children[2])) elements.emplace_back(i);
@@ -140,8 +211,9 @@ std::vector<Grounder::Value> Grounder::over_range(const Expression& call) {
         elements = elements_of(call.children[1]);
     }
     std::vector<Value> values;
+    values.reserve(elements.size());
     for (Bound& element : elements) {
-        const Binding binding(*this, binder.name, std::move(element));
+        const Binding binding(*this, call.children[0].name, std::move(element));
         values.push_back(value(call.children.back()));
     }
     return values;
@@ -169,11 +241,6 @@ std::vector<Expression> Grounder::run_members(const Expression& run) {
         members.push_back(std::move(member));
     }
     return members;
-}
-
-std::vector<Expression> Grounder::members(const Expression& name_or_run) {
-    if (name_or_run.kind == ExpressionKind::run) return run_members(name_or_run);
-    return {name_or_run};
 }
 
 /// The values of the index of t_i : i in 1..n, i != k, i not in S.

@@ -138,11 +138,7 @@ Expression ExpressionParser::primary() {
         skip();
         return number;
     }
-    if (take("(")) {
-        Expression inner = expression();
-        expect(")", "to close the parenthesis");
-        return inner;
-    }
+    if (take("(")) return parenthesis(offset);
     if (take("<")) {
         Expression first = expression();
         expect(",", "between the two entries of a pair");
@@ -154,12 +150,52 @@ Expression ExpressionParser::primary() {
     return named();
 }
 
-std::vector<Expression> ExpressionParser::list(std::string_view close) {
+/// (e) or the point (x, y).
+Expression ExpressionParser::parenthesis(std::size_t offset) {
+    std::vector<Expression> entries = expressions();
+    expect(")", "to close the parenthesis");
+    if (entries.size() == 1) return std::move(entries.front());
+    return {ExpressionKind::point, offset, "", std::move(entries), {}};
+}
+
+std::vector<Expression> ExpressionParser::expressions() {
     std::vector<Expression> elements;
     do elements.push_back(expression());
     while (take(","));
+    return elements;
+}
+
+std::vector<Expression> ExpressionParser::list(std::string_view close) {
+    std::vector<Expression> elements = expressions();
     expect(close, "or \",\" in the list");
     return elements;
+}
+
+/// i == j, i < j, i in S, i not in S and the like.
+Expression ExpressionParser::comparison() {
+    Expression left = expression();
+    const std::size_t offset = left.offset;
+    for (const std::string_view sign : {"==", "!=", "<=", ">=", "<", ">"}) {
+        if (take(sign)) {
+            return {ExpressionKind::comparison, offset, std::string(sign), {std::move(left), expression()}, {}};
+        }
+    }
+    const bool negative = take_word("not");
+    expect_word("in", negative ? "after \"not\"" : "or a comparison such as \"==\" in the condition");
+    return {ExpressionKind::comparison, offset, negative ? "not in" : "in", {std::move(left), expression()}, {}};
+}
+
+Expression ExpressionParser::call(Expression name) {
+    expect("(", "before the arguments");
+    std::vector<Expression> arguments;
+    if (name.name == "if") {
+        arguments.push_back(comparison());
+        if (take(",")) std::ranges::move(expressions(), std::back_inserter(arguments));
+        expect(")", "or \",\" in the list");
+    } else {
+        arguments = list(")");
+    }
+    return {ExpressionKind::call, name.offset, std::move(name.name), std::move(arguments), {}};
 }
 
 Expression ExpressionParser::indices(Expression name) {
@@ -180,10 +216,7 @@ Expression ExpressionParser::named() {
     const std::size_t offset = next().offset;
     Expression name{ExpressionKind::name, offset, identifier("a name"), {}, {}};
     if (name.name == "D" && is("(")) return derivative(offset);
-    if (is_function(name.name) && is("(")) {
-        skip();
-        return {ExpressionKind::call, offset, name.name, list(")"), {}};
-    }
+    if (is_function(name.name) && is("(")) return call(std::move(name));
     name = indices(std::move(name));
     std::size_t primes = 0;
     for (; take("'"); ++primes) {
@@ -197,14 +230,24 @@ Expression ExpressionParser::named() {
     return is("[") ? blossom_of(std::move(name)) : name;
 }
 
-/// D(b, k)(t)
+/// D(b, k)(t), or D(e, t) and D(e, t, k) of an expression.
 Expression ExpressionParser::derivative(std::size_t offset) {
     expect("(", "after D");
-    Expression map{ExpressionKind::name, offset, identifier("the name of a map"), {}, {}};
-    expect(",", "before the order of the derivative");
-    std::vector<Expression> orders = list(")");
-    if (!is("(")) refuse("\"(\" with the place of the derivative");
-    return value(std::move(map), std::move(orders));
+    std::vector<Expression> entries = list(")");
+    if (entries.size() == 1) {
+        refuse("\",\" and, after the map, an order, or after an expression, the name of a variable, within D(...)");
+    }
+    if (is("(")) {
+        Expression map = std::move(entries.front());
+        if (map.kind != ExpressionKind::name) {
+            throw Error(ErrorCode::syntax, "the first entry of D(b, k)(t) is the name of a map", "", map.offset);
+        }
+        entries.erase(entries.begin());
+        map.offset = offset;
+        return value(std::move(map), std::move(entries));
+    }
+    if (entries.size() > 3) refuse("\"(\" with the place of the derivative");
+    return {ExpressionKind::derivative, offset, "D", std::move(entries), {}};
 }
 
 Expression ExpressionParser::value(Expression map, std::vector<Expression> orders) {

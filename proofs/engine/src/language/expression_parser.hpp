@@ -34,6 +34,8 @@ public:
     [[noreturn]] void refuse(std::string_view what) const;
 
     Expression expression();
+    /// Expressions with commas between.
+    std::vector<Expression> expressions();
     /// t, t_1 or t_1..t_n.
     Expression name_or_run(std::string_view what);
     Range range();
@@ -46,6 +48,9 @@ private:
     Expression primary();
     Expression named();
     Expression indices(Expression name);
+    Expression parenthesis(std::size_t offset);
+    Expression comparison();
+    Expression call(Expression name);
     Expression derivative(std::size_t offset);
     Expression value(Expression map, std::vector<Expression> orders);
     Expression blossom_of(Expression map);

@@ -111,6 +111,11 @@ private:
                 return print(e.children[0], primary) + "^" + tightly(e.children[1], prefix);
             case ExpressionKind::pair:
                 return "<" + list(e.children) + ">";
+            case ExpressionKind::point:
+                return "(" + list(e.children) + ")";
+            case ExpressionKind::comparison:
+                return print(e.children[0]) + " " + e.name + " " + print(e.children[1]);
+            case ExpressionKind::derivative:
             case ExpressionKind::call:
                 return e.name + "(" + list(e.children) + ")";
             case ExpressionKind::value:
@@ -154,7 +159,7 @@ std::string degrees_text(const Statement& statement) {
 std::string relation_text(const Statement& statement) {
     const bool differs = statement.kind == StatementKind::assume;
     std::string text =
-        to_text(statement.sides[0]) + (differs ? " != " : " == ") + to_text(statement.sides[1]);
+        (statement.some ? "some " : "") + to_text(statement.sides[0]) + (differs ? " != " : " == ") + to_text(statement.sides[1]);
     for (const Range& range : statement.ranges) text += " " + range_text(range);
     if (!statement.quantified.empty()) text += " for all " + joined(statement.quantified);
     return text;
@@ -164,16 +169,20 @@ std::string body_text(const Statement& statement) {
     switch (statement.kind) {
         case StatementKind::map:
             return joined(statement.names) + degrees_text(statement) +
-                   (statement.dimension.empty() ? "" : " on simplex " + to_text(statement.dimension[0]));
+                   (statement.dimension.empty() ? "" : " on simplex " + to_text(statement.dimension[0])) +
+                   (statement.net.empty() ? "" : " net " + statement.net + " over " + joined(statement.frame));
+        case StatementKind::number:
+            return joined(statement.expressions);
         case StatementKind::point:
         case StatementKind::vector:
+        case StatementKind::frame:
             return joined(statement.expressions) + " in " + to_text(statement.dimension[0]);
         case StatementKind::polynomial:
             return statement.names[0] + "(" +
                    joined(std::vector<std::string>(statement.names.begin() + 1, statement.names.end())) +
                    ")" + degrees_text(statement) + " = " + to_text(statement.sides[0]);
         case StatementKind::raise:
-            return statement.names[0] + " to " + to_text(statement.expressions[0]) + " as " +
+            return statement.names[0] + " to " + joined(statement.expressions) + " as " +
                    statement.names[1];
         case StatementKind::let:
             return to_text(statement.sides[0]) + " = " + to_text(statement.sides[1]);
@@ -201,6 +210,7 @@ std::string to_text(const Statement& statement) {
 std::string formatted(const Document& document) {
     if (!document.errors.empty()) throw Error(document.errors.front());
     std::vector<Line> lines;
+    if (document.strict) lines.push_back({*document.strict, "strict", false});
     for (const Block& block : document.blocks) {
         if (block.has_head) {
             const std::string title = block.title.empty() ? "" : " \"" + block.title + "\"";

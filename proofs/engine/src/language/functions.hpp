@@ -19,11 +19,17 @@ inline constexpr Function functions[] = {
     {"prod", 3, 4, "prod(i, low, high, e) or prod(i, S, e)"},
     {"mean", 3, 4, "mean(i, S, e) or mean(i, low, high, e)"},
     {"size", 1, 1, "size(S)"},
-    {"subsets", 2, 2, "subsets(n, k)"},
+    {"subsets", 2, 2, "subsets(n, k) or subsets(S, k)"},
+    {"partitions", 1, 1, "partitions(n) or partitions(S)"},
+    {"permutations", 1, 1, "permutations(n)"},
+    {"sign", 1, 1, "sign(P)"},
+    {"determinant", 4, 4, "determinant(i, j, n, e)"},
+    {"if", 3, 3, "if(i == j, a, b)"},
     {"without", 2, 2, "without(n, S)"},
     {"binomial", 2, 2, "binomial(n, k)"},
     {"factorial", 1, 1, "factorial(n)"},
     {"bernstein", 3, 3, "bernstein(i, n, t)"},
+    {"bspline", 5, 5, "bspline(j, d, x, i, t)"},
 };
 
 /// The function of that name, or nullptr.

@@ -16,7 +16,7 @@ bool is_id_character(char c) { return is_letter(c) || is_digit(c) || c == '-' ||
 
 /// Tokens after which a statement goes on in the next line.
 constexpr std::string_view unfinished[] = {"+", "-", "*", "/", "^", "==", "!=", "=", ",", ":", ";", ".."};
-constexpr std::string_view two_characters[] = {"==", "!=", ".."};
+constexpr std::string_view two_characters[] = {"==", "!=", "..", "<=", ">="};
 
 class Lexer {
 public:

@@ -21,11 +21,19 @@ class Parser {
 public:
     Parser(const std::vector<Token>& tokens, const Limits& limits) : reader_(tokens, limits) {}
 
-    void run(Document& document) {
+    void run(Document& document, std::string_view text) {
         skip_empty_lines();
+        if (reader_.is_word("strict") && reader_.peek(1).kind != TokenKind::symbol) {
+            document.strict = reader_.next().offset;
+            reader_.skip();
+            skip_empty_lines();
+        }
         while (reader_.next().kind != TokenKind::end) {
             try {
-                document.blocks.push_back(block());
+                Block read = block();
+                read.strict = document.strict.has_value();
+                read.text = text.substr(read.offset, reader_.next().offset - read.offset);
+                document.blocks.push_back(std::move(read));
             } catch (const Error& error) {
                 document.errors.push_back(error);
                 skip_to_next_head();
@@ -79,8 +87,8 @@ private:
                               : std::nullopt;
         if (!word) {
             reader_.refuse(
-                "a line that begins with theorem, for, map, point, vector, poly, raise, let, assume, given, "
-                "claim or refute");
+                "a line that begins with theorem, for, map, point, vector, frame, number, poly, raise, let, "
+                "assume, given, claim or refute");
         }
         Statement result;
         result.kind = *word;
@@ -95,7 +103,11 @@ private:
                 break;
             case StatementKind::point:
             case StatementKind::vector:
+            case StatementKind::frame:
                 points(result);
+                break;
+            case StatementKind::number:
+                names(result);
                 break;
             case StatementKind::polynomial:
                 polynomial(result);
@@ -109,9 +121,19 @@ private:
                 result.sides.push_back(reader_.expression());
                 break;
             default:
+                if (*word == StatementKind::refute) result.some = takes_some();
                 relation(result);
         }
         return result;
+    }
+
+    /// `some` in front of an expression; a name `some` may begin one.
+    bool takes_some() {
+        const Token& after = reader_.peek(1);
+        const bool begins = after.kind == TokenKind::identifier || after.kind == TokenKind::number ||
+                            after.text == "<" ||
+                            (after.text == "(" && after.offset > reader_.next().offset + reader_.next().text.size());
+        return begins && reader_.take_word("some");
     }
 
     void degrees(Statement& result) {
@@ -124,14 +146,23 @@ private:
         do result.names.push_back(reader_.identifier("the name of a map"));
         while (reader_.take(","));
         degrees(result);
-        if (!reader_.take_word("on")) return;
-        reader_.expect_word("simplex", "after \"on\"");
-        result.dimension.push_back(reader_.expression());
+        if (reader_.take_word("on")) {
+            reader_.expect_word("simplex", "after \"on\"");
+            result.dimension.push_back(reader_.expression());
+        }
+        if (!reader_.take_word("net")) return;
+        result.net = reader_.identifier("the name of the control points");
+        reader_.expect_word("over", "before the points of the frame");
+        result.frame = reader_.expressions();
+    }
+
+    void names(Statement& result) {
+        do result.expressions.push_back(reader_.name_or_run("a name"));
+        while (reader_.take(","));
     }
 
     void points(Statement& result) {
-        do result.expressions.push_back(reader_.name_or_run("a name"));
-        while (reader_.take(","));
+        names(result);
         reader_.expect_word("in", "before the dimension");
         result.dimension.push_back(reader_.expression());
     }
@@ -150,7 +181,7 @@ private:
     void raise(Statement& result) {
         result.names.push_back(reader_.identifier("the name of a map"));
         reader_.expect_word("to", "before the new degree");
-        result.expressions.push_back(reader_.expression());
+        result.expressions = reader_.expressions();
         reader_.expect_word("as", "before the new name");
         result.names.push_back(reader_.identifier("the new name"));
     }
@@ -182,7 +213,7 @@ Document parse(std::string_view text, const Limits& limits) {
     Document document;
     Tokens tokens = tokenise(text);
     document.comments = std::move(tokens.comments);
-    Parser(tokens.tokens, limits).run(document);
+    Parser(tokens.tokens, limits).run(document, text);
     return document;
 }
 

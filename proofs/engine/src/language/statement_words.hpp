@@ -10,7 +10,8 @@ namespace blossom::proofs {
 
 inline constexpr std::pair<StatementKind, std::string_view> statement_words[] = {
     {StatementKind::parameter, "for"}, {StatementKind::map, "map"},         {StatementKind::point, "point"},
-    {StatementKind::vector, "vector"}, {StatementKind::polynomial, "poly"}, {StatementKind::raise, "raise"},
+    {StatementKind::vector, "vector"}, {StatementKind::frame, "frame"},     {StatementKind::number, "number"},
+    {StatementKind::polynomial, "poly"}, {StatementKind::raise, "raise"},
     {StatementKind::let, "let"},       {StatementKind::assume, "assume"},   {StatementKind::given, "given"},
     {StatementKind::claim, "claim"},   {StatementKind::refute, "refute"},
 };

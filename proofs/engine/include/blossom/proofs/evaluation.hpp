@@ -1,5 +1,6 @@
 #pragma once
 
+#include <blossom/proofs/expansion.hpp>
 #include <blossom/proofs/ground.hpp>
 #include <blossom/rational/limits.hpp>
 
@@ -9,11 +10,12 @@
 
 namespace blossom::proofs {
 
-/// Values of nodes where every symbol has a number: exact arithmetic from the definitions, without expansion.
+/// Values of nodes where every symbol has a number: exact arithmetic from the definitions. Only what is differentiated
+/// is expanded.
 class Evaluator {
 public:
     Evaluator(const GroundBlock& block, std::span<const Rational> symbols)
-        : block_(block), symbols_(symbols) {}
+        : block_(block), symbols_(symbols), expand_(block, limits_) {}
 
     /// Errors: `division_by_zero`.
     Rational operator()(NodeId node);
@@ -23,6 +25,8 @@ private:
 
     const GroundBlock& block_;
     std::span<const Rational> symbols_;
+    Limits limits_;
+    Expander expand_;
     std::vector<std::optional<Rational>> known_;
 };
 

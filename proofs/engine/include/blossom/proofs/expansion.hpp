@@ -10,7 +10,7 @@ namespace blossom::proofs {
 
 /// Expands nodes to rational functions of the symbols: symbol i is variable i.
 ///
-/// Blossoms and derivatives are the engine's own constructions, run on symbolic arguments. Each value is also
+/// Blossoms are the engine's own construction, run on symbolic arguments. Each one is also
 /// computed from an independent definition, `polar_form` on coefficients, and the two must be the same
 /// polynomial, so that an error of the engine shows as an error here and never as a proof.
 ///

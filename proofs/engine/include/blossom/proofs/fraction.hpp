@@ -4,6 +4,7 @@
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,9 @@ public:
         return a;
     }
 
+    /// d a / d x_variable. Cost: a product for each factor of the denominator.
+    Fraction derivative(const Fraction& a, std::size_t variable);
+
     /// Whether a = b for all values of the variables where no denominator vanishes.
     bool equal(const Fraction& a, const Fraction& b) { return difference(a, b).is_zero(); }
     Fraction difference(const Fraction& a, const Fraction& b);
@@ -63,6 +67,8 @@ public:
         std::vector<std::pair<std::size_t, std::size_t>> factors;
     };
     Factorisation factorise(const SparsePolynomial& polynomial);
+    /// The polynomial divided by every one of these factors as often as it goes.
+    SparsePolynomial without(SparsePolynomial polynomial, const std::set<std::size_t>& factors);
     const std::vector<SparsePolynomial>& factors() const { return factors_; }
 
 private:
@@ -72,6 +78,7 @@ private:
 
     Limits limits_;
     std::size_t work_ = 0;
+    std::size_t calls_ = 0;
     std::vector<SparsePolynomial> factors_;
 };
 

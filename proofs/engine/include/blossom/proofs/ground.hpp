@@ -1,10 +1,12 @@
 #pragma once
 
 #include <blossom/proofs/syntax.hpp>
+#include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 #include <blossom/rational/rational.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -17,15 +19,19 @@ namespace blossom::proofs {
 
 using NodeId = std::size_t;
 
-enum class NodeKind { constant, symbol, sum, product, quotient, power, application };
+/// The values of integer parameters, in order: those of the block, then those of the line.
+using Parameters = std::vector<std::pair<std::string, long long>>;
+
+enum class NodeKind { constant, symbol, sum, product, quotient, power, application, derivative };
 
 /// A node of an expression. Operands are nodes made before it, so that nodes may be worked through in order.
 struct Node {
     NodeKind kind = NodeKind::constant;
     Rational value;                ///< of a constant
     std::size_t index = 0;         ///< number of the symbol or application, or the exponent
-    std::vector<NodeId> operands;  ///< of sum, product, quotient, power
+    std::vector<NodeId> operands;  ///< of sum, product, quotient, power, derivative
     std::size_t offset = 0;        ///< of a quotient: its place in the text
+    std::size_t order = 0;         ///< of a derivative with respect to the symbol `index`
 };
 
 /// An argument of a map on an affine space: coordinates and a mass, 1 for points and 0 for vectors.
@@ -49,24 +55,31 @@ std::vector<std::vector<std::size_t>> monomials(const Direction& direction);
 /// fastest.
 std::vector<std::vector<std::size_t>> monomials(const std::vector<Direction>& directions);
 
-/// A map: for every product of monomials, one a direction, the coefficient; the last direction runs fastest.
+/// A map: for every product of monomials, with one monomial per direction, the coefficient; the last direction
+/// runs fastest. A map that is given by its net has the barycentric coordinates of its frame as variables, the
+/// first of them in the place of the mass.
 struct GroundMap {
     std::string name;
     std::vector<Direction> directions;
     std::vector<NodeId> coefficients;
-    bool arbitrary = true;  ///< declared by `map`, so that its coefficients are symbols
+    std::vector<NodeId> conditions = {};  ///< what must not vanish for the map to be defined
+    std::vector<std::vector<NodeId>> barycentric = {};  ///< of a net: the rows that take (x_1, ..., x_s, mass) there
 };
 
-/// p(...) or a derivative of it at one argument a direction, or p[...] at `degree` arguments a direction.
+/// p(...) at one argument per direction; p[...] at `degree` arguments per direction; or a derivative, which is
+/// `scale` times the blossom of its arguments.
 struct Application {
+    enum class Form { value, blossom, derivative };
     std::size_t map = 0;
-    bool polar = false;
-    std::vector<std::size_t> orders;  ///< of a value: one a direction
-    std::vector<std::vector<NodeArgument>> arguments;
+    Form form = Form::value;
+    Rational scale = 1;
+    std::vector<std::size_t> orders = {};     ///< of a derivative: how many of the last arguments are directions
+    std::vector<NodeArgument> places = {};    ///< of a derivative: where it is taken
+    std::vector<std::vector<NodeArgument>> arguments = {};
     std::size_t offset = 0;
 };
 
-/// A variable: a scalar of the text, or a coefficient of a map.
+/// A variable: a number of the text, a coordinate, or a coefficient of a map.
 struct Symbol {
     std::string name;
     bool is_coefficient = false;
@@ -78,11 +91,12 @@ struct Relation {
     std::size_t statement = 0;  ///< its number in the block
     std::size_t offset = 0;
     std::vector<std::size_t> quantified;  ///< symbols of a hypothesis that holds for all their values
-    std::vector<std::pair<std::string, long long>> parameters;  ///< of the ranges in the line itself
+    Parameters parameters;  ///< of the ranges in the line itself
+    std::optional<Error> error;  ///< of a claim that means nothing for these parameters
 };
 
 struct GroundBlock {
-    std::vector<std::pair<std::string, long long>> parameters;
+    Parameters parameters;
     std::vector<Node> nodes;
     std::vector<Symbol> symbols;
     std::vector<GroundMap> maps;
@@ -96,15 +110,15 @@ struct GroundBlock {
 std::vector<NodeId> operands_of(const GroundBlock& block, NodeId node);
 /// The nodes from which `roots` are made, in order, themselves included.
 std::set<NodeId> nodes_below(const GroundBlock& block, std::vector<NodeId> roots);
+/// What must not vanish for `roots` to be defined: every divisor from which they are made, cancelled or not.
+std::set<NodeId> divisors_below(const GroundBlock& block, const std::vector<NodeId>& roots);
 
 /// Every choice of the integer parameters of a block, in order: the first parameter varies slowest.
-/// Errors: `limit_exceeded` beyond `limits.numbers` of them; those of the bounds.
-std::vector<std::vector<std::pair<std::string, long long>>> parameter_choices(const Block& block,
-                                                                              const Limits& limits);
+/// Errors: `limit_exceeded` beyond `limits.expansion_terms` of them; those of the bounds.
+std::vector<Parameters> parameter_choices(const Block& block, const Limits& limits);
 
 /// The block at one choice. Cost: the size of the result. Errors, each with its offset: `syntax` for names
 /// that are not known and what does not fit together; `wrong_arity`; `limit_exceeded`.
-GroundBlock ground(const Block& block, const std::vector<std::pair<std::string, long long>>& parameters,
-                   const Limits& limits);
+GroundBlock ground(const Block& block, const Parameters& parameters, const Limits& limits);
 
 }  // namespace blossom::proofs

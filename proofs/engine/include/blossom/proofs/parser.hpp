@@ -4,6 +4,8 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@ namespace blossom::proofs {
 /// What was read: blocks in order, comments, and one error for each block that could not be read. A block
 /// with an error is left out; the others are not touched by it.
 struct Document {
+    std::optional<std::size_t> strict;  ///< where the line `strict` stands: every name must be declared
     std::vector<Block> blocks;
     std::vector<Comment> comments;
     std::vector<Error> errors;

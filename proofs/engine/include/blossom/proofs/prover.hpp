@@ -15,7 +15,11 @@
 
 namespace blossom::proofs {
 
-/// A map of a counterexample, written out, with the application of it that the identity contains.
+namespace second {
+struct Certificate;
+}
+
+/// A map of a counterexample, written out.
 struct WitnessMap {
     std::string name;
     std::string text;  ///< "1 + t^2", in t, or x1, x2, ... when there are several variables
@@ -28,37 +32,69 @@ struct WitnessValue {
     std::string command;  ///< "blossom blossom \"t^2\" --degree 3 --at 0,1,delta", or empty
 };
 
-/// Where a claim fails: all that it depends on, and both sides there.
+/// Where a claim fails: every map and variable of the claim, its hypotheses and its assumptions, and both sides there.
 struct Counterexample {
-    std::vector<std::pair<std::string, long long>> parameters;
+    Parameters parameters;
     std::vector<WitnessMap> maps;
     std::vector<std::pair<std::string, Rational>> variables;
-    Rational left;
-    Rational right;
+    std::vector<std::string> roots;  ///< "w^2 - 1/2 == 0": variables without a rational value, by their relations
+    std::string left;                ///< a number, or an expression in variables without one
+    std::string right;
     std::vector<WitnessValue> values;
 };
 
 enum class Verdict {
-    proved,    ///< for all maps of the degrees, all values of the variables and all parameters
-    refuted,   ///< with a counterexample
-    undecided  ///< with an error: what the statement says is not defined, or exceeds a limit
+    proved,     ///< for all maps of the degrees and all values of the variables, on both roads
+    refuted,    ///< with a counterexample
+    undecided,  ///< with an error: what the statement says is not defined, does not fit, or exceeds a limit
+    disagreement  ///< with an error: the two roads came to different ends, so one of them is wrong
 };
 
 std::string_view verdict_name(Verdict verdict);
+
+/// Something that must not vanish for a claim to be defined, or to be proved.
+struct Condition {
+    std::string text;      ///< "a != b", "w(t) != 0"
+    bool assumed = false;  ///< a line `assume` says so
+
+    friend bool operator==(const Condition&, const Condition&) = default;
+};
+
+/// What became of one case of a line: one choice of the parameters.
+struct CaseDecision {
+    Parameters parameters;
+    Verdict verdict = Verdict::proved;
+    std::size_t terms = 0;  ///< of the normal form of the left side
+    std::vector<Condition> conditions;
+    std::vector<std::string> open;      ///< "a == 0": what a pivot excluded and could not be decided
+    std::vector<std::string> holds_if;  ///< of a refuted case: "a != 0", where it is proved
+    std::optional<Counterexample> counterexample;
+    std::optional<Error> error;
+};
+
+/// What a line says of its claim.
+enum class Expectation {
+    proof,           ///< claim: proved in every case
+    refutation,      ///< refute: refuted in every case
+    some_refutation  ///< refute some: refuted in at least one case
+};
 
 /// What became of one line `claim` or `refute`.
 struct Decision {
     std::size_t statement = 0;  ///< its number in the block
     std::size_t offset = 0;
-    bool expects_proof = true;
-    Verdict verdict = Verdict::proved;
-    std::size_t cases = 0;                ///< choices of parameters that were decided
-    std::size_t terms = 0;                ///< terms of the normal forms of the left sides, over all cases
-    std::vector<std::string> conditions;  ///< "a != b": what must hold for the sides to be defined
-    std::optional<Counterexample> counterexample;
-    std::optional<Error> error;
+    Expectation expectation = Expectation::proof;
+    std::vector<CaseDecision> cases;
 
-    bool as_expected() const { return verdict == (expects_proof ? Verdict::proved : Verdict::refuted); }
+    /// The worst of all cases: a disagreement, then refuted, then undecided, which a line without cases is too.
+    Verdict verdict() const;
+    bool as_expected() const;
+    std::size_t terms() const;
+    /// Those of all cases, each once.
+    std::vector<Condition> conditions() const;
+    /// Of the first case that has one, or nullptr.
+    const Counterexample* counterexample() const;
+    const Error* error() const;
 };
 
 /// One case of a claim that was proved, while its expansion is at hand.
@@ -67,20 +103,27 @@ struct ProvedCase {
     const Relation& relation;
     const Fraction& left;                          ///< the normal form of the left side
     const std::vector<SparsePolynomial>& factors;  ///< those of its denominator, by number
-    std::vector<std::size_t> solved;               ///< the symbols that the hypotheses gave, in order
+    const second::Certificate& certificate;        ///< accepted by the checker
 };
 using ProofListener = std::function<void(const ProvedCase& proved)>;
 
-/// Decides every claim and refutation of a block, for every choice of the parameters, exactly.
+/// What deciding a block may take besides `Limits`, and who hears of proofs.
+struct DecisionOptions {
+    std::size_t seconds = 0;  ///< for one case of a line; 0: no limit
+    ProofListener on_proof;
+};
+
+/// Decides every claim and refutation of a block, for every choice of the parameters, exactly and on two roads.
 ///
-/// A claim is proved when both sides, expanded to rational functions of the coefficients and the variables,
-/// have the same normal form in each case, after the hypotheses have been solved for coefficients. Otherwise
-/// the least case with a difference gives the counterexample. No sampling: see docs/identity-language.md.
+/// First road: both sides are expanded to rational functions of the coefficients and the variables, and the hypotheses
+/// are solved, with a case of its own for every pivot that may vanish. A case is proved when the difference of the
+/// sides is zero in every branch; otherwise a counterexample is found in one that it is not. Second road: the text of
+/// the block is read anew by code that shares nothing with this, both sides are evaluated at points that satisfy the
+/// hypotheses, and the certificate of the case is checked from the text; a counterexample is evaluated there too. A
+/// verdict is what both say. See docs/identity-language.md.
 ///
-/// Cost: that of the expansions, within `limits.expansion_terms` and `limits.expansion_work` for each case.
-/// Errors are in the decisions, each with its offset in the text. `on_proof` hears of every case of a claim
-/// that was proved.
-std::vector<Decision> decide(const Block& block, const Limits& limits = {},
-                             const ProofListener& on_proof = {});
+/// Cost: that of the expansions, within `limits.expansion_terms` and `limits.expansion_work` for each case. Errors are
+/// in the decisions, each with its offset in the text; an error in one case leaves the others alone.
+std::vector<Decision> decide(const Block& block, const Limits& limits = {}, const DecisionOptions& options = {});
 
 }  // namespace blossom::proofs

@@ -19,8 +19,11 @@ enum class ExpressionKind {
     quotient,    ///< x / y
     power,       ///< x ^ y
     pair,        ///< <u, v>
+    point,       ///< (x, y): the point with these coordinates
     call,        ///< a function of the language; name; children: its arguments
-    value,       ///< b(t), b'(t), D(b, k)(t); name: the map; children: the orders; groups[0]: the arguments
+    comparison,  ///< i == j, i in S and the like, in if(...); name: the sign
+    value,       ///< b(t), b'(t), D(b, k)(t); name: the map; children: orders or directions; groups[0]: the arguments
+    derivative,  ///< D(e, t, k): the derivative of an expression; children: e, t and, if written, k
     blossom,     ///< b[...]; name: the map; groups: the arguments, one list a direction
     copies,      ///< t{k} among arguments
     run,         ///< t_1..t_n among arguments
@@ -55,16 +58,18 @@ struct Range {
 
 enum class StatementKind {
     parameter,   ///< for: ranges[0]
-    map,         ///< names; expressions: the degrees; dimension: that of `on simplex s`
+    map,         ///< names; expressions: the degrees; dimension: that of `on simplex s`; net and frame, if given
     point,       ///< expressions: names and runs; dimension
     vector,      ///< the same
+    frame,       ///< the same, names only
+    number,      ///< expressions: names and runs
     polynomial,  ///< names: P and its variables; expressions: the degrees; left: the polynomial
-    raise,       ///< names: p, q; expressions: the degree
+    raise,       ///< names: p, q; expressions: the degrees
     let,         ///< left: the name with its index patterns; right: the expression
     assume,      ///< left != right
     given,       ///< left == right, ranges, quantified
     claim,       ///< left == right, ranges
-    refute,      ///< left == right, ranges
+    refute,      ///< left == right, ranges; some: false in one case is enough
 };
 
 /// One line of a block.
@@ -77,25 +82,31 @@ struct Statement {
     std::vector<Expression> sides;      ///< left, or left and right
     std::vector<Range> ranges;
     std::vector<Expression> quantified;  ///< of `given ... for all x, y_1..y_k`
+    std::string net;                     ///< of `map q degree n on simplex s net c over r, s, t`
+    std::vector<Expression> frame;       ///< the points that stand there
+    bool some = false;                   ///< of `refute some`
 
     friend bool operator==(const Statement& a, const Statement& b) {
         return a.kind == b.kind && a.names == b.names && a.expressions == b.expressions &&
                a.dimension == b.dimension && a.sides == b.sides && a.ranges == b.ranges &&
-               a.quantified == b.quantified;
+               a.quantified == b.quantified && a.net == b.net && a.frame == b.frame && a.some == b.some;
     }
 };
 
 /// A block: `theorem ID "title"` and the lines up to the next. The lines before the first head, if any, form
-/// a block without id.
+/// a block without id. Comparison leaves places and the text as written aside.
 struct Block {
     std::string id;
     std::string title;
     std::size_t offset = 0;
     bool has_head = false;
+    bool strict = false;  ///< every name must be declared
+    std::string text;     ///< as written, from the head to the next block
     std::vector<Statement> statements;
 
     friend bool operator==(const Block& a, const Block& b) {
-        return a.id == b.id && a.title == b.title && a.has_head == b.has_head && a.statements == b.statements;
+        return a.id == b.id && a.title == b.title && a.has_head == b.has_head && a.strict == b.strict &&
+               a.statements == b.statements;
     }
 };
 

@@ -1,0 +1,209 @@
+#include "decision_text.hpp"
+
+#include <fmt/format.h>
+#include <blossom/proofs/formatter.hpp>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "witness_maps.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+using proofs::CaseDecision;
+using proofs::Decision;
+using proofs::Expectation;
+using proofs::Parameters;
+using proofs::Verdict;
+
+/// "0..6", "1, 3", "1..3, 7"
+std::string runs_text(const std::set<long long>& values) {
+    std::vector<std::string> runs;
+    for (auto first = values.begin(); first != values.end();) {
+        auto last = first;
+        for (auto next = std::next(last); next != values.end() && *next == *last + 1; ++next) last = next;
+        const bool pair = last != first && *last == *first + 1;
+        runs.push_back(first == last ? fmt::format("{}", *first)
+                       : pair        ? fmt::format("{}, {}", *first, *last)
+                                     : fmt::format("{}..{}", *first, *last));
+        first = std::next(last);
+    }
+    return fmt::format("{}", fmt::join(runs, ", "));
+}
+
+/// "for n in 1..4, k in 0..n", as written.
+std::string ranges_text(const proofs::Block& block, const Decision& decision) {
+    std::vector<std::string> ranges;
+    const auto add = [&](const proofs::Range& range) {
+        ranges.push_back(
+            fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first), proofs::to_text(range.last)));
+    };
+    for (const proofs::Statement& statement : block.statements) {
+        if (statement.kind == proofs::StatementKind::parameter) add(statement.ranges.front());
+    }
+    for (const proofs::Range& range : block.statements[decision.statement].ranges) add(range);
+    return fmt::format("{}", fmt::join(ranges, ", "));
+}
+
+std::string tuples_text(const std::vector<const CaseDecision*>& cases) {
+    constexpr std::size_t most = 8;
+    std::vector<std::string> names;
+    for (const auto& [name, value] : cases.front()->parameters) names.push_back(name);
+    std::vector<std::string> tuples;
+    for (const CaseDecision* one : cases) {
+        if (tuples.size() == most) {
+            tuples.push_back(fmt::format("and {} more", cases.size() - most));
+            break;
+        }
+        std::vector<long long> values;
+        for (const auto& [name, value] : one->parameters) values.push_back(value);
+        tuples.push_back(fmt::format("({})", fmt::join(values, ", ")));
+    }
+    return fmt::format("({}) = {}", fmt::join(names, ", "), fmt::join(tuples, ", "));
+}
+
+std::string parameters_of(const proofs::Block& block, const Decision& decision,
+                          const std::vector<const CaseDecision*>& cases) {
+    const auto names = cases.front()->parameters.size();
+    if (names == 0) return "";
+    if (names == 1) {
+        std::set<long long> values;
+        for (const CaseDecision* one : cases) values.insert(one->parameters.front().second);
+        return fmt::format("{} = {}", cases.front()->parameters.front().first, runs_text(values));
+    }
+    return cases.size() == decision.cases.size() ? ranges_text(block, decision) : tuples_text(cases);
+}
+
+std::vector<const CaseDecision*> cases_with(const Decision& decision, Verdict verdict) {
+    std::vector<const CaseDecision*> found;
+    for (const CaseDecision& one : decision.cases) {
+        if (one.verdict == verdict) found.push_back(&one);
+    }
+    return found;
+}
+
+/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different things.
+std::string conditions_text(const proofs::Block& block, const Decision& decision) {
+    std::map<std::vector<std::string>, std::vector<const CaseDecision*>> groups;
+    for (const CaseDecision* one : cases_with(decision, Verdict::proved)) {
+        std::vector<std::string> needed;
+        for (const proofs::Condition& condition : one->conditions) {
+            if (!condition.assumed) needed.push_back(condition.text);
+        }
+        groups[needed].push_back(one);
+    }
+    std::vector<std::string> parts;
+    std::size_t shown = 0;
+    constexpr std::size_t most_groups = 3;
+    for (const auto& [needed, cases] : groups) {
+        if (needed.empty()) continue;
+        if (shown++ == most_groups) {
+            parts.push_back(fmt::format("and so on for {} more kinds of cases", groups.size() - most_groups));
+            break;
+        }
+        const std::string where = groups.size() == 1 ? "" : parameters_of(block, decision, cases);
+        parts.push_back(fmt::format("{}{}", fmt::join(needed, ", "), where.empty() ? "" : " (" + where + ")"));
+    }
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// "for n = 1, 3; holds for n = 2, 4"
+std::string verdicts_text(const proofs::Block& block, const Decision& decision) {
+    const Verdict worst = decision.verdict();
+    std::string text;
+    for (const Verdict verdict : {worst, Verdict::refuted, Verdict::undecided, Verdict::proved}) {
+        if (verdict == worst && !text.empty()) continue;
+        const std::string cases = cases_text(block, decision, verdict);
+        if (cases.empty()) continue;
+        const std::string word = verdict == worst              ? ""
+                                 : verdict == Verdict::proved && worst == Verdict::refuted
+                                     ? "holds "
+                                     : std::string(proofs::verdict_name(verdict)) + " ";
+        text += fmt::format("{}{}for {}", text.empty() ? "" : "; ", word, cases);
+    }
+    return text;
+}
+
+std::string_view complaint(const Decision& decision) {
+    if (decision.as_expected() || decision.verdict() == Verdict::undecided ||
+        decision.verdict() == Verdict::disagreement) {
+        return "";
+    }
+    if (decision.expectation == Expectation::proof) return "  which was claimed";
+    return decision.verdict() == Verdict::proved ? "  which was to be refuted"
+                                                 : "  which was to be refuted in every case";
+}
+
+std::string notes(const Decision& decision) {
+    std::set<std::string> lines;
+    for (const CaseDecision& one : decision.cases) {
+        for (const std::string& open : one.open) {
+            lines.insert(fmt::format("    a pivot was assumed not to vanish: the case {} is open\n", open));
+        }
+        if (!one.holds_if.empty()) lines.insert(fmt::format("    it holds if {}\n", fmt::join(one.holds_if, ", ")));
+    }
+    return fmt::format("{}", fmt::join(lines, ""));
+}
+
+}  // namespace
+
+std::string cases_text(const proofs::Block& block, const Decision& decision, Verdict verdict) {
+    const std::vector<const CaseDecision*> cases = cases_with(decision, verdict);
+    return cases.empty() ? "" : parameters_of(block, decision, cases);
+}
+
+std::string readable(const proofs::Block& block, const Decision& decision, const std::string& title,
+                     const Style& style) {
+    const std::string verdict = fmt::format("{:<9}", proofs::verdict_name(decision.verdict()));
+    const std::string conditions = decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
+    std::string text;
+    if (!conditions.empty()) text = fmt::format("if {}:\n  ", conditions);
+    text += decision.as_expected() ? style.good(verdict) : style.bad(verdict);
+    text += " " + title;
+    const std::string verdicts = verdicts_text(block, decision);
+    if (!verdicts.empty()) text += "  " + verdicts;
+    if (decision.verdict() == Verdict::proved) {
+        text += fmt::format("  ({} {}, {} terms)", decision.cases.size(), decision.cases.size() == 1 ? "case" : "cases",
+                            decision.terms());
+    }
+    text += style.bad(std::string(complaint(decision))) + "\n" + notes(decision);
+    if (const proofs::Counterexample* found = decision.counterexample()) text += readable(*found);
+    return text;
+}
+
+std::string readable(const proofs::Counterexample& counterexample) {
+    std::vector<std::string> parts;
+    for (const auto& [name, value] : counterexample.parameters)
+        parts.push_back(fmt::format("{} = {}", name, value));
+    for (const proofs::WitnessMap& map : counterexample.maps) {
+        std::string variables;
+        for (const std::string& name : variables_of(map)) variables += (variables.empty() ? "" : ", ") + name;
+        parts.push_back(fmt::format("{}({}) = {} ({})", map.name, variables, map.text, degrees_text(map)));
+    }
+    for (const auto& [name, value] : counterexample.variables)
+        parts.push_back(fmt::format("{} = {}", name, to_string(value)));
+    for (const std::string& root : counterexample.roots) parts.push_back(root);
+    std::string text =
+        fmt::format("    {}\n    left side {}, right side {}\n",
+                    parts.empty() ? "without any choice" : fmt::format("{}", fmt::join(parts, ", ")),
+                    counterexample.left, counterexample.right);
+    constexpr std::size_t most_values = 6;
+    std::size_t shown = 0;
+    std::size_t width = 0;
+    for (const proofs::WitnessValue& value : counterexample.values)
+        width = std::max(width, value.text.size());
+    for (const proofs::WitnessValue& value : counterexample.values) {
+        if (shown++ == most_values) {
+            text += fmt::format("    ... and {} more values\n", counterexample.values.size() - most_values);
+            break;
+        }
+        text += value.command.empty() ? fmt::format("    {}\n", value.text)
+                                      : fmt::format("    {:<{}}  $ {}\n", value.text, width, value.command);
+    }
+    return text;
+}
+
+}  // namespace blossom::cli

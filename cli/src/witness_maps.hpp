@@ -1,0 +1,20 @@
+#pragma once
+
+#include <blossom/proofs/prover.hpp>
+
+#include <string>
+#include <vector>
+
+/// The maps of a counterexample: how their degrees and variables are written.
+
+namespace blossom::cli {
+
+bool is_tensor(const proofs::WitnessMap& map);
+
+/// "degree 2" or "degrees 2, 1"
+std::string degrees_text(const proofs::WitnessMap& map);
+
+/// The names that the text of the map uses, in order.
+std::vector<std::string> variables_of(const proofs::WitnessMap& map);
+
+}  // namespace blossom::cli

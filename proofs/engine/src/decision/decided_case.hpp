@@ -1,0 +1,51 @@
+#pragma once
+
+#include <blossom/proofs/prover.hpp>
+
+#include <set>
+#include <vector>
+
+#include "elimination.hpp"
+#include "witness.hpp"
+
+namespace blossom::proofs {
+
+/// What the first road says of one claim for one choice of the parameters.
+struct CaseOutcome {
+    Fraction left;
+    std::vector<SparsePolynomial> conditions;  ///< what must not vanish, pivots that were left open included
+    const Branch* root = nullptr;              ///< grown wherever the claim was decided
+    std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds
+    std::optional<Witness> witness;   ///< where the claim fails
+};
+
+/// The first road: expands and decides the claims of a block for one choice of its parameters.
+class BlockCase {
+public:
+    BlockCase(const GroundBlock& block, const Limits& limits)
+        : block_(block), expander_(block, limits), elimination_(block, expander_) {}
+
+    /// Decides a claim; the conditions, open pivots and terms go to `decision`. Errors: `syntax` with a place where the
+    /// hypotheses leave no case; those of the expansion.
+    CaseOutcome decide(const Relation& relation, CaseDecision& decision);
+
+    Expander& expander() { return expander_; }
+
+private:
+    struct Walk;
+
+    void walk(Branch& branch, Walk& way);
+    void walk_below(Branch& branch, Walk& way);
+    void end_of_branch(Walk& way);
+    void leave_open(const SparsePolynomial& pivot, Walk& way);
+    std::set<std::size_t> add_conditions(const Relation& relation, CaseDecision& decision);
+    bool has_coefficients(std::size_t factor);
+    std::string condition_text(const SparsePolynomial& factor, std::string_view sign) const;
+    std::vector<std::string> names() const;
+
+    const GroundBlock& block_;
+    Expander expander_;
+    Elimination elimination_;
+};
+
+}  // namespace blossom::proofs

@@ -1,0 +1,113 @@
+#include "second_opinion.hpp"
+
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+
+namespace blossom::proofs {
+
+namespace {
+
+constexpr std::size_t points_of_comparison = 2;
+constexpr std::uint64_t seed_of_points = 20240229;
+
+second::NamedPolynomial named(const SparsePolynomial& polynomial, const std::vector<Symbol>& symbols) {
+    second::NamedPolynomial terms;
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        second::NamedTerm term{polynomial.coefficient(i), {}};
+        for (std::size_t j = 0; j < symbols.size(); ++j) {
+            const std::size_t exponent = polynomial.exponent(i, j);
+            if (exponent > 0) term.powers.emplace_back(symbols[j].name, exponent);
+        }
+        terms.push_back(std::move(term));
+    }
+    return terms;
+}
+
+second::Branch named(const Branch& branch, const std::vector<Symbol>& symbols) {
+    second::Branch result;
+    for (const Substitution& step : branch.steps)
+        result.steps.push_back({symbols[step.symbol].name, step.degree, named(step.relation, symbols)});
+    switch (branch.end) {
+        case Branch::End::solved:
+            result.end = second::Branch::End::agree;
+            break;
+        case Branch::End::unknown:
+        case Branch::End::impossible:
+            result.end = second::Branch::End::impossible;
+            break;
+        case Branch::End::split:
+            result.end = second::Branch::End::split;
+            break;
+        case Branch::End::open:
+            result.end = second::Branch::End::open;
+    }
+    result.pivot = named(branch.pivot, symbols);
+    for (const Branch& below : branch.branches) result.branches.push_back(named(below, symbols));
+    return result;
+}
+
+}  // namespace
+
+second::Certificate certificate_of(const Block& block, const GroundBlock& grounded, const second::Case& which,
+                                   const CaseOutcome& outcome) {
+    second::Certificate certificate{block.id, block.title, block.text, which, {}, named(*outcome.root, grounded.symbols)};
+    for (const SparsePolynomial& condition : outcome.conditions)
+        certificate.conditions.push_back(named(condition, grounded.symbols));
+    return certificate;
+}
+
+SecondOpinion::SecondOpinion(const Block& block, const Limits& limits) : limits_(limits) {
+    try {
+        reading_.emplace(block.text, limits);
+    } catch (const Error& error) {
+        unread_ = "the second reader cannot read the text: " + error.message();
+    }
+}
+
+std::optional<std::string> SecondOpinion::on_cases(const std::vector<Decision>& decisions) const {
+    if (!reading_) return unread_;
+    std::vector<std::pair<std::size_t, Parameters>> ours;
+    for (std::size_t line = 0; line < decisions.size(); ++line) {
+        for (const CaseDecision& decided : decisions[line].cases) ours.emplace_back(line, decided.parameters);
+    }
+    std::vector<std::pair<std::size_t, Parameters>> theirs;
+    try {
+        for (const second::Case& which : reading_->cases()) theirs.emplace_back(which.line, which.parameters);
+    } catch (const Error& error) {
+        return "the second reader cannot list the cases: " + error.message();
+    }
+    std::ranges::sort(ours);
+    std::ranges::sort(theirs);
+    if (ours == theirs || theirs.empty()) return std::nullopt;
+    return "the second reader finds " + std::to_string(theirs.size()) + " cases, the first one " +
+           std::to_string(ours.size()) + ", or other values of the parameters";
+}
+
+std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, const second::Case& which,
+                                                   const CaseOutcome& outcome,
+                                                   const second::Certificate& certificate) const {
+    if (!reading_) return unread_;
+    second::Hint hint;
+    for (const Substitution& step : outcome.steps) hint.dependent.push_back(block.symbols[step.symbol].name);
+    const second::Comparison compared =
+        second::compare(*reading_, which, hint, points_of_comparison, seed_of_points);
+    if (compared.result != second::Comparison::Result::agree) {
+        return std::string(compared.result == second::Comparison::Result::differ
+                               ? "the text read anew has two different sides: "
+                               : "no point was found at which the text read anew can be evaluated: ") +
+               compared.note;
+    }
+    const std::string problem = second::problem_of(*reading_, certificate, limits_);
+    if (!problem.empty()) return "the certificate is refused: " + problem;
+    return std::nullopt;
+}
+
+std::optional<std::string> SecondOpinion::on_refutation(const second::Case& which, const Witness& witness) const {
+    if (!reading_) return unread_;
+    const second::Comparison compared = second::confirm(*reading_, which, witness.values, witness.algebraic);
+    if (compared.result == second::Comparison::Result::differ) return std::nullopt;
+    return "the counterexample is none for the text read anew: " + compared.note;
+}
+
+}  // namespace blossom::proofs

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <blossom/proofs/prover.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "certificates/certificate_checker.hpp"
+#include "certificates/point_comparison.hpp"
+#include "decided_case.hpp"
+
+namespace blossom::proofs {
+
+/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the hypotheses,
+/// and the check of certificates. An answer says how it disagrees, or nothing.
+class SecondOpinion {
+public:
+    SecondOpinion(const Block& block, const Limits& limits);
+
+    /// Whether the text has exactly these cases of these lines, in any order.
+    std::optional<std::string> on_cases(const std::vector<Decision>& decisions) const;
+    /// Both sides at points, and the certificate of the case.
+    std::optional<std::string> on_proof(const GroundBlock& block, const second::Case& which,
+                                        const CaseOutcome& outcome, const second::Certificate& certificate) const;
+    /// The counterexample.
+    std::optional<std::string> on_refutation(const second::Case& which, const Witness& witness) const;
+
+private:
+    std::optional<second::Reading> reading_;
+    std::string unread_;  ///< why the text could not be read
+    Limits limits_;
+};
+
+/// The record of a proved case: its text, what must not vanish, and every step of the elimination.
+second::Certificate certificate_of(const Block& block, const GroundBlock& grounded, const second::Case& which,
+                                   const CaseOutcome& outcome);
+
+}  // namespace blossom::proofs

@@ -1,0 +1,364 @@
+#include "kinds.hpp"
+
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+#include <optional>
+
+namespace blossom::proofs {
+
+namespace {
+
+constexpr Kind integer_kind{KindName::integer, 0};
+constexpr Kind number_kind{KindName::number, 0};
+
+[[noreturn]] void refuse_kind(const std::string& message, std::size_t offset) {
+    throw Error(ErrorCode::syntax, message, "", offset);
+}
+
+/// The kind of something that is one of two, as the two branches of a choice or two clauses of an abbreviation.
+std::optional<Kind> joined(const Kind& a, const Kind& b) {
+    if (a == b || b.name == KindName::unknown) return a;
+    if (a.name == KindName::unknown) return b;
+    if (a.is_number() && b.is_number()) return number_kind;
+    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension) return Kind{KindName::pair, a.dimension};
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string to_text(const Kind& kind) {
+    const auto of_dimension = [&](std::string_view what) {
+        return std::string(what) + " of dimension " + std::to_string(kind.dimension);
+    };
+    switch (kind.name) {
+        case KindName::unknown:
+            return "an abbreviation that refers to itself";
+        case KindName::integer:
+            return "an integer";
+        case KindName::number:
+            return "a number";
+        case KindName::point:
+            return of_dimension("a point");
+        case KindName::vector:
+            return of_dimension("a vector");
+        case KindName::pair:
+            return of_dimension("a pair");
+        case KindName::set:
+            return "a set";
+        case KindName::sets:
+            return "a collection of sets";
+        case KindName::partitions:
+            return "a collection of partitions";
+        case KindName::permutation:
+            return "a permutation";
+        case KindName::permutations:
+            return "a collection of permutations";
+    }
+    return "";
+}
+
+Kinds::Kinds(const Block& block, const Names& names, std::function<std::size_t(const Expression&)> count)
+    : block_(block), names_(names), count_(std::move(count)) {
+    for (const Statement& statement : block.statements) {
+        if (statement.kind == StatementKind::map) {
+            Dimensions dimensions(statement.expressions.size(), 1);
+            if (!statement.dimension.empty()) dimensions[0] = count_(statement.dimension[0]);
+            for (const std::string& name : statement.names) add_map(name, dimensions);
+        } else if (statement.kind == StatementKind::polynomial) {
+            const std::size_t variables = statement.names.size() - 1;
+            add_map(statement.names[0], statement.expressions.size() == 1 ? Dimensions{variables}
+                                                                          : Dimensions(variables, 1));
+        } else if (statement.kind == StatementKind::raise) {
+            if (const Dimensions* source = map_named(statement.names[0])) add_map(statement.names[1], *source);
+        }
+    }
+    infer_abbreviations(block);
+    for (const Statement& statement : block.statements) check(statement);
+}
+
+Kind Kinds::of(const Expression& e) const {
+    const auto found = known_.find(&e);
+    return found == known_.end() ? Kind{} : found->second;
+}
+
+Kind Kinds::of_family(const std::string& name) const {
+    const auto found = family_lets_.find(name);
+    return found == family_lets_.end() ? Kind{} : found->second;
+}
+
+const Dimensions* Kinds::map_named(const std::string& name) const {
+    const auto found = maps_.find(name);
+    return found == maps_.end() ? nullptr : &found->second;
+}
+
+/// Starts with nothing known and goes on until nothing changes: kinds only grow, from integer to number and from
+/// point and vector to pair.
+void Kinds::infer_abbreviations(const Block& block) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Statement& clause : block.statements) {
+            if (clause.kind != StatementKind::let) continue;
+            const Expression& name = clause.sides[0];
+            Kind& known = (name.children.empty() ? bare_lets_ : family_lets_)[name.name];
+            const Kind found = clause_kind(clause);
+            const std::optional<Kind> both = joined(known, found);
+            if (!both) {
+                refuse_kind("this line makes " + name.name + "_i " + to_text(found) + ", another one makes it " +
+                                to_text(known),
+                            clause.sides[1].offset);
+            }
+            changed = changed || *both != known;
+            known = *both;
+        }
+    }
+    for (const auto& [name, kind] : family_lets_) {
+        const Declared* family = names_.family(name);
+        if (!family) continue;
+        const Kind expected = declared(*family);
+        const std::optional<Kind> both = joined(expected, kind);
+        if (!both || (expected.is_geometric() && *both != expected)) {
+            refuse_kind(name + "_i is declared as " + to_text(expected) + ", and abbreviates " + to_text(kind),
+                        names_.clauses(name)->front()->sides[1].offset);
+        }
+    }
+}
+
+Kind Kinds::clause_kind(const Statement& clause) {
+    Scope scope(*this);
+    for (const Expression& index : clause.sides[0].children) {
+        const bool open = index.kind == ExpressionKind::name && index.children.empty();
+        const Declared* known = open ? names_.bare(index.name) : nullptr;
+        if (open && !(known && known->meaning == Meaning::parameter)) {
+            scope.add(index.name, integer_kind);
+        } else {
+            require_integer(index);
+        }
+    }
+    const Kind kind = infer(clause.sides[1]);
+    if (!kind.is_number() && !kind.is_geometric() && kind.name != KindName::unknown) {
+        refuse_kind(to_text(kind) + " found; an abbreviation stands for a number, point, vector or pair",
+                    clause.sides[1].offset);
+    }
+    return kind;
+}
+
+void Kinds::check(const Statement& statement) {
+    switch (statement.kind) {
+        case StatementKind::parameter:
+        case StatementKind::number:
+        case StatementKind::frame:
+        case StatementKind::point:
+        case StatementKind::vector:
+        case StatementKind::let:
+            break;
+        case StatementKind::map:
+            for (const Expression& degree : statement.expressions) require_integer(degree);
+            for (const Expression& point : statement.frame) argument(point, maps_.at(statement.names[0])[0]);
+            break;
+        case StatementKind::polynomial:
+            check_polynomial(statement);
+            break;
+        case StatementKind::raise:
+            for (const Expression& degree : statement.expressions) require_integer(degree);
+            if (!map_named(statement.names[0]))
+                refuse_kind("there is no map " + quoted(statement.names[0]), statement.offset);
+            break;
+        default:
+            check_relation(statement);
+    }
+}
+
+void Kinds::check_polynomial(const Statement& statement) {
+    for (const Expression& degree : statement.expressions) require_integer(degree);
+    Scope scope(*this);
+    for (std::size_t i = 1; i < statement.names.size(); ++i) {
+        const Declared* known = names_.bare(statement.names[i]);
+        const auto first = statement.names.begin() + 1;
+        const auto place = first + static_cast<std::ptrdiff_t>(i) - 1;
+        if ((known && known->meaning != Meaning::number) || std::find(first, place, *place) != place)
+            refuse_kind(quoted(statement.names[i]) + " is declared already", statement.offset);
+        scope.add(statement.names[i], number_kind);
+    }
+    require_number(statement.sides[0]);
+}
+
+void Kinds::check_relation(const Statement& statement) {
+    Scope scope(*this);
+    for (const Range& range : statement.ranges) {
+        require_integer(range.first);
+        require_integer(range.last);
+        scope.add(range.name, integer_kind);
+    }
+    for (const Expression& quantified : statement.quantified) {
+        const bool run = quantified.kind == ExpressionKind::run;
+        const Expression& name = run ? quantified.children[0] : quantified;
+        const bool bare = name.children.empty();
+        const Declared* known = bare ? names_.bare(name.name) : names_.family(name.name);
+        const bool variable = !known || known->meaning == Meaning::number || known->meaning == Meaning::point ||
+                              known->meaning == Meaning::vector;
+        if (name.kind != ExpressionKind::name || !variable || (bare && name.name == "delta")) {
+            refuse_kind("\"for all\" takes variables; " + quoted(name.name) + " is something else", name.offset);
+        }
+        for (const Expression& index : name.children) require_integer(index);
+        const bool abbreviated = !bare && names_.clauses(name.name);
+        if (!abbreviated) scope.add(name.name, known ? declared(*known) : number_kind, !bare);
+    }
+    for (const Expression& side : statement.sides) require_number(side);
+}
+
+Kind Kinds::infer(const Expression& e) { return known_[&e] = inferred(e); }
+
+Kind Kinds::inferred(const Expression& e) {
+    switch (e.kind) {
+        case ExpressionKind::number:
+            return std::ranges::all_of(e.name, [](char c) { return c >= '0' && c <= '9'; }) ? integer_kind
+                                                                                             : number_kind;
+        case ExpressionKind::name:
+            return e.children.empty() ? name(e) : member(e);
+        case ExpressionKind::negative: {
+            const Kind kind = infer(e.children[0]);
+            if (kind.name == KindName::point) return {KindName::pair, kind.dimension};
+            if (kind.is_number() || kind.is_geometric() || kind.name == KindName::unknown) return kind;
+            refuse_kind(to_text(kind) + " has no negative", e.offset);
+        }
+        case ExpressionKind::sum:
+        case ExpressionKind::difference:
+            return sum(e);
+        case ExpressionKind::product:
+            return product(e);
+        case ExpressionKind::quotient:
+            return quotient(e);
+        case ExpressionKind::power: {
+            const Kind base = require_number(e.children[0]);
+            require_integer(e.children[1]);
+            return base;
+        }
+        case ExpressionKind::pair:
+            for (const Expression& entry : e.children) require_number(entry);
+            return {KindName::pair, 1};
+        case ExpressionKind::point:
+            for (const Expression& entry : e.children) require_number(entry);
+            return {KindName::point, e.children.size()};
+        case ExpressionKind::call:
+            return call(e);
+        case ExpressionKind::value:
+            return value(e);
+        case ExpressionKind::blossom:
+            return blossom(e);
+        case ExpressionKind::derivative:
+            return derivative(e);
+        case ExpressionKind::comparison:
+            refuse_kind("a comparison stands in if(...) only", e.offset);
+        case ExpressionKind::copies:
+        case ExpressionKind::run:
+        case ExpressionKind::family:
+            break;
+    }
+    refuse_kind("copies, runs and families stand among the arguments of a blossom only", e.offset);
+}
+
+Kind Kinds::name(const Expression& e) {
+    const auto local = scope_.find(e.name);
+    if (local != scope_.end() && !local->second.empty()) return local->second.back();
+    if (e.name == "delta") return {KindName::vector, 1};
+    const Declared* known = names_.bare(e.name);
+    if (known) return known->meaning == Meaning::let ? bare_lets_[e.name] : declared(*known);
+    if (block_.strict) refuse_kind(quoted(e.name) + " is not declared; in a strict text every name is", e.offset);
+    return number_kind;
+}
+
+Kind Kinds::member(const Expression& e) {
+    for (const Expression& index : e.children) require_integer(index);
+    const auto local = family_scope_.find(e.name);
+    if (local != family_scope_.end() && !local->second.empty()) return local->second.back();
+    if (names_.clauses(e.name)) return family_lets_[e.name];
+    if (const Declared* known = names_.family(e.name)) return declared(*known);
+    if (block_.strict) refuse_kind(quoted(e.name) + "_i is not declared; in a strict text every name is", e.offset);
+    return number_kind;
+}
+
+Kind Kinds::declared(const Declared& declared) {
+    const Statement& statement = *declared.statements.front();
+    switch (declared.meaning) {
+        case Meaning::parameter:
+            return integer_kind;
+        case Meaning::point:
+        case Meaning::frame:
+            return {KindName::point, count_(statement.dimension[0])};
+        case Meaning::vector:
+            return {KindName::vector, count_(statement.dimension[0])};
+        default:
+            return number_kind;
+    }
+}
+
+/// Masses add: a point and a vector make a point, a point less a point a vector, and two points a pair.
+Kind Kinds::sum(const Expression& e) {
+    Kind a = infer(e.children[0]);
+    Kind b = infer(e.children[1]);
+    if (a.name == KindName::unknown || b.name == KindName::unknown) {
+        const Kind known = a.name == KindName::unknown ? b : a;
+        return known.name == KindName::point ? Kind{KindName::pair, known.dimension} : known;
+    }
+    if (a.is_number() && b.is_number()) return a == b ? a : number_kind;
+    // A number beside a point or vector of the line is the point with that coordinate.
+    for (Kind* kind : {&a, &b}) {
+        if (kind->is_number()) *kind = {KindName::point, 1};
+    }
+    if (!a.is_geometric() || !b.is_geometric() || a.dimension != b.dimension)
+        refuse_kind(to_text(a) + " and " + to_text(b) + " cannot be added", e.offset);
+    const bool difference = e.kind == ExpressionKind::difference;
+    const auto mass = [](const Kind& kind) { return kind.name == KindName::point ? 1 : 0; };
+    if (a.name == KindName::pair || b.name == KindName::pair) return {KindName::pair, a.dimension};
+    const int sum = mass(a) + (difference ? -mass(b) : mass(b));
+    return {sum == 0 ? KindName::vector : sum == 1 ? KindName::point : KindName::pair, a.dimension};
+}
+
+Kind Kinds::product(const Expression& e) {
+    const Kind a = infer(e.children[0]);
+    const Kind b = infer(e.children[1]);
+    if (a.is_number() && b.is_number()) return a == b ? a : number_kind;
+    if (a.name == KindName::unknown && b.name == KindName::unknown) return a;
+    if (a.is_geometric() && b.is_geometric())
+        refuse_kind("two points or vectors cannot be multiplied", e.offset);
+    for (const Kind& kind : {a, b}) {
+        if (kind.is_geometric()) return {kind.name == KindName::vector ? kind.name : KindName::pair, kind.dimension};
+        if (!kind.is_number() && kind.name != KindName::unknown)
+            refuse_kind(to_text(kind) + " cannot be multiplied", e.offset);
+    }
+    return {};
+}
+
+Kind Kinds::quotient(const Expression& e) {
+    const Kind a = infer(e.children[0]);
+    const Kind b = infer(e.children[1]);
+    if (!b.is_number() && b.name != KindName::unknown)
+        refuse_kind(to_text(b) + " cannot divide", e.children[1].offset);
+    if (a.is_geometric()) return {a.name == KindName::vector ? a.name : KindName::pair, a.dimension};
+    if (a.is_number()) return a == b ? a : number_kind;
+    if (a.name == KindName::unknown) return a;
+    refuse_kind(to_text(a) + " cannot be divided", e.offset);
+}
+
+void Kinds::require_integer(const Expression& e) {
+    const Kind kind = infer(e);
+    if (kind.name == KindName::integer || kind.name == KindName::unknown) return;
+    refuse_kind(kind.name == KindName::number ? "an expression with variables found, expected an integer"
+                                              : to_text(kind) + " found, expected an integer",
+                e.offset);
+}
+
+Kind Kinds::require_number(const Expression& e) {
+    const Kind kind = infer(e);
+    if (kind.is_number() || kind.name == KindName::unknown) return kind;
+    refuse_kind(to_text(kind) + " found, expected a number", e.offset);
+}
+
+void Kinds::require_set(const Expression& e) {
+    const Kind kind = infer(e);
+    if (kind.name != KindName::set) refuse_kind(to_text(kind) + " found, expected a set of integers", e.offset);
+}
+
+}  // namespace blossom::proofs

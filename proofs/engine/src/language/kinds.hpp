@@ -1,0 +1,133 @@
+#pragma once
+
+#include <blossom/proofs/syntax.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "names.hpp"
+
+namespace blossom::proofs {
+
+enum class KindName {
+    unknown,       ///< of an abbreviation that refers to nothing but itself
+    integer,       ///< made of integers alone, so that its value is known when a case is written out
+    number,        ///< a number that may depend on variables
+    point,         ///< coordinates, with mass 1
+    vector,        ///< coordinates, with mass 0
+    pair,          ///< coordinates, with any mass
+    set,           ///< of integers
+    sets,          ///< a collection of sets of integers
+    partitions,    ///< what partitions(n) gives: collections of sets
+    permutation,   ///< of 1..n
+    permutations,  ///< what permutations(n) gives
+};
+
+/// What an expression stands for.
+struct Kind {
+    KindName name = KindName::unknown;
+    std::size_t dimension = 0;  ///< of a point, vector or pair
+
+    bool is_number() const { return name == KindName::number || name == KindName::integer; }
+    bool is_geometric() const {
+        return name == KindName::point || name == KindName::vector || name == KindName::pair;
+    }
+    friend bool operator==(const Kind&, const Kind&) = default;
+};
+
+/// "a vector of dimension 2"
+std::string to_text(const Kind& kind);
+
+/// The directions of a map: how many, and the dimension of each.
+using Dimensions = std::vector<std::size_t>;
+
+/// The kinds of all expressions of a block for one choice of its parameters, inferred from the declarations before
+/// anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its clauses.
+///
+/// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that nothing
+/// declares; `wrong_arity`. Cost: the size of the block, times the depth of abbreviations that refer to each other.
+class Kinds {
+public:
+    /// `count` gives the value of a dimension.
+    Kinds(const Block& block, const Names& names, std::function<std::size_t(const Expression&)> count);
+
+    Kind of(const Expression& e) const;
+    /// That of the clauses of an abbreviation with indices.
+    Kind of_family(const std::string& name) const;
+
+private:
+    /// Names that hide others for as long as it lives.
+    class Scope {
+    public:
+        explicit Scope(Kinds& kinds) : kinds_(kinds) {}
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+        Scope(Scope&&) = delete;
+        Scope& operator=(Scope&&) = delete;
+        ~Scope() {
+            for (const auto& [name, is_family] : added_) kinds_.local(name, is_family).pop_back();
+        }
+
+        void add(const std::string& name, const Kind& kind, bool is_family = false) {
+            kinds_.local(name, is_family).push_back(kind);
+            added_.emplace_back(name, is_family);
+        }
+
+    private:
+        Kinds& kinds_;
+        std::vector<std::pair<std::string, bool>> added_;
+    };
+    std::vector<Kind>& local(const std::string& name, bool is_family) {
+        return (is_family ? family_scope_ : scope_)[name];
+    }
+
+    void infer_abbreviations(const Block& block);
+    Kind clause_kind(const Statement& clause);
+    void check(const Statement& statement);
+    void check_polynomial(const Statement& statement);
+    void check_relation(const Statement& statement);
+    void add_map(const std::string& name, Dimensions dimensions) { maps_[name] = std::move(dimensions); }
+    const Dimensions* map_named(const std::string& name) const;
+
+    Kind infer(const Expression& e);
+    Kind inferred(const Expression& e);
+    Kind name(const Expression& e);
+    Kind member(const Expression& e);
+    Kind declared(const Declared& declared);
+    Kind sum(const Expression& e);
+    Kind product(const Expression& e);
+    Kind quotient(const Expression& e);
+    Kind call(const Expression& e);
+    Kind over(const Expression& e);
+    Kind determinant(const Expression& e);
+    Kind choice(const Expression& e);
+    Kind bspline(const Expression& e);
+    Kind element_of(const Expression& e);
+    void comparison(const Expression& e);
+    Kind value(const Expression& e);
+    void orders(const Expression& e, const Dimensions& dimensions);
+    Kind blossom(const Expression& e);
+    Kind derivative(const Expression& e);
+    void argument(const Expression& e, std::size_t dimension);
+    void member_of_blossom(const Expression& e, std::size_t dimension);
+    void family(const Expression& e, std::size_t dimension);
+
+    void require_integer(const Expression& e);
+    Kind require_number(const Expression& e);
+    void require_set(const Expression& e);
+
+    const Block& block_;
+    const Names& names_;
+    std::function<std::size_t(const Expression&)> count_;
+    std::map<std::string, Dimensions> maps_;
+    std::map<std::string, Kind> bare_lets_;
+    std::map<std::string, Kind> family_lets_;
+    std::map<std::string, std::vector<Kind>> scope_;         ///< of bare names that hide others, the innermost last
+    std::map<std::string, std::vector<Kind>> family_scope_;  ///< the same of families
+    std::map<const Expression*, Kind> known_;
+};
+
+}  // namespace blossom::proofs

@@ -1,0 +1,153 @@
+#include "names.hpp"
+
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+#include <functional>
+
+#include "functions.hpp"
+
+namespace blossom::proofs {
+
+namespace {
+
+[[noreturn]] void refuse_name(const std::string& message, std::size_t offset) {
+    throw Error(ErrorCode::syntax, message, "", offset);
+}
+
+Meaning meaning_of(StatementKind kind) {
+    switch (kind) {
+        case StatementKind::parameter:
+            return Meaning::parameter;
+        case StatementKind::point:
+            return Meaning::point;
+        case StatementKind::vector:
+            return Meaning::vector;
+        case StatementKind::frame:
+            return Meaning::frame;
+        case StatementKind::let:
+            return Meaning::let;
+        case StatementKind::number:
+            return Meaning::number;
+        default:
+            return Meaning::map;
+    }
+}
+
+/// Where an index of a clause is a bare name.
+bool is_open_index(const Expression& index) {
+    return index.kind == ExpressionKind::name && index.children.empty();
+}
+
+/// Two patterns that fit the same members: open indices have any names.
+bool same_patterns(const Expression& a, const Expression& b) {
+    return std::ranges::equal(a.children, b.children, [](const Expression& x, const Expression& y) {
+        return (is_open_index(x) && is_open_index(y)) || x == y;
+    });
+}
+
+}  // namespace
+
+Names::Names(const Block& block) {
+    for (const Statement& statement : block.statements) declare(statement);
+}
+
+const Declared* Names::bare(const std::string& name) const {
+    const auto found = bare_.find(name);
+    return found == bare_.end() ? nullptr : &found->second;
+}
+
+const Declared* Names::family(const std::string& name) const {
+    const auto found = families_.find(name);
+    if (found != families_.end()) return &found->second;
+    const Declared* declared = bare(name);
+    const bool spreads = declared && (declared->meaning == Meaning::number ||
+                                      declared->meaning == Meaning::point || declared->meaning == Meaning::vector);
+    return spreads ? declared : nullptr;
+}
+
+const std::vector<const Statement*>* Names::clauses(const std::string& name) const {
+    const auto found = clauses_.find(name);
+    return found == clauses_.end() ? nullptr : &found->second;
+}
+
+void Names::declare_bare(const std::string& name, Meaning meaning, const Statement& statement,
+                         std::size_t offset) {
+    const bool reserved = name == "delta" || is_function(name) || (name == "D" && meaning == Meaning::map);
+    if (reserved) {
+        refuse_name(quoted(name) + " is a word of the language and cannot be declared", offset);
+    }
+    if (!bare_.try_emplace(name, Declared{meaning, {&statement}, {}}).second)
+        refuse_name(quoted(name) + " is declared already", offset);
+}
+
+void Names::declare_member(const Expression& name_or_run, Meaning meaning, const Statement& statement) {
+    const Expression& name = name_or_run.kind == ExpressionKind::run ? name_or_run.children[0] : name_or_run;
+    if (name.children.empty()) {
+        declare_bare(name.name, meaning, statement, name.offset);
+        return;
+    }
+    Declared& family = families_.try_emplace(name.name, Declared{meaning, {}, {}}).first->second;
+    const bool agrees = family.meaning == meaning &&
+                        (family.statements.empty() || family.statements[0]->dimension == statement.dimension);
+    if (!agrees) {
+        refuse_name("the members of " + name.name + "_i are declared already, as something else", name.offset);
+    }
+    if (std::ranges::any_of(family.members, [&](const Expression* known) { return *known == name_or_run; }))
+        refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
+    family.statements.push_back(&statement);
+    family.members.push_back(&name_or_run);
+}
+
+void Names::declare_let(const Statement& statement) {
+    const Expression& name = statement.sides[0];
+    if (name.kind != ExpressionKind::name) refuse_name("an abbreviation has a name, not a run", name.offset);
+    if (name.children.empty()) {
+        declare_bare(name.name, Meaning::let, statement, name.offset);
+        return;
+    }
+    auto& clauses = clauses_[name.name];
+    for (const Statement* known : clauses) {
+        if (same_patterns(known->sides[0], name))
+            refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
+    }
+    clauses.push_back(&statement);
+}
+
+void Names::declare(const Statement& statement) {
+    const Meaning meaning = meaning_of(statement.kind);
+    switch (statement.kind) {
+        case StatementKind::parameter:
+            declare_bare(statement.ranges[0].name, meaning, statement, statement.ranges[0].offset);
+            break;
+        case StatementKind::map:
+            for (const std::string& name : statement.names) declare_bare(name, meaning, statement, statement.offset);
+            break;
+        case StatementKind::polynomial:
+            declare_bare(statement.names[0], meaning, statement, statement.offset);
+            break;
+        case StatementKind::raise:
+            declare_bare(statement.names[1], meaning, statement, statement.offset);
+            break;
+        case StatementKind::point:
+        case StatementKind::vector:
+        case StatementKind::frame:
+        case StatementKind::number:
+            for (const Expression& name : statement.expressions) declare_member(name, meaning, statement);
+            break;
+        case StatementKind::let:
+            declare_let(statement);
+            break;
+        default:
+            break;
+    }
+}
+
+bool has_open_index(const std::vector<const Statement*>& clauses) {
+    return std::ranges::any_of(clauses, [](const Statement* clause) {
+        return std::ranges::any_of(clause->sides[0].children, is_open_index);
+    });
+}
+
+}  // namespace blossom::proofs

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <blossom/proofs/syntax.hpp>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace blossom::proofs {
+
+/// What a name of a block was declared as.
+enum class Meaning { parameter, map, number, point, vector, frame, let };
+
+/// One name of a block with the lines that declare it. Several lines may declare members of one family, and
+/// several lines `let` give its clauses.
+struct Declared {
+    Meaning meaning = Meaning::number;
+    std::vector<const Statement*> statements;
+    std::vector<const Expression*> members;  ///< u_2, u_1..u_n where single members are declared; else all are
+};
+
+/// The declarations of a block. The bare name x and the family x_i are different names.
+///
+/// Errors of the constructor, each with its place: `syntax` for a name that is declared twice and for a word of
+/// the language.
+class Names {
+public:
+    explicit Names(const Block& block);
+
+    /// The declaration of a name without indices, or nullptr.
+    const Declared* bare(const std::string& name) const;
+    /// The declaration of the members of a family other than by `let`: their own, or that of the bare name, which
+    /// declares them too.
+    const Declared* family(const std::string& name) const;
+    /// The clauses `let w_{...} = ...`, or nullptr.
+    const std::vector<const Statement*>* clauses(const std::string& name) const;
+
+private:
+    void declare(const Statement& statement);
+    void declare_bare(const std::string& name, Meaning meaning, const Statement& statement, std::size_t offset);
+    void declare_member(const Expression& name_or_run, Meaning meaning, const Statement& statement);
+    void declare_let(const Statement& statement);
+
+    std::map<std::string, Declared> bare_;
+    std::map<std::string, Declared> families_;
+    std::map<std::string, std::vector<const Statement*>> clauses_;
+};
+
+/// Whether some clause stands for members with any index: one of its indices is a name.
+bool has_open_index(const std::vector<const Statement*>& clauses);
+
+}  // namespace blossom::proofs
