@@ -18,7 +18,8 @@ std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const
     budget_->spend(equations_.size());
     if (std::ranges::find(equations_, usable) == equations_.end()) return "the relation is no hypothesis";
     const std::vector<PlainPolynomial> coefficients = coefficients_by(usable, symbol, *budget_);
-    if (degree == 0 || coefficients.size() != degree + 1) return "the relation has another degree in the symbol";
+    if (degree == 0 || coefficients.size() != degree + 1)
+        return "the relation has another degree in the symbol";
     const PlainPolynomial& leading = coefficients.back();
     if (degree == 1) {
         if (!is_known_nonzero(leading)) return "the cofactor of the symbol may vanish";
@@ -111,7 +112,8 @@ PlainPolynomial BranchState::replaced(const PlainPolynomial& a, const LinearStep
     PlainPolynomial result = coefficients.back();
     PlainPolynomial scale = step.cofactor;
     for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
-        result = sum(product(result, opposite, *budget_), product(coefficients[k], scale, *budget_), *budget_);
+        result =
+            sum(product(result, opposite, *budget_), product(coefficients[k], scale, *budget_), *budget_);
         if (k > 0) scale = product(scale, step.cofactor, *budget_);
     }
     return result;
@@ -129,7 +131,8 @@ PlainPolynomial BranchState::with_low_powers(const PlainPolynomial& a, const Pow
         if (leading.is_number()) {
             top = scaled(top, Rational(1) / leading.number(), *budget_);
         } else {
-            for (PlainPolynomial& coefficient : coefficients) coefficient = product(coefficient, leading, *budget_);
+            for (PlainPolynomial& coefficient : coefficients)
+                coefficient = product(coefficient, leading, *budget_);
         }
         for (std::size_t k = 0; k < degree; ++k) {
             PlainPolynomial& coefficient = coefficients[coefficients.size() - degree + k];
@@ -163,7 +166,8 @@ void BranchState::reduce_power_steps(const LinearStep& step) {
     std::vector<PowerStep> kept;
     for (PowerStep& power_step : power_steps_) {
         PlainPolynomial relation = stripped(replaced(power_step.relation, step));
-        const std::vector<PlainPolynomial> coefficients = coefficients_by(relation, power_step.symbol, *budget_);
+        const std::vector<PlainPolynomial> coefficients =
+            coefficients_by(relation, power_step.symbol, *budget_);
         if (coefficients.size() > 2 && is_known_nonzero(coefficients.back())) {
             kept.push_back({power_step.symbol, std::move(relation)});
         } else {
@@ -174,7 +178,9 @@ void BranchState::reduce_power_steps(const LinearStep& step) {
 }
 
 void BranchState::reduce_all(const LinearStep* step) {
-    const auto next = [&](const PlainPolynomial& a) { return with_low_powers(step ? replaced(a, *step) : a); };
+    const auto next = [&](const PlainPolynomial& a) {
+        return with_low_powers(step ? replaced(a, *step) : a);
+    };
     const std::vector<PlainPolynomial> nonzero = std::move(nonzero_);
     const std::vector<PlainPolynomial> equations = std::move(equations_);
     nonzero_.clear();

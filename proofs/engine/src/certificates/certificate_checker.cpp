@@ -13,8 +13,11 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// The polynomial with the symbols of a field. Errors: `syntax` for other names, unless new ones may be met.
-PlainPolynomial named_polynomial(const NamedPolynomial& named, SymbolicField& field, std::size_t new_names) {
+/// The polynomial in symbols of a field. Errors: `syntax` for more than `new_names` symbols that the field
+/// does not have; with none of them allowed, for others than its first `symbols` ones.
+PlainPolynomial named_polynomial(const NamedPolynomial& named, SymbolicField& field, std::size_t symbols,
+                                 std::size_t new_names) {
+    std::set<std::string> others;
     field.budget().require_terms(named.size(), 0);
     std::vector<PlainPolynomial> terms;
     for (const NamedTerm& term : named) {
@@ -22,8 +25,10 @@ PlainPolynomial named_polynomial(const NamedPolynomial& named, SymbolicField& fi
         std::vector<std::pair<std::size_t, std::size_t>> powers;
         for (const auto& [name, exponent] : term.powers) {
             if (exponent == 0) continue;
-            if (!field.number_of(name)) {
-                if (new_names-- == 0) {
+            const auto known = field.number_of(name);
+            if (!known || (new_names == 0 && *known >= symbols)) {
+                others.insert(name);
+                if (others.size() > new_names) {
                     throw Error(ErrorCode::syntax, "there is no symbol " + quoted(name) + " in this case");
                 }
             }
@@ -53,19 +58,20 @@ public:
             field_.require_nonzero(field_.sum(first, field_.negative(second)));
         }
         nonzero_ = field_.divisors();
+        symbols_ = field_.names().size();
     }
 
     std::string problem() {
-        std::size_t new_names = limits_.variables;
         for (const NamedPolynomial& condition : certificate_.conditions) {
-            const std::size_t before = field_.names().size();
-            conditions_.push_back(named_polynomial(condition, field_, new_names).primitive());
-            new_names -= field_.names().size() - before;
+            const std::size_t new_names =
+                limits_.variables - std::min(limits_.variables, field_.names().size() - symbols_);
+            conditions_.push_back(named_polynomial(condition, field_, symbols_, new_names).primitive());
             if (conditions_.back().is_zero()) return "a condition is 0";
         }
         for (const PlainPolynomial& factor : nonzero_) {
             if (!is_covered(factor)) {
-                return "the conditions do not say that " + text_of(factor, field_.names()) + " does not vanish";
+                return "the conditions do not say that " + text_of(factor, field_.names()) +
+                       " does not vanish";
             }
         }
         BranchState state(equations_, nonzero_, difference_, field_.budget());
@@ -80,7 +86,8 @@ private:
         for (const PlainPolynomial& condition : conditions_) {
             if (factor.is_number() || exact_quotient(condition, factor, field_.budget())) return true;
             if (condition.is_number()) continue;
-            while (auto exact = exact_quotient(factor, condition, field_.budget())) factor = std::move(*exact);
+            while (auto exact = exact_quotient(factor, condition, field_.budget()))
+                factor = std::move(*exact);
         }
         return factor.is_number();
     }
@@ -91,7 +98,8 @@ private:
         };
         field_.budget().spend(1);
         if (std::ranges::count(place, '.') > static_cast<std::ptrdiff_t>(limits_.nesting)) {
-            return "there are branches within branches beyond the limit nesting = " + std::to_string(limits_.nesting);
+            return "there are branches within branches beyond the limit nesting = " +
+                   std::to_string(limits_.nesting);
         }
         for (std::size_t k = 0; k < branch.steps.size(); ++k) {
             const std::string problem = problem_of_step(branch.steps[k], state);
@@ -114,7 +122,7 @@ private:
     }
 
     std::string problem_of_split(const Branch& branch, BranchState& state, const std::string& place) {
-        const PlainPolynomial pivot = named_polynomial(branch.pivot, field_, 0);
+        const PlainPolynomial pivot = named_polynomial(branch.pivot, field_, symbols_, 0);
         if (branch.branches[1].end == Branch::End::open) {
             // Nothing is claimed where the pivot is 0.
             if (std::ranges::find(conditions_, pivot.primitive()) == conditions_.end() || pivot.is_zero()) {
@@ -137,12 +145,13 @@ private:
     std::string problem_of_step(const Step& step, BranchState& state) {
         const auto symbol = field_.number_of(step.symbol);
         if (!symbol) return "there is no symbol " + quoted(step.symbol) + " in this case";
-        return state.take_step(*symbol, step.degree, named_polynomial(step.relation, field_, 0));
+        return state.take_step(*symbol, step.degree, named_polynomial(step.relation, field_, symbols_, 0));
     }
 
     const Certificate& certificate_;
     const Limits& limits_;
     SymbolicField field_;
+    std::size_t symbols_ = 0;  ///< of the case; conditions may have more
     PlainPolynomial difference_;
     std::vector<PlainPolynomial> equations_;
     std::vector<PlainPolynomial> nonzero_;
@@ -205,7 +214,9 @@ CertificateChecker::Text& CertificateChecker::read(const std::string& text) {
     return *text_;
 }
 
-const std::vector<Case>& CertificateChecker::claimed_cases(const std::string& text) { return read(text).claimed; }
+const std::vector<Case>& CertificateChecker::claimed_cases(const std::string& text) {
+    return read(text).claimed;
+}
 
 std::string CertificateChecker::problem_of(const Certificate& certificate) {
     try {

@@ -8,22 +8,24 @@ namespace blossom::proofs::second {
 
 void Budget::spend(std::size_t operations) {
     if (operations > work_ - spent_) {
-        throw Error(ErrorCode::limit_exceeded, "the number of term operations exceeds the limit expansion_work = " +
-                                                   std::to_string(work_));
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "the number of term operations exceeds the limit expansion_work = " + std::to_string(work_));
     }
     spent_ += operations;
 }
 
 void Budget::require_terms(std::size_t terms, std::size_t words_per_term) const {
     if (terms > terms_) {
-        throw Error(ErrorCode::limit_exceeded, "the number of terms, " + std::to_string(terms) +
-                                                   ", exceeds the limit expansion_terms = " +
-                                                   std::to_string(terms_));
+        throw Error(ErrorCode::limit_exceeded,
+                    "the number of terms, " + std::to_string(terms) +
+                        ", exceeds the limit expansion_terms = " + std::to_string(terms_));
     }
     if (words_per_term > 32 && terms > terms_ * 32 / words_per_term) {
-        throw Error(ErrorCode::limit_exceeded, "a polynomial of " + std::to_string(terms) +
-                                                   " terms has too many symbols for the limit expansion_terms = " +
-                                                   std::to_string(terms_));
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "a polynomial of " + std::to_string(terms) +
+                " terms has too many symbols for the limit expansion_terms = " + std::to_string(terms_));
     }
 }
 
@@ -63,7 +65,8 @@ PlainPolynomial single_term(const Rational& coefficient,
 }
 
 bool PlainPolynomial::is_number() const {
-    return size() == 0 || (size() == 1 && std::ranges::all_of(monomials_, [](std::uint64_t w) { return w == 0; }));
+    return size() == 0 ||
+           (size() == 1 && std::ranges::all_of(monomials_, [](std::uint64_t w) { return w == 0; }));
 }
 
 Rational PlainPolynomial::number() const { return is_zero() ? Rational() : coefficient(size() - 1); }
@@ -173,7 +176,8 @@ AlignedPolynomials::AlignedPolynomials(const PlainPolynomial& a, const PlainPoly
     : first_(a), second_(b) {
     const auto greatest = [](const PlainPolynomial& of) {
         std::uint64_t result = 0;
-        for (const std::size_t symbol : of.symbols()) result = std::max(result, std::uint64_t{of.degree(symbol)});
+        for (const std::size_t symbol : of.symbols())
+            result = std::max(result, std::uint64_t{of.degree(symbol)});
         return result;
     };
     const auto joined = [&](std::uint64_t of_a, std::uint64_t of_b) {
@@ -186,7 +190,9 @@ AlignedPolynomials::AlignedPolynomials(const PlainPolynomial& a, const PlainPoly
         if (largest_ >= 128) bits_ = 16;
         if (largest_ >= 1 << 15) throw Error(ErrorCode::limit_exceeded, "an exponent of 32768 or more");
     }
-    const auto words = [&](const PlainPolynomial& of) { return of.width() * bits_ / PolynomialParts::bits(of); };
+    const auto words = [&](const PlainPolynomial& of) {
+        return of.width() * bits_ / PolynomialParts::bits(of);
+    };
     width_ = std::max(words(a), words(b));
     const auto copy = [&](const PlainPolynomial& of, std::optional<PlainPolynomial>& target) {
         if (of.width() == width_ && PolynomialParts::bits(of) == bits_) return;

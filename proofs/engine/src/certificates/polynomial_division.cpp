@@ -46,7 +46,8 @@ public:
 private:
     std::uint64_t* head(std::size_t stream) { return heads_.data() + stream * width_; }
     auto before() {
-        return [this](std::size_t a, std::size_t b) { return compared_monomials(head(a), head(b), width_) < 0; };
+        return
+            [this](std::size_t a, std::size_t b) { return compared_monomials(head(a), head(b), width_) < 0; };
     }
 
     /// The sum of the coefficients of the greatest monomial that is left.
@@ -127,7 +128,8 @@ std::optional<PlainPolynomial> exact_quotient(const PlainPolynomial& a, const Pl
     if (PolynomialParts::bits(a) == PolynomialParts::bits(divisor)) {
         const std::uint64_t guards = PolynomialParts::guards(a);
         if (!divides_monomial(divisor.monomial(0), a.monomial(0), shared, guards) ||
-            !divides_monomial(divisor.monomial(divisor.size() - 1), a.monomial(a.size() - 1), shared, guards)) {
+            !divides_monomial(divisor.monomial(divisor.size() - 1), a.monomial(a.size() - 1), shared,
+                              guards)) {
             return std::nullopt;
         }
     }

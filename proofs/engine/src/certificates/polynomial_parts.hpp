@@ -9,7 +9,9 @@ struct PolynomialParts {
     static constexpr std::uint64_t guards_of_8 = 0x8080808080808080;
     static constexpr std::uint64_t guards_of_16 = 0x8000800080008000;
 
-    static std::uint64_t guards(const PlainPolynomial& a) { return a.bits_ == 8 ? guards_of_8 : guards_of_16; }
+    static std::uint64_t guards(const PlainPolynomial& a) {
+        return a.bits_ == 8 ? guards_of_8 : guards_of_16;
+    }
     static std::vector<std::uint64_t>& monomials(PlainPolynomial& a) { return a.monomials_; }
     static const std::vector<std::uint64_t>& monomials(const PlainPolynomial& a) { return a.monomials_; }
     static std::vector<Integer>& coefficients(PlainPolynomial& a) { return a.coefficients_; }

@@ -18,7 +18,8 @@ PlainPolynomial merged_product(const PlainPolynomial& a, std::size_t begin, std:
     };
     if (end - begin == 1) {
         const PlainPolynomial nothing = Parts::empty(Parts::bits(b), b.width(), 0);
-        return merged_terms(shifted(begin), {nothing, a.monomial(begin), Parts::coefficients(a)[begin]}, budget);
+        return merged_terms(shifted(begin), {nothing, a.monomial(begin), Parts::coefficients(a)[begin]},
+                            budget);
     }
     if (end - begin == 2) return merged_terms(shifted(begin), shifted(begin + 1), budget);
     const std::size_t middle = begin + (end - begin) / 2;

@@ -98,8 +98,8 @@ PlainPolynomial sum_of(std::vector<PlainPolynomial> summands, Budget& budget) {
     while (summands.size() > 1) {
         std::size_t kept = 0;
         for (std::size_t k = 0; k < summands.size(); k += 2) {
-            summands[kept++] = k + 1 < summands.size() ? sum(summands[k], summands[k + 1], budget)
-                                                       : std::move(summands[k]);
+            summands[kept++] =
+                k + 1 < summands.size() ? sum(summands[k], summands[k + 1], budget) : std::move(summands[k]);
         }
         summands.resize(kept);
     }
@@ -109,13 +109,14 @@ PlainPolynomial sum_of(std::vector<PlainPolynomial> summands, Budget& budget) {
 std::vector<PlainPolynomial> coefficients_by(const PlainPolynomial& a, std::size_t symbol, Budget& budget) {
     using Parts = PolynomialParts;
     budget.spend(a.size());
-    std::vector<PlainPolynomial> result(
-        a.degree(symbol) + 1, Parts::empty(Parts::bits(a), a.width(), Parts::largest(a)));
+    std::vector<PlainPolynomial> result(a.degree(symbol) + 1,
+                                        Parts::empty(Parts::bits(a), a.width(), Parts::largest(a)));
     std::vector<std::uint64_t> monomial(a.width());
     for (std::size_t k = 0; k < a.size(); ++k) {
         const std::size_t exponent = a.exponent(k, symbol);
         std::copy_n(a.monomial(k), a.width(), monomial.data());
-        if (exponent > 0) Parts::add_to_field(monomial.data(), symbol, Parts::bits(a), -std::uint64_t{exponent});
+        if (exponent > 0)
+            Parts::add_to_field(monomial.data(), symbol, Parts::bits(a), -std::uint64_t{exponent});
         Parts::append(result[exponent], monomial.data(), Parts::coefficients(a)[k]);
     }
     for (PlainPolynomial& coefficient : result) {

@@ -57,9 +57,10 @@ void SymbolicField::divide_out_differences(PlainPolynomial& rest, Denominator& p
         if (rest.exponent(0, symbols[i]) == 0) continue;
         for (std::size_t j = i + 1; j < symbols.size() && rest.size() >= least_terms; ++j) {
             if (rest.exponent(rest.size() - 1, symbols[j]) == 0) continue;
-            divide_out(rest,
-                       difference(PlainPolynomial::symbol(symbols[i]), PlainPolynomial::symbol(symbols[j]), budget_),
-                       powers);
+            divide_out(
+                rest,
+                difference(PlainPolynomial::symbol(symbols[i]), PlainPolynomial::symbol(symbols[j]), budget_),
+                powers);
         }
     }
 }
@@ -133,8 +134,8 @@ SymbolicField::Element SymbolicField::replaced(const Element& a, std::size_t sym
     return result;
 }
 
-SymbolicField::Element SymbolicField::derivative(const std::function<Element(const Element&)>& f, const Element& at,
-                                                 std::size_t order) {
+SymbolicField::Element SymbolicField::derivative(const std::function<Element(const Element&)>& f,
+                                                 const Element& at, std::size_t order) {
     const std::size_t first_factor = factors_.size();
     const std::size_t symbol = new_symbol("", true);
     Element result = f(fraction(PlainPolynomial::symbol(symbol), {}));
@@ -147,8 +148,8 @@ SymbolicField::Element SymbolicField::derivative(const std::function<Element(con
     return replaced(result, symbol, at);
 }
 
-std::vector<SymbolicField::Element> SymbolicField::coefficients(const std::function<Element(const Element&)>& f,
-                                                                std::size_t degree) {
+std::vector<SymbolicField::Element> SymbolicField::coefficients(
+    const std::function<Element(const Element&)>& f, std::size_t degree) {
     const std::size_t symbol = new_symbol("", true);
     const Element value = f(fraction(PlainPolynomial::symbol(symbol), {}));
     Sum storage;

@@ -7,7 +7,8 @@ namespace blossom::proofs::second {
 namespace {
 
 /// The product of two products of powers.
-std::vector<FactorPower> product_of_powers(const std::vector<FactorPower>& a, const std::vector<FactorPower>& b) {
+std::vector<FactorPower> product_of_powers(const std::vector<FactorPower>& a,
+                                           const std::vector<FactorPower>& b) {
     if (a.empty()) return b;
     std::vector<FactorPower> result;
     auto next = b.begin();
@@ -21,7 +22,8 @@ std::vector<FactorPower> product_of_powers(const std::vector<FactorPower>& a, co
 }
 
 /// What is left of a product of powers when it is divided by what it shares with another one.
-std::vector<FactorPower> powers_without(const std::vector<FactorPower>& a, const std::vector<FactorPower>& b) {
+std::vector<FactorPower> powers_without(const std::vector<FactorPower>& a,
+                                        const std::vector<FactorPower>& b) {
     std::vector<FactorPower> result;
     for (const FactorPower& power : a) {
         const auto other = std::ranges::lower_bound(b, power.factor, {}, &FactorPower::factor);
@@ -73,6 +75,7 @@ SymbolicField::Element SymbolicField::fraction(PlainPolynomial numerator, Denomi
 
 const SymbolicField::Sum& SymbolicField::parts_of(const Element& a, Sum& storage) {
     if (a.sum_) return *a.sum_;
+    storage = Sum();
     if (!a.number_.is_zero()) storage.parts.push_back(std::make_shared<const PlainPolynomial>(a.number_));
     storage.settled = true;
     return storage;
@@ -87,7 +90,8 @@ const SymbolicField::Sum& SymbolicField::settled(const Element& a, Sum& storage)
     }
     cancel(numerator, sum.denominator);
     sum.parts.clear();
-    if (!numerator.is_zero()) sum.parts.push_back(std::make_shared<const PlainPolynomial>(std::move(numerator)));
+    if (!numerator.is_zero())
+        sum.parts.push_back(std::make_shared<const PlainPolynomial>(std::move(numerator)));
     sum.settled = true;
     return sum;
 }
@@ -226,7 +230,8 @@ void SymbolicField::cancel(PlainPolynomial& numerator, Denominator& denominator)
 PlainPolynomial SymbolicField::expanded(const Denominator& powers) {
     PlainPolynomial result(1);
     for (const FactorPower& power : powers) {
-        result = second::product(result, second::power(factors_[power.factor], power.exponent, budget_), budget_);
+        result =
+            second::product(result, second::power(factors_[power.factor], power.exponent, budget_), budget_);
     }
     return result;
 }

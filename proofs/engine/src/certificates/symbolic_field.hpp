@@ -124,7 +124,7 @@ private:
     explicit Element(Rational number) : number_(std::move(number)) {}
     explicit Element(std::shared_ptr<Sum> sum) : sum_(std::move(sum)) {}
 
-    Rational number_;           ///< where there is no sum
+    Rational number_;  ///< where there is no sum
     std::shared_ptr<Sum> sum_;
 };
 
