@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// A second reader of the identity language, written from its description alone. It shares no code with the prover, so that
-/// what one of them misreads shows when their answers are compared.
+/// A second reader of the identity language, written from its description alone. It shares no code with the
+/// prover, so that what one of them misreads shows when their answers are compared.
 namespace blossom::proofs::second {
 
 /// for name in low..high
@@ -51,8 +51,10 @@ struct Declaration {
     bool bare = true;
     std::size_t offset = 0;
     std::optional<NodeId> dimension;
-    std::vector<std::pair<std::vector<NodeId>, std::vector<NodeId>>> runs;  ///< of members: first and last indices
-    std::size_t place = 0;                                                   ///< of a frame point: 0 is the origin
+    std::vector<std::pair<std::vector<NodeId>, std::vector<NodeId>>>
+        runs;                              ///< of members: first and last indices
+    std::vector<NodeId> other_dimensions;  ///< of later lines for the same family: all are equal
+    std::size_t place = 0;                 ///< of a frame point: 0 is the origin
     std::size_t frame_size = 0;
 };
 
@@ -63,11 +65,12 @@ struct MapDeclaration {
     std::size_t line = 0;                  ///< maps are used below the line that declares them
     std::vector<NodeId> degrees;           ///< one a direction
     std::optional<NodeId> dimension;       ///< of a simplex
-    NodeId body = 0;                       ///< of a polynomial; a list of arguments (Form::blossom) for a net
+    NodeId body = 0;                       ///< of a polynomial; a point_list for a net
     std::vector<std::uint32_t> variables;  ///< names; they have the slots 0, 1, ...
     std::uint32_t slots = 0;
-    std::uint32_t family = 0;              ///< the name of the family of a net
-    std::uint32_t source = 0;              ///< the map that is raised
+    std::uint32_t family = 0;   ///< the name of the family of a net
+    NodeId control_points = 0;  ///< a member of this family without indices, for what its name means
+    std::uint32_t source = 0;   ///< the map that is raised
 };
 
 /// One `let` line. Where a pattern has no node it is a name and has a slot, 0, 1, ... in order.
@@ -85,12 +88,14 @@ struct Abbreviation {
     Kind kind = Kind::unknown;
     std::vector<Clause> clauses;
     std::optional<std::uint32_t> declaration;  ///< of members which no clause fits
+    bool inherits = false;                     ///< that of the bare name
 };
 
 /// One choice of the parameters of a claim.
 struct Case {
     std::size_t line = 0;  ///< among the claim and refute lines of the block, from 0
-    std::vector<std::pair<std::string, long long>> parameters;  ///< the block's, then the line's own, in order
+    std::vector<std::pair<std::string, long long>>
+        parameters;  ///< the block's, then the line's own, in order
 };
 
 /// A block as read: a tree with all names looked up and all kinds decided.

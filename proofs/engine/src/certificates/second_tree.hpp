@@ -12,43 +12,44 @@ namespace blossom::proofs::second {
 /// What a node of the tree says. Children are in the order in which they are written.
 enum class Form : std::uint8_t {
     number,
-    name,              ///< `text`; what it means is `meaning`, after the names were looked up
-    member,            ///< `text`_{children}
-    unit_vector,       ///< delta
-    pair,              ///< <u, v>
-    tuple,             ///< (a, b, ...)
-    terms,             ///< a + b - c: children, those with a flag subtracted
-    factors,           ///< a * b / c: children, those with a flag divide
+    name,         ///< `text`; what it means is `meaning`, after the names were looked up
+    member,       ///< `text`_{children}
+    unit_vector,  ///< delta
+    pair,         ///< <u, v>
+    tuple,        ///< (a, b, ...)
+    terms,        ///< a + b - c: children, those with a flag subtracted
+    factors,      ///< a * b / c: children, those with a flag divide
     negation,
-    power,             ///< base, exponent
-    sum,               ///< domain, body: binds `slot`
+    power,  ///< base, exponent
+    sum,    ///< domain, body: binds `slot`
     product,
     mean,
-    determinant,       ///< size, entry: binds `slot` and `slot + 1`
+    determinant,  ///< size, entry: binds `slot` and `slot + 1`
     size,
     binomial,
     factorial,
     bernstein,
-    basis,             ///< bspline: children j, d, i, t; the knots are the family `text`
-    sign,              ///< of a permutation
-    image,             ///< P(i): children P, i
-    choice,            ///< if: condition, value, other value
-    comparison,        ///< of integers, by `relation`: two children
-    membership,        ///< integer, set; `relation` is equal or different
-    map_value,         ///< `text`(arguments)
-    map_derivative,    ///< D(`text`, orders)(arguments); groups[0] orders come first
-    blossom,           ///< `text`[arguments; arguments]
-    derivative,        ///< of an expression: expression, name, order
-    interval,          ///< lo..hi
+    basis,           ///< bspline: children j, d, i, t; the knots are the family `text`
+    sign,            ///< of a permutation
+    image,           ///< P(i): children P, i
+    choice,          ///< if: condition, value, other value
+    comparison,      ///< of integers, by `relation`: two children
+    membership,      ///< integer, set; `relation` is equal or different
+    map_value,       ///< `text`(arguments)
+    map_derivative,  ///< D(`text`, orders)(arguments); groups[0] orders come first
+    blossom,         ///< `text`[arguments; arguments]
+    point_list,      ///< of a net: arguments
+    derivative,      ///< of an expression: expression, name, order
+    interval,        ///< lo..hi
     without,
     subsets,
     partitions,
     permutations,
-    copies,            ///< an argument `count` times: expression, count
-    run,               ///< a_1..a_n: two members
-    family,            ///< e : i in S, ...: set, exclusions, e; binds `slot`
-    excluded,          ///< i != e
-    excluded_set,      ///< i not in S
+    copies,        ///< an argument `count` times: expression, count
+    run,           ///< a_1..a_n: two members
+    family,        ///< e : i in S, ...: set, exclusions, e; binds `slot`
+    excluded,      ///< i != e
+    excluded_set,  ///< i not in S
 };
 
 /// What a value is, whatever its numbers are.
@@ -66,11 +67,12 @@ enum class Kind : std::uint8_t {
 /// What a name stands for.
 enum class Meaning : std::uint8_t {
     unresolved,
-    local,          ///< bound by a sum, a range, a pattern, a `for all` or as a variable of `poly`: `target` is the slot
-    parameter,      ///< of the block: `target` is its place
-    abbreviation,   ///< let: `target` is the family
-    declared,       ///< by point, vector, frame or number: `target` is the declaration
-    map,            ///< `target` is the map
+    local,  ///< bound by a sum, a range, a pattern, a `for all` or as a variable of `poly`: `target` is the
+            ///< slot
+    parameter,     ///< of the block: `target` is its place
+    abbreviation,  ///< let: `target` is the family
+    declared,      ///< by point, vector, frame or number: `target` is the declaration
+    map,           ///< `target` is the map
     free_number,
 };
 
@@ -83,14 +85,14 @@ struct Node {
     Kind kind = Kind::unknown;
     Meaning meaning = Meaning::unresolved;
     Relation relation = Relation::equal;
-    bool may_be_bound = false;   ///< a member that a `for all` of this line may bind
+    bool may_be_bound = false;  ///< a member that a `for all` of this line may bind
     std::uint32_t target = 0;
-    std::uint32_t slot = 0;      ///< of what the node binds
-    std::uint32_t text = 0;      ///< the place of the name among those of the reading
+    std::uint32_t slot = 0;  ///< of what the node binds
+    std::uint32_t text = 0;  ///< the place of the name among those of the reading
     std::size_t offset = 0;
     Rational value;
     std::vector<NodeId> children;
-    std::vector<bool> flags;     ///< one a child
+    std::vector<bool> flags;          ///< one a child
     std::vector<std::size_t> groups;  ///< where the arguments of a direction end, in `children`
 };
 

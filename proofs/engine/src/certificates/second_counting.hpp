@@ -1,0 +1,146 @@
+#pragma once
+
+#include "second_reading.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace blossom::proofs::second {
+
+using IntegerSet = std::vector<long long>;  ///< increasing; or the images of 1..n under a permutation
+
+/// What a binder has bound: an integer (or the place of a value), a set, or a set of sets, which live as long
+/// as the binder runs.
+struct Slot {
+    long long integer = 0;
+    const IntegerSet* set = nullptr;
+    const std::vector<IntegerSet>* sets = nullptr;
+};
+using Scope = std::vector<Slot>;
+
+/// Calls a function when it goes, also because of an error.
+template <class Function>
+class AtEnd {
+public:
+    explicit AtEnd(Function function) : function_(std::move(function)) {}
+    AtEnd(const AtEnd&) = delete;
+    AtEnd& operator=(const AtEnd&) = delete;
+    ~AtEnd() { function_(); }
+
+private:
+    Function function_;
+};
+
+/// Bounds what an evaluation may do.
+class WorkLimit {
+public:
+    explicit WorkLimit(const Limits& limits) : limits_(limits) {}
+
+    void step(std::size_t count = 1) {
+        steps_ += count;
+        if (steps_ > limits_.expansion_work) exceeded("expansion_work", limits_.expansion_work);
+    }
+
+    /// One call within another for as long as it lives.
+    class Level {
+    public:
+        explicit Level(WorkLimit& work) : work_(work) {
+            work.step();
+            if (++work.depth_ > deepest * work.limits_.nesting) {
+                --work.depth_;
+                exceeded("nesting", work.limits_.nesting);
+            }
+        }
+        Level(const Level&) = delete;
+        Level& operator=(const Level&) = delete;
+        ~Level() { --work_.depth_; }
+
+    private:
+        static constexpr std::size_t deepest = 20;  ///< an abbreviation that uses itself takes about five
+        WorkLimit& work_;
+    };
+
+    const Limits& limits() const { return limits_; }
+
+private:
+    [[noreturn]] static void exceeded(const char* name, std::size_t limit);
+
+    Limits limits_;
+    std::size_t steps_ = 0;
+    std::size_t depth_ = 0;
+};
+
+/// The integers, sets and conditions of one case, which need no field.
+class Counting {
+public:
+    Counting(const Reading& reading, std::vector<long long> parameters);
+
+    const std::vector<long long>& parameters() const { return parameters_; }
+    void push_parameter(long long value);
+    void pop_parameter();
+    WorkLimit& work() { return work_; }
+
+    /// The value of an expression of kind integer, which may have a denominator.
+    Rational value(NodeId id, Scope& scope);
+    /// Errors: `wrong_kind` unless it is an integer.
+    long long integer(NodeId id, Scope& scope);
+    /// The same from 0 to `limit`.
+    std::size_t count(NodeId id, Scope& scope, std::size_t limit, const char* what);
+    std::vector<long long> integers(const std::vector<NodeId>& ids, Scope& scope);
+    bool holds(NodeId condition, Scope& scope);
+    IntegerSet set(NodeId id, Scope& scope);
+
+    /// Calls `body` for every member of the domain, which is bound to the slot.
+    void each(NodeId domain, std::uint32_t slot, Scope& scope, const std::function<void()>& body);
+    /// The members that a family of arguments runs through.
+    IntegerSet family_members(const Node& family, Scope& scope);
+    /// Calls `body` for every choice of the ranges, whose names have the slots 0, 1, ...
+    void each_range(const std::vector<Range>& ranges, Scope& scope, const std::function<void()>& body);
+
+    /// The first clause that fits, and its scope with the names of its patterns.
+    const Clause* fitting_clause(std::uint32_t abbreviation, const std::vector<long long>& indices,
+                                 Scope& scope);
+    /// Whether a member which no clause fits is an error: some pattern has a name.
+    bool needs_clause(std::uint32_t abbreviation) const;
+    /// Whether a declared family has this member, as far as its lines say.
+    bool is_declared(const Declaration& declaration, const std::vector<long long>& indices);
+
+    std::size_t dimension(const Declaration& declaration);
+
+private:
+    Rational iteration(const Node& node, Scope& scope);
+    Rational abbreviation(const Node& node, Scope& scope);
+    Rational function(const Node& node, Scope& scope);
+    void each_subset(const Node& subsets, std::uint32_t slot, Scope& scope,
+                     const std::function<void()>& body);
+    void each_partition(const Node& partitions, std::uint32_t slot, Scope& scope,
+                        const std::function<void()>& body);
+    void each_permutation(const Node& permutations, std::uint32_t slot, Scope& scope,
+                          const std::function<void()>& body);
+    void each_choice_of(const std::vector<Range>& ranges, std::size_t place, Scope& scope,
+                        const std::function<void()>& body);
+    /// 1..n or the set that is meant.
+    IntegerSet ground_set(NodeId id, Scope& scope);
+
+    const Reading& reading_;
+    std::vector<long long> parameters_;
+    WorkLimit work_;
+    std::map<std::vector<long long>, Rational> known_;  ///< of abbreviations: family, indices
+};
+
+/// Throws `limit_exceeded` when the product of numbers like these has too many digits.
+void require_short_product(const Rational& a, const Rational& b, const Limits& limits);
+
+/// base^exponent for any integer exponent. Errors: `division_by_zero`; `limit_exceeded` beyond limits.digits.
+Rational integer_power(const Rational& base, const Rational& exponent, const Limits& limits,
+                       std::size_t offset);
+
+/// "t_3", "t_{-1}", "t_{1,2}".
+std::string name_of_member(const std::string& family, const std::vector<long long>& indices);
+
+}  // namespace blossom::proofs::second

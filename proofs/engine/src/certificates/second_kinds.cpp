@@ -1,0 +1,348 @@
+#include "second_names.hpp"
+
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <algorithm>
+#include <utility>
+
+namespace blossom::proofs::second {
+
+namespace {
+
+bool is_scalar_kind(Kind kind) { return kind <= Kind::number; }
+
+}  // namespace
+
+// The least kinds for which every line is right, since an abbreviation may use itself: integers are numbers,
+// and what nothing else is known of stays below both.
+void NameTable::decide_kinds() {
+    std::size_t work = 0;
+    do {
+        work += reading_.nodes_.size();
+        require_within(work, reading_.limits_.expansion_work, "expansion_work", "the work of finding kinds");
+    } while (improve_abbreviations());
+    check_ = true;
+    for (const Range& range : reading_.parameters_) require_integers({range.low, range.high});
+    for (const Declaration& declaration : reading_.declarations_) {
+        if (declaration.dimension) require_integers({*declaration.dimension});
+        for (const auto& [first, last] : declaration.runs) {
+            require_integers(first);
+            require_integers(last);
+        }
+    }
+    for (const MapDeclaration& map : reading_.maps_) {
+        require_integers(map.degrees);
+        if (map.dimension) require_integers({*map.dimension});
+        if (map.kind == MapDeclaration::Kind::polynomial) require(map.body, Kind::number, "a polynomial");
+        if (map.kind != MapDeclaration::Kind::net) continue;
+        infer(map.body);
+        require(map.control_points, Kind::number, "the family of a net");
+    }
+    improve_abbreviations();
+    for (const auto* statements : {&reading_.hypotheses_, &reading_.assumptions_, &reading_.claims_}) {
+        for (const Statement& statement : *statements) {
+            for (const Range& range : statement.ranges) require_integers({range.low, range.high});
+            for (const Quantified& quantified : statement.for_all) {
+                require_integers(quantified.first);
+                require_integers(quantified.last);
+            }
+            require(statement.left, Kind::number, "a side of an equation");
+            require(statement.right, Kind::number, "a side of an equation");
+        }
+    }
+}
+
+bool NameTable::improve_abbreviations() {
+    bool changed = false;
+    for (Abbreviation& let : reading_.abbreviations_) {
+        Kind kind = Kind::unknown;
+        for (const Clause& clause : let.clauses) {
+            for (const std::optional<NodeId>& pattern : clause.patterns) {
+                if (pattern) require_integers({*pattern});
+            }
+            kind = join(kind, require_value(clause.body), clause.offset);
+        }
+        if (let.declaration) {
+            const Kind declared = kind_of_declaration(*let.declaration);
+            const bool fits = kind == Kind::unknown || is_scalar_kind(kind) == is_scalar_kind(declared);
+            if (!fits && let.inherits) {
+                let.declaration.reset();
+            } else {
+                kind = join(kind, declared, let.clauses.front().offset);
+            }
+        }
+        changed = changed || kind != let.kind;
+        let.kind = kind;
+    }
+    return changed;
+}
+
+Kind NameTable::kind_of_declaration(std::uint32_t declaration) const {
+    return reading_.declarations_[declaration].kind == Declaration::Kind::number ? Kind::number
+                                                                                 : Kind::geometric;
+}
+
+Kind NameTable::join(Kind one, Kind other, std::size_t offset) const {
+    const Kind greater = std::max(one, other);
+    const Kind lesser = std::min(one, other);
+    if (greater == Kind::geometric && lesser != Kind::geometric && lesser != Kind::unknown && check_) {
+        throw Error(ErrorCode::wrong_kind, "a number here and a point or vector there", "", offset);
+    }
+    return greater;
+}
+
+Kind NameTable::infer(NodeId id) {
+    const Node& current = node(id);
+    Kind kind = Kind::number;
+    switch (current.form) {
+        case Form::number:
+            kind = current.value.is_integer() ? Kind::integer : Kind::number;
+            break;
+        case Form::name:
+            kind = infer_name(current);
+            break;
+        case Form::member:
+            require_integers(current.children);
+            kind = infer_name(current);
+            break;
+        case Form::unit_vector:
+            kind = Kind::geometric;
+            break;
+        case Form::pair:
+        case Form::tuple:
+            for (const NodeId child : current.children) require(child, Kind::number, "a coordinate");
+            kind = Kind::geometric;
+            break;
+        case Form::terms:
+            kind = infer_terms(current);
+            break;
+        case Form::factors:
+            kind = infer_factors(current);
+            break;
+        case Form::negation:
+            kind = require_value(current.children.front());
+            break;
+        case Form::power:
+            kind = infer_power(current);
+            break;
+        case Form::sum:
+        case Form::product:
+        case Form::mean:
+            kind = infer_iteration(current);
+            break;
+        case Form::choice:
+            kind = infer_choice(current);
+            break;
+        default:
+            kind = infer_other(current);
+            break;
+    }
+    node(id).kind = kind;
+    return kind;
+}
+
+Kind NameTable::infer_name(const Node& name) {
+    switch (name.meaning) {
+        case Meaning::local:
+            return name.kind;
+        case Meaning::parameter:
+            return Kind::integer;
+        case Meaning::abbreviation:
+            return kind_of_abbreviation(name);
+        case Meaning::declared:
+            return kind_of_declaration(name.target);
+        default:
+            return Kind::number;
+    }
+}
+
+// Where all patterns are constants, the members that have no line are free numbers.
+Kind NameTable::kind_of_abbreviation(const Node& name) const {
+    const Abbreviation& let = reading_.abbreviations_[name.target];
+    if (let.bare || let.kind > Kind::integer) return let.kind;
+    bool covers_all = false;
+    for (const Clause& clause : let.clauses) {
+        covers_all = covers_all || !clause.pattern_names.empty();
+        bool fits = name.form == Form::member && clause.patterns.size() == name.children.size();
+        for (std::size_t i = 0; i < clause.patterns.size() && fits; ++i) {
+            if (!clause.patterns[i]) continue;
+            const Node& pattern = reading_.nodes_[*clause.patterns[i]];
+            const Node& index = reading_.nodes_[name.children[i]];
+            fits = pattern.form == Form::number && index.form == Form::number && pattern.value == index.value;
+        }
+        if (fits) return let.kind;
+    }
+    return covers_all ? let.kind : Kind::number;
+}
+
+Kind NameTable::infer_terms(const Node& terms) {
+    Kind kind = Kind::unknown;
+    for (const NodeId child : terms.children) kind = std::max(kind, require_value(child));
+    return kind;
+}
+
+Kind NameTable::infer_factors(const Node& factors) {
+    Kind kind = Kind::unknown;
+    for (std::size_t i = 0; i < factors.children.size(); ++i) {
+        const Kind child = require_value(factors.children[i]);
+        if (child == Kind::geometric && check_ && (kind == Kind::geometric || factors.flags[i])) {
+            throw Error(ErrorCode::wrong_kind,
+                        "points and vectors are multiplied and divided by numbers only", "",
+                        node(factors.children[i]).offset);
+        }
+        kind = std::max(kind, child);
+    }
+    return kind;
+}
+
+Kind NameTable::infer_power(const Node& power) {
+    const Kind base = require(power.children[0], Kind::number, "the base of a power");
+    require(power.children[1], Kind::integer, "an exponent");
+    return base;
+}
+
+Kind NameTable::infer_choice(const Node& choice) {
+    infer(choice.children[0]);
+    return join(require_value(choice.children[1]), require_value(choice.children[2]), choice.offset);
+}
+
+Kind NameTable::infer_iteration(const Node& iteration) {
+    require_set(iteration.children[0]);
+    if (iteration.form == Form::product) return require(iteration.children[1], Kind::number, "a factor");
+    return require_value(iteration.children[1]);
+}
+
+Kind NameTable::infer_other(const Node& other) {
+    const std::vector<NodeId>& children = other.children;
+    switch (other.form) {
+        case Form::determinant:
+            require_integers({children[2]});
+            require(children[3], Kind::number, "an entry of a determinant");
+            return Kind::number;
+        case Form::size:
+            require_set(children[0]);
+            return Kind::integer;
+        case Form::binomial:
+        case Form::factorial:
+            require_integers(children);
+            return Kind::integer;
+        case Form::bernstein:
+            require_integers({children[0], children[1]});
+            require(children[2], Kind::number, "the variable of a Bernstein polynomial");
+            return Kind::number;
+        case Form::basis:
+            require_integers({children[0], children[1], children[2]});
+            require(children[3], Kind::number, "the variable of a B-spline");
+            if (check_ && infer_name(other) > Kind::number) {
+                throw Error(ErrorCode::wrong_kind, "the knots of bspline are numbers", "", other.offset);
+            }
+            return Kind::number;
+        case Form::sign:
+            require(children[0], Kind::permutation, "what has a sign");
+            return Kind::integer;
+        case Form::image:
+            require_integers(children);
+            return Kind::integer;
+        case Form::comparison:
+            require_integers(children);
+            return Kind::condition;
+        case Form::membership:
+            require_integers({children[0]});
+            require_set(children[1]);
+            return Kind::condition;
+        case Form::interval:
+        case Form::partitions:
+        case Form::permutations:
+        case Form::subsets:
+        case Form::without:
+            return require_set(static_cast<NodeId>(&other - reading_.nodes_.data()));
+        case Form::derivative:
+            require(children[0], Kind::number, "what is differentiated");
+            infer(children[1]);
+            if (children.size() > 2) require_integers({children[2]});
+            return Kind::number;
+        case Form::copies:
+            require_value(children[0]);
+            require_integers({children[1]});
+            return Kind::number;
+        case Form::excluded:
+            require_integers(children);
+            return Kind::condition;
+        case Form::excluded_set:
+            require_set(children[0]);
+            return Kind::condition;
+        case Form::family:
+            require_set(children.front());
+            for (std::size_t i = 1; i + 1 < children.size(); ++i) infer(children[i]);
+            require_value(children.back());
+            return Kind::number;
+        default:
+            break;
+    }
+    for (const NodeId child : children) infer(child);
+    return Kind::number;
+}
+
+Kind NameTable::require(NodeId id, Kind kind, const char* what) {
+    const Kind found = infer(id);
+    const bool fits = kind == Kind::number    ? is_scalar_kind(found)
+                      : kind == Kind::integer ? found <= Kind::integer
+                                              : found == kind;
+    if (!fits && check_) {
+        throw Error(ErrorCode::wrong_kind,
+                    std::string(what) + (kind == Kind::integer ? " must be an integer" : " has another kind"),
+                    "", node(id).offset);
+    }
+    return found;
+}
+
+Kind NameTable::require_value(NodeId id) {
+    const Kind found = infer(id);
+    if (found > Kind::geometric && check_) {
+        throw Error(ErrorCode::wrong_kind, "a number, a point or a vector is expected here", "",
+                    node(id).offset);
+    }
+    return found;
+}
+
+void NameTable::require_integers(const std::vector<NodeId>& children) {
+    for (const NodeId child : children) require(child, Kind::integer, "this");
+}
+
+Kind NameTable::require_set(NodeId id) {
+    const std::vector<NodeId>& children = node(id).children;
+    Kind kind = Kind::set;
+    switch (node(id).form) {
+        case Form::interval:
+            require_integers(children);
+            break;
+        case Form::without:
+            require_integers({children[0]});
+            require_set(children[1]);
+            break;
+        case Form::subsets:
+        case Form::partitions:
+            kind = infer(children[0]);
+            if (kind > Kind::integer && kind != Kind::set && check_) {
+                throw Error(ErrorCode::wrong_kind, "a number of members or a set is expected here", "",
+                            node(children[0]).offset);
+            }
+            if (children.size() > 1) require_integers({children[1]});
+            kind = Kind::set_of_sets;
+            break;
+        case Form::permutations:
+            require_integers(children);
+            kind = Kind::set_of_sets;
+            break;
+        default:
+            kind = infer(id);
+            if (kind != Kind::set && kind != Kind::set_of_sets && check_) {
+                throw Error(ErrorCode::wrong_kind, "a set is expected here", "", node(id).offset);
+            }
+    }
+    node(id).kind = kind;
+    return kind;
+}
+
+}  // namespace blossom::proofs::second

@@ -1,0 +1,165 @@
+#include "second_text.hpp"
+
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+namespace blossom::proofs::second {
+
+namespace {
+
+bool is_letter_of_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+
+bool is_digit_of_number(char c) { return c >= '0' && c <= '9'; }
+
+/// Longer marks stand before those that they begin with.
+constexpr std::array<std::string_view, 25> marks = {"==", "!=", "<=", ">=", "..", "+", "-", "*", "/",
+                                                    "^",  "=",  "<",  ">",  "(",  ")", "[", "]", "{",
+                                                    "}",  ",",  ":",  ";",  "_",  "'", "."};
+
+/// Whether a line goes on behind `mark`. A > at the end of a line closes a pair: comparisons stand within
+/// brackets.
+bool continues_line(std::string_view mark) {
+    constexpr std::array<std::string_view, 16> open = {"+", "-", "*", "/",  "^", "==", "!=", "=",
+                                                       ",", ":", ";", "..", "<", "<=", ">=", "."};
+    return std::ranges::find(open, mark) != open.end();
+}
+
+class TokenCutter {
+public:
+    explicit TokenCutter(std::string_view text) : text_(text) {}
+
+    BlockText cut() {
+        bool at_line_begin = true;
+        while (place_ < text_.size()) {
+            if (at_line_begin && take_head()) continue;
+            const char c = text_[place_];
+            if (c == '\n') {
+                end_line();
+                at_line_begin = true;
+            } else if (c == ' ' || c == '\t' || c == '\r') {
+                ++place_;
+            } else if (c == '#') {
+                skip_line();
+            } else {
+                at_line_begin = false;
+                take_token();
+            }
+        }
+        depth_ = 0;
+        if (!block_.tokens.empty() && block_.tokens.back().kind != TokenKind::line_end) {
+            block_.tokens.push_back({TokenKind::line_end, text_.substr(place_, 0), place_});
+        }
+        block_.tokens.push_back({TokenKind::text_end, text_.substr(place_, 0), place_});
+        return std::move(block_);
+    }
+
+private:
+    std::string_view rest() const { return text_.substr(place_); }
+
+    /// The word at the first place of this line that is no space.
+    std::string_view first_word() const {
+        std::size_t begin = place_;
+        while (begin < text_.size() && (text_[begin] == ' ' || text_[begin] == '\t')) ++begin;
+        std::size_t end = begin;
+        while (end < text_.size() && (is_letter_of_word(text_[end]) || is_digit_of_number(text_[end]))) ++end;
+        return text_.substr(begin, end - begin);
+    }
+
+    bool take_head() {
+        const std::string_view word = first_word();
+        if (word == "theorem") {
+            if (!block_.tokens.empty() || has_head_) {
+                throw Error(ErrorCode::syntax, "a second theorem begins within one block", "", place_);
+            }
+            has_head_ = true;
+            skip_line();
+            return true;
+        }
+        if (word == "strict" && block_.tokens.empty() && !has_head_ && !block_.strict) {
+            block_.strict = true;
+            place_ = static_cast<std::size_t>(word.data() - text_.data()) + word.size();
+            while (place_ < text_.size() && text_[place_] != '\n') {
+                if (text_[place_] == '#') {
+                    skip_line();
+                    break;
+                }
+                if (text_[place_] != ' ' && text_[place_] != '\t' && text_[place_] != '\r') {
+                    throw Error(ErrorCode::syntax, "the line strict has nothing behind this word", "",
+                                place_);
+                }
+                ++place_;
+            }
+            return true;
+        }
+        return false;
+    }
+
+    void skip_line() {
+        while (place_ < text_.size() && text_[place_] != '\n') ++place_;
+    }
+
+    void end_line() {
+        const bool goes_on =
+            depth_ > 0 || block_.tokens.empty() || block_.tokens.back().kind == TokenKind::line_end ||
+            (block_.tokens.back().kind == TokenKind::mark && continues_line(block_.tokens.back().text));
+        if (!goes_on) block_.tokens.push_back({TokenKind::line_end, text_.substr(place_, 0), place_});
+        ++place_;
+    }
+
+    void take_token() {
+        if (is_letter_of_word(text_[place_])) {
+            std::size_t length = 1;
+            while (length < rest().size() &&
+                   (is_letter_of_word(rest()[length]) || is_digit_of_number(rest()[length]))) {
+                ++length;
+            }
+            push(TokenKind::word, length);
+        } else if (is_digit_of_number(text_[place_])) {
+            push(TokenKind::number, number_length());
+        } else {
+            take_mark();
+        }
+    }
+
+    std::size_t number_length() const {
+        if (!block_.tokens.empty() && block_.tokens.back().text == "_") {
+            std::size_t length = 1;
+            while (length < rest().size() && is_digit_of_number(rest()[length])) ++length;
+            return length;
+        }
+        return unsigned_decimal_length(rest());
+    }
+
+    void take_mark() {
+        for (const std::string_view mark : marks) {
+            if (!rest().starts_with(mark)) continue;
+            if (mark == "(" || mark == "[" || mark == "{") ++depth_;
+            if ((mark == ")" || mark == "]" || mark == "}") && depth_ > 0) --depth_;
+            push(TokenKind::mark, mark.size());
+            return;
+        }
+        throw Error(ErrorCode::syntax, quoted(rest().substr(0, 1)) + " belongs to no word of the language",
+                    "", place_);
+    }
+
+    void push(TokenKind kind, std::size_t length) {
+        block_.tokens.push_back({kind, rest().substr(0, length), place_});
+        place_ += length;
+    }
+
+    std::string_view text_;
+    std::size_t place_ = 0;
+    std::size_t depth_ = 0;
+    bool has_head_ = false;
+    BlockText block_;
+};
+
+}  // namespace
+
+BlockText tokens_of_block(std::string_view block_text) { return TokenCutter(block_text).cut(); }
+
+}  // namespace blossom::proofs::second
