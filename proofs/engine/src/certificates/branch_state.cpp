@@ -1,0 +1,193 @@
+#include "branch_state.hpp"
+
+#include <algorithm>
+
+namespace blossom::proofs::second {
+
+BranchState::BranchState(std::vector<PlainPolynomial> equations, const std::vector<PlainPolynomial>& nonzero,
+                         PlainPolynomial difference, Budget& budget)
+    : budget_(&budget) {
+    for (const PlainPolynomial& factor : nonzero) add_nonzero(factor);
+    for (const PlainPolynomial& equation : equations) add_equation(equation);
+    difference_ = stripped(std::move(difference));
+}
+
+std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const PlainPolynomial& relation) {
+    if (std::ranges::find(solved_, symbol) != solved_.end()) return "the symbol is solved for a second time";
+    const PlainPolynomial usable = reduced(relation);
+    budget_->spend(equations_.size());
+    if (std::ranges::find(equations_, usable) == equations_.end()) return "the relation is no hypothesis";
+    const std::vector<PlainPolynomial> coefficients = coefficients_by(usable, symbol, *budget_);
+    if (degree == 0 || coefficients.size() != degree + 1)
+        return "the relation has another degree in the symbol";
+    const PlainPolynomial& leading = coefficients.back();
+    if (degree == 1) {
+        if (!is_known_nonzero(leading)) return "the cofactor of the symbol may vanish";
+        linear_steps_.push_back({symbol, leading, coefficients.front()});
+        solved_.push_back(symbol);
+        const LinearStep step = linear_steps_.back();
+        reduce_power_steps(step);
+        reduce_all(&step);
+        return "";
+    }
+    if (!leading.is_number()) return "the relation is not monic in the symbol";
+    power_steps_.push_back({symbol, usable});
+    solved_.push_back(symbol);
+    reduce_all(nullptr);
+    return "";
+}
+
+void BranchState::require_nonzero(const PlainPolynomial& pivot) {
+    add_nonzero(reduced(pivot));
+    reduce_all(nullptr);
+}
+
+void BranchState::require_zero(const PlainPolynomial& pivot) { add_equation(reduced(pivot)); }
+
+std::size_t BranchState::size() const {
+    std::size_t result = difference_.size();
+    for (const PlainPolynomial& equation : equations_) result += equation.size();
+    for (const PlainPolynomial& factor : nonzero_) result += factor.size();
+    for (const LinearStep& step : linear_steps_) result += step.cofactor.size() + step.rest.size();
+    for (const PowerStep& step : power_steps_) result += step.relation.size();
+    return result;
+}
+
+void BranchState::add_equation(const PlainPolynomial& equation) {
+    PlainPolynomial rest = stripped(equation);
+    if (rest.is_zero()) return;
+    if (rest.is_number()) {
+        impossible_ = true;
+    } else {
+        equations_.push_back(std::move(rest));
+    }
+}
+
+void BranchState::add_nonzero(PlainPolynomial factor) {
+    if (factor.is_zero()) {
+        impossible_ = true;
+        return;
+    }
+    for (const std::size_t symbol : factor.symbols()) {
+        const PlainPolynomial divisor = PlainPolynomial::symbol(symbol);
+        bool divides = false;
+        while (auto exact = exact_quotient(factor, divisor, *budget_)) {
+            factor = std::move(*exact);
+            divides = true;
+        }
+        if (divides) add_nonzero_part(divisor);
+    }
+    add_nonzero_part(std::move(factor));
+}
+
+void BranchState::add_nonzero_part(PlainPolynomial factor) {
+    factor = stripped(std::move(factor));
+    if (factor.is_number()) return;
+    // What is known of a product holds of both its factors.
+    for (PlainPolynomial& known : nonzero_) {
+        while (auto exact = exact_quotient(known, factor, *budget_)) known = std::move(*exact);
+    }
+    std::erase_if(nonzero_, [](const PlainPolynomial& known) { return known.is_number(); });
+    nonzero_.push_back(std::move(factor));
+}
+
+PlainPolynomial BranchState::stripped(PlainPolynomial a) {
+    budget_->spend(nonzero_.size());
+    for (const PlainPolynomial& factor : nonzero_) {
+        if (a.is_zero()) break;
+        while (auto exact = exact_quotient(a, factor, *budget_)) a = std::move(*exact);
+    }
+    return a.primitive();
+}
+
+bool BranchState::is_known_nonzero(const PlainPolynomial& a) {
+    return !a.is_zero() && stripped(a).is_number();
+}
+
+PlainPolynomial BranchState::replaced(const PlainPolynomial& a, const LinearStep& step) {
+    const std::vector<PlainPolynomial> coefficients = coefficients_by(a, step.symbol, *budget_);
+    if (coefficients.size() == 1) return a;
+    // cofactor^d sum_k a_k (-rest / cofactor)^k by Horner's rule
+    const PlainPolynomial opposite = scaled(step.rest, -1, *budget_);
+    PlainPolynomial result = coefficients.back();
+    PlainPolynomial scale = step.cofactor;
+    for (std::size_t k = coefficients.size() - 1; k-- > 0;) {
+        result =
+            sum(product(result, opposite, *budget_), product(coefficients[k], scale, *budget_), *budget_);
+        if (k > 0) scale = product(scale, step.cofactor, *budget_);
+    }
+    return result;
+}
+
+PlainPolynomial BranchState::with_low_powers(const PlainPolynomial& a, const PowerStep& step) {
+    std::vector<PlainPolynomial> coefficients = coefficients_by(a, step.symbol, *budget_);
+    const std::vector<PlainPolynomial> relation = coefficients_by(step.relation, step.symbol, *budget_);
+    const std::size_t degree = relation.size() - 1;
+    if (coefficients.size() <= degree) return a;
+    const PlainPolynomial& leading = relation.back();
+    while (coefficients.size() > degree) {
+        PlainPolynomial top = std::move(coefficients.back());
+        coefficients.pop_back();
+        if (leading.is_number()) {
+            top = scaled(top, Rational(1) / leading.number(), *budget_);
+        } else {
+            for (PlainPolynomial& coefficient : coefficients)
+                coefficient = product(coefficient, leading, *budget_);
+        }
+        for (std::size_t k = 0; k < degree; ++k) {
+            PlainPolynomial& coefficient = coefficients[coefficients.size() - degree + k];
+            coefficient = difference(coefficient, product(top, relation[k], *budget_), *budget_);
+        }
+    }
+    return value_at(coefficients, PlainPolynomial::symbol(step.symbol), *budget_);
+}
+
+PlainPolynomial BranchState::with_low_powers(PlainPolynomial a) {
+    // Replacing powers of one symbol may bring back those of another. Where that does not end, what is left
+    // is as true, and only of less use.
+    for (std::size_t round = 0; round < 2 * power_steps_.size(); ++round) {
+        bool changed = false;
+        for (const PowerStep& step : power_steps_) {
+            if (a.degree(step.symbol) < step.relation.degree(step.symbol)) continue;
+            a = with_low_powers(a, step);
+            changed = true;
+        }
+        if (!changed) break;
+    }
+    return a;
+}
+
+PlainPolynomial BranchState::reduced(PlainPolynomial a) {
+    for (const LinearStep& step : linear_steps_) a = stripped(replaced(a, step));
+    return stripped(with_low_powers(std::move(a)));
+}
+
+void BranchState::reduce_power_steps(const LinearStep& step) {
+    std::vector<PowerStep> kept;
+    for (PowerStep& power_step : power_steps_) {
+        PlainPolynomial relation = stripped(replaced(power_step.relation, step));
+        const std::vector<PlainPolynomial> coefficients =
+            coefficients_by(relation, power_step.symbol, *budget_);
+        if (coefficients.size() > 2 && is_known_nonzero(coefficients.back())) {
+            kept.push_back({power_step.symbol, std::move(relation)});
+        } else {
+            add_equation(relation);
+        }
+    }
+    power_steps_ = std::move(kept);
+}
+
+void BranchState::reduce_all(const LinearStep* step) {
+    const auto next = [&](const PlainPolynomial& a) {
+        return with_low_powers(step ? replaced(a, *step) : a);
+    };
+    const std::vector<PlainPolynomial> nonzero = std::move(nonzero_);
+    const std::vector<PlainPolynomial> equations = std::move(equations_);
+    nonzero_.clear();
+    equations_.clear();
+    for (const PlainPolynomial& factor : nonzero) add_nonzero(next(factor));
+    for (const PlainPolynomial& equation : equations) add_equation(next(equation));
+    difference_ = stripped(next(difference_));
+}
+
+}  // namespace blossom::proofs::second

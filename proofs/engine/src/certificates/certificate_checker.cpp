@@ -1,0 +1,237 @@
+#include "certificate_checker.hpp"
+
+#include "branch_state.hpp"
+#include "second_evaluation.hpp"
+#include "symbolic_field.hpp"
+
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace blossom::proofs::second {
+
+namespace {
+
+/// The polynomial in symbols of a field. Errors: `syntax` for more than `new_names` symbols that the field
+/// does not have; with none of them allowed, for others than its first `symbols` ones.
+PlainPolynomial named_polynomial(const NamedPolynomial& named, SymbolicField& field, std::size_t symbols,
+                                 std::size_t new_names) {
+    std::set<std::string> others;
+    field.budget().require_terms(named.size(), 0);
+    std::vector<PlainPolynomial> terms;
+    for (const NamedTerm& term : named) {
+        field.budget().spend(1 + term.powers.size());
+        std::vector<std::pair<std::size_t, std::size_t>> powers;
+        for (const auto& [name, exponent] : term.powers) {
+            if (exponent == 0) continue;
+            const auto known = field.number_of(name);
+            if (!known || (new_names == 0 && *known >= symbols)) {
+                others.insert(name);
+                if (others.size() > new_names) {
+                    throw Error(ErrorCode::syntax, "there is no symbol " + quoted(name) + " in this case");
+                }
+            }
+            powers.emplace_back(field.number_of_or_new(name), exponent);
+        }
+        terms.push_back(single_term(term.coefficient, powers));
+    }
+    return sum_of(std::move(terms), field.budget());
+}
+
+/// One case of a claim as rational functions, and the walk through the branches of its certificate.
+class CaseCheck {
+public:
+    CaseCheck(const Reading& reading, const Certificate& certificate, const Limits& limits)
+        : certificate_(certificate), limits_(limits), field_(limits) {
+        Evaluation<SymbolicField> evaluation(reading, certificate.which, field_);
+        const SymbolicField::Element left = evaluation.left();
+        difference_ = field_.numerator(field_.sum(left, field_.negative(evaluation.right())));
+        for (const auto& [first, second] : evaluation.hypotheses()) {
+            const PlainPolynomial equation = field_.numerator(field_.sum(first, field_.negative(second)));
+            for (PlainPolynomial& part :
+                 coefficients_by_monomials(equation, field_.hidden_symbols(), field_.budget())) {
+                equations_.push_back(std::move(part));
+            }
+        }
+        for (const auto& [first, second] : evaluation.assumptions()) {
+            field_.require_nonzero(field_.sum(first, field_.negative(second)));
+        }
+        nonzero_ = field_.divisors();
+        symbols_ = field_.names().size();
+    }
+
+    std::string problem() {
+        for (const NamedPolynomial& condition : certificate_.conditions) {
+            const std::size_t new_names =
+                limits_.variables - std::min(limits_.variables, field_.names().size() - symbols_);
+            conditions_.push_back(named_polynomial(condition, field_, symbols_, new_names).primitive());
+            if (conditions_.back().is_zero()) return "a condition is 0";
+        }
+        for (const PlainPolynomial& factor : nonzero_) {
+            if (!is_covered(factor)) {
+                return "the conditions do not say that " + text_of(factor, field_.names()) +
+                       " does not vanish";
+            }
+        }
+        BranchState state(equations_, nonzero_, difference_, field_.budget());
+        std::string problem = problem_in(certificate_.root, state, "");
+        if (problem.empty() && !agrees_somewhere_) problem = "no branch is left in which the sides agree";
+        return problem;
+    }
+
+private:
+    /// Whether a factor divides a product of conditions.
+    bool is_covered(PlainPolynomial factor) {
+        for (const PlainPolynomial& condition : conditions_) {
+            if (factor.is_number() || exact_quotient(condition, factor, field_.budget())) return true;
+            if (condition.is_number()) continue;
+            while (auto exact = exact_quotient(factor, condition, field_.budget()))
+                factor = std::move(*exact);
+        }
+        return factor.is_number();
+    }
+
+    std::string problem_in(const Branch& branch, BranchState& state, const std::string& place) {
+        const auto wrong = [&](const std::string& what) {
+            return place.empty() ? what : "branch " + place.substr(1) + ": " + what;
+        };
+        field_.budget().spend(1);
+        if (std::ranges::count(place, '.') > static_cast<std::ptrdiff_t>(limits_.nesting)) {
+            return "there are branches within branches beyond the limit nesting = " +
+                   std::to_string(limits_.nesting);
+        }
+        for (std::size_t k = 0; k < branch.steps.size(); ++k) {
+            const std::string problem = problem_of_step(branch.steps[k], state);
+            if (!problem.empty()) return wrong("step " + std::to_string(k + 1) + ": " + problem);
+        }
+        if (branch.end != Branch::End::split && !branch.branches.empty()) return wrong("an end has branches");
+        switch (branch.end) {
+            case Branch::End::agree:
+                agrees_somewhere_ = true;
+                return state.agrees() ? "" : wrong("the two sides do not reduce to the same");
+            case Branch::End::impossible:
+                return state.is_impossible() ? "" : wrong("nothing shows that the branch is impossible");
+            case Branch::End::split:
+                return branch.branches.size() == 2 ? problem_of_split(branch, state, place)
+                                                   : wrong("a split needs two branches");
+            case Branch::End::open:
+                return wrong("a branch may be left open only where the pivot of a split is 0");
+        }
+        return wrong("the branch has no end");
+    }
+
+    std::string problem_of_split(const Branch& branch, BranchState& state, const std::string& place) {
+        const PlainPolynomial pivot = named_polynomial(branch.pivot, field_, symbols_, 0);
+        if (branch.branches[1].end == Branch::End::open) {
+            // Nothing is claimed where the pivot is 0.
+            if (std::ranges::find(conditions_, pivot.primitive()) == conditions_.end() || pivot.is_zero()) {
+                return "the pivot " + text_of(pivot, field_.names()) + " of an open branch is no condition";
+            }
+            if (!branch.branches[1].steps.empty() || !branch.branches[1].branches.empty()) {
+                return "an open branch goes on";
+            }
+        } else {
+            BranchState other = state;
+            field_.budget().spend(other.size());
+            other.require_zero(pivot);
+            std::string problem = problem_in(branch.branches[1], other, place + ".2");
+            if (!problem.empty()) return problem;
+        }
+        state.require_nonzero(pivot);
+        return problem_in(branch.branches[0], state, place + ".1");
+    }
+
+    std::string problem_of_step(const Step& step, BranchState& state) {
+        const auto symbol = field_.number_of(step.symbol);
+        if (!symbol) return "there is no symbol " + quoted(step.symbol) + " in this case";
+        return state.take_step(*symbol, step.degree, named_polynomial(step.relation, field_, symbols_, 0));
+    }
+
+    const Certificate& certificate_;
+    const Limits& limits_;
+    SymbolicField field_;
+    std::size_t symbols_ = 0;  ///< of the case; conditions may have more
+    PlainPolynomial difference_;
+    std::vector<PlainPolynomial> equations_;
+    std::vector<PlainPolynomial> nonzero_;
+    std::vector<PlainPolynomial> conditions_;
+    bool agrees_somewhere_ = false;
+};
+
+/// What is wrong with how a certificate names its block, whose first line may be a head.
+std::string problem_of_head(const Certificate& certificate) {
+    std::string_view rest = certificate.text;
+    while (!rest.empty()) {
+        std::string_view line = rest.substr(0, rest.find('\n'));
+        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+        const auto skip_blanks = [&line] {
+            line.remove_prefix(std::min(line.size(), line.find_first_not_of(" \t\r")));
+        };
+        skip_blanks();
+        constexpr std::string_view head = "theorem";
+        if (line.empty() || line.starts_with('#') || line.starts_with("strict")) continue;
+        if (!line.starts_with(head)) return "";
+        line.remove_prefix(head.size());
+        skip_blanks();
+        const std::string_view id = line.substr(0, line.find_first_of(" \t\r\"#"));
+        if (id != certificate.id) return "the text is of the theorem " + quoted(id);
+        line.remove_prefix(id.size());
+        skip_blanks();
+        std::string_view title;
+        if (line.starts_with('"')) title = line.substr(1, line.find('"', 1) - 1);
+        return title == certificate.title ? "" : "the text has the title " + quoted(title);
+    }
+    return "";
+}
+
+std::pair<std::size_t, std::vector<std::pair<std::string, long long>>> key_of(const Case& which) {
+    return {which.line, which.parameters};
+}
+
+}  // namespace
+
+struct CertificateChecker::Text {
+    Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
+        for (Case& which : reading.cases()) {
+            if (reading.claims()[which.line].kind != Statement::Kind::claim) continue;
+            keys.insert(key_of(which));
+            claimed.push_back(std::move(which));
+        }
+    }
+
+    std::string text;
+    Reading reading;
+    std::vector<Case> claimed;
+    std::set<std::pair<std::size_t, std::vector<std::pair<std::string, long long>>>> keys;
+};
+
+CertificateChecker::CertificateChecker(const Limits& limits) : limits_(limits) {}
+CertificateChecker::~CertificateChecker() = default;
+
+CertificateChecker::Text& CertificateChecker::read(const std::string& text) {
+    if (!text_ || text_->text != text) text_ = std::make_unique<Text>(text, limits_);
+    return *text_;
+}
+
+const std::vector<Case>& CertificateChecker::claimed_cases(const std::string& text) {
+    return read(text).claimed;
+}
+
+std::string CertificateChecker::problem_of(const Certificate& certificate) {
+    try {
+        const Text& text = read(certificate.text);
+        std::string problem = problem_of_head(certificate);
+        if (!problem.empty()) return problem;
+        if (!text.keys.contains(key_of(certificate.which))) return "the text claims no such case";
+        return CaseCheck(text.reading, certificate, limits_).problem();
+    } catch (const Error& error) {
+        return error.message().empty() ? "an error without a message" : error.message();
+    }
+}
+
+std::string problem_of(const Certificate& certificate, const Limits& limits) {
+    return CertificateChecker(limits).problem_of(certificate);
+}
+
+}  // namespace blossom::proofs::second
