@@ -152,7 +152,8 @@ void decide(Task& task, const ProveCommand& command) {
         }
     };
     const bool records = !command.certificate.empty() || !command.coq.empty();
-    proofs::DecisionOptions options{.seconds = command.seconds};
+    proofs::DecisionOptions options;
+    options.seconds = command.seconds;
     if (records) options.on_proof = record;
     try {
         task.warnings = proofs::doubtful_names(*task.block);

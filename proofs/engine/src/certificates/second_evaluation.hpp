@@ -60,6 +60,12 @@ private:
     using Value = std::variant<Element, Geometric>;
     using Key = std::vector<long long>;  ///< indices, then the place of the name or of the abbreviation
     using Function = std::function<Element(const Element&)>;
+    /// What a variable of the block was before a polynomial or a `for all` took it over.
+    struct Taken {
+        Key key;
+        std::optional<Element> number;
+        std::optional<Geometric> point;
+    };
     struct Repeated {
         Geometric argument;
         std::size_t count;
@@ -139,6 +145,8 @@ private:
     void each_case(const Statement& statement, std::vector<std::pair<Element, Element>>& found);
     void bind_all(const Statement& statement, Scope& scope);
     Geometric bound_value(const Quantified& quantified, const std::string& name);
+    void take_over(const Key& key, Kind kind, const Geometric& value);
+    void give_back(std::size_t first);
 
     Element zero() { return field_.number(Rational(0)); }
     Element one() { return field_.number(Rational(1)); }
@@ -152,12 +160,13 @@ private:
     Field& field_;
     Counting counting_;
     std::vector<Known>
-        known_;  ///< the last is what holds now: a derivative with respect to a free symbol begins anew
+        known_;  ///< the last is what holds now: where a variable of the block takes another value it begins anew
     std::map<Key, Element> symbols_;
     std::map<std::uint32_t, std::vector<Element>> free_maps_;
     std::map<std::uint32_t, MapShape> shapes_;
     std::vector<Geometric> variables_;  ///< of polynomials and of `for all`; scopes hold places among them
     std::map<Key, std::size_t> bound_members_;
+    std::vector<Taken> taken_;
     std::vector<std::uint32_t> maps_in_work_;
     std::map<Key, Geometric> points_;
     std::set<Key> abbreviations_in_work_;

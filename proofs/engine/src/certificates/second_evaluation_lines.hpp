@@ -70,8 +70,11 @@ void Evaluation<Field>::each_case(const Statement& statement,
     Scope scope(statement.slots);
     counting_.each_range(statement.ranges, scope, [&] {
         bind_all(statement, scope);
+        known_.emplace_back();
         Element left = number(statement.left, scope);
         found.emplace_back(std::move(left), number(statement.right, scope));
+        known_.pop_back();
+        give_back(0);
         bound_members_.clear();
         variables_.clear();
     });
@@ -84,6 +87,7 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
         if (quantified.bare) {
             scope[quantified.slot].integer = static_cast<long long>(variables_.size());
             variables_.push_back(bound_value(quantified, name));
+            take_over({static_cast<long long>(quantified.name)}, quantified.kind, variables_.back());
             continue;
         }
         Key first = counting_.integers(quantified.first, scope);
@@ -101,9 +105,36 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
             }
             Key key = first;
             key.push_back(static_cast<long long>(quantified.name));
-            bound_members_[std::move(key)] = variables_.size();
             variables_.push_back(bound_value(quantified, name_of_member(name, first)));
+            take_over(key, quantified.kind, variables_.back());
+            bound_members_[std::move(key)] = variables_.size() - 1;
         }
+    }
+}
+
+// Abbreviations and other maps contain the variable of the block, which the polynomial or the line binds.
+template <class Field>
+void Evaluation<Field>::take_over(const Key& key, Kind kind, const Geometric& value) {
+    Taken taken{key, {}, {}};
+    if (kind == Kind::geometric) {
+        if (const auto known = points_.find(key); known != points_.end()) taken.point = known->second;
+        points_.insert_or_assign(key, value);
+    } else {
+        if (const auto known = symbols_.find(key); known != symbols_.end()) taken.number = known->second;
+        symbols_.insert_or_assign(key, value.coordinates.front());
+    }
+    taken_.push_back(std::move(taken));
+}
+
+template <class Field>
+void Evaluation<Field>::give_back(std::size_t first) {
+    while (taken_.size() > first) {
+        Taken& taken = taken_.back();
+        symbols_.erase(taken.key);
+        points_.erase(taken.key);
+        if (taken.number) symbols_.emplace(taken.key, std::move(*taken.number));
+        if (taken.point) points_.emplace(taken.key, std::move(*taken.point));
+        taken_.pop_back();
     }
 }
 

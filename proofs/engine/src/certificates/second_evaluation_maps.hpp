@@ -127,7 +127,13 @@ std::vector<typename Field::Element> Evaluation<Field>::coefficients_from(const 
         const std::vector<Element> powers = field_.coefficients(
             [&](const Element& value) {
                 variables_[place].coordinates.front() = value;
-                return coefficients_from(map, shape, variable + 1, degree, scope)[i];
+                const std::size_t first = taken_.size();
+                take_over({static_cast<long long>(map.variables[variable])}, Kind::number, variables_[place]);
+                known_.emplace_back();
+                Element found = coefficients_from(map, shape, variable + 1, degree, scope)[i];
+                known_.pop_back();
+                give_back(first);
+                return found;
             },
             left);
         exponents.insert(exponents.begin(), 0);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "second_tree.hpp"
-
+#include <blossom/proofs/certificate.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
@@ -11,6 +10,8 @@
 #include <string_view>
 #include <utility>
 #include <vector>
+
+#include "second_tree.hpp"
 
 /// A second reader of the identity language, written from its description alone. It shares no code with the
 /// prover, so that what one of them misreads shows when their answers are compared.
@@ -89,13 +90,6 @@ struct Abbreviation {
     std::vector<Clause> clauses;
     std::optional<std::uint32_t> declaration;  ///< of members which no clause fits
     bool inherits = false;                     ///< that of the bare name
-};
-
-/// One choice of the parameters of a claim.
-struct Case {
-    std::size_t line = 0;  ///< among the claim and refute lines of the block, from 0
-    std::vector<std::pair<std::string, long long>>
-        parameters;  ///< the block's, then the line's own, in order
 };
 
 /// A block as read: a tree with all names looked up and all kinds decided.

@@ -57,7 +57,7 @@ second::Certificate certificate_of(const Block& block, const GroundBlock& ground
     return certificate;
 }
 
-SecondOpinion::SecondOpinion(const Block& block, const Limits& limits) : limits_(limits) {
+SecondOpinion::SecondOpinion(const Block& block, const Limits& limits) : checker_(limits) {
     try {
         reading_.emplace(block.text, limits);
     } catch (const Error& error) {
@@ -65,7 +65,7 @@ SecondOpinion::SecondOpinion(const Block& block, const Limits& limits) : limits_
     }
 }
 
-std::optional<std::string> SecondOpinion::on_cases(const std::vector<Decision>& decisions) const {
+std::optional<std::string> SecondOpinion::on_cases(const std::vector<Decision>& decisions) {
     if (!reading_) return unread_;
     std::vector<std::pair<std::size_t, Parameters>> ours;
     for (std::size_t line = 0; line < decisions.size(); ++line) {
@@ -79,14 +79,14 @@ std::optional<std::string> SecondOpinion::on_cases(const std::vector<Decision>& 
     }
     std::ranges::sort(ours);
     std::ranges::sort(theirs);
-    if (ours == theirs || theirs.empty()) return std::nullopt;
+    if (ours == theirs) return std::nullopt;
     return "the second reader finds " + std::to_string(theirs.size()) + " cases, the first one " +
            std::to_string(ours.size()) + ", or other values of the parameters";
 }
 
 std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, const second::Case& which,
                                                    const CaseOutcome& outcome,
-                                                   const second::Certificate& certificate) const {
+                                                   const second::Certificate& certificate) {
     if (!reading_) return unread_;
     second::Hint hint;
     for (const Substitution& step : outcome.steps) hint.dependent.push_back(block.symbols[step.symbol].name);
@@ -98,12 +98,12 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
                                : "no point was found at which the text read anew can be evaluated: ") +
                compared.note;
     }
-    const std::string problem = second::problem_of(*reading_, certificate, limits_);
+    const std::string problem = checker_.problem_of(certificate);
     if (!problem.empty()) return "the certificate is refused: " + problem;
     return std::nullopt;
 }
 
-std::optional<std::string> SecondOpinion::on_refutation(const second::Case& which, const Witness& witness) const {
+std::optional<std::string> SecondOpinion::on_refutation(const second::Case& which, const Witness& witness) {
     if (!reading_) return unread_;
     const second::Comparison compared = second::confirm(*reading_, which, witness.values, witness.algebraic);
     if (compared.result == second::Comparison::Result::differ) return std::nullopt;

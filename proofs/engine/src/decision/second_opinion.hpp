@@ -8,6 +8,7 @@
 
 #include "certificates/certificate_checker.hpp"
 #include "certificates/point_comparison.hpp"
+#include "certificates/second_reading.hpp"
 #include "decided_case.hpp"
 
 namespace blossom::proofs {
@@ -19,17 +20,17 @@ public:
     SecondOpinion(const Block& block, const Limits& limits);
 
     /// Whether the text has exactly these cases of these lines, in any order.
-    std::optional<std::string> on_cases(const std::vector<Decision>& decisions) const;
+    std::optional<std::string> on_cases(const std::vector<Decision>& decisions);
     /// Both sides at points, and the certificate of the case.
     std::optional<std::string> on_proof(const GroundBlock& block, const second::Case& which,
-                                        const CaseOutcome& outcome, const second::Certificate& certificate) const;
+                                        const CaseOutcome& outcome, const second::Certificate& certificate);
     /// The counterexample.
-    std::optional<std::string> on_refutation(const second::Case& which, const Witness& witness) const;
+    std::optional<std::string> on_refutation(const second::Case& which, const Witness& witness);
 
 private:
     std::optional<second::Reading> reading_;
     std::string unread_;  ///< why the text could not be read
-    Limits limits_;
+    second::CertificateChecker checker_;
 };
 
 /// The record of a proved case: its text, what must not vanish, and every step of the elimination.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <blossom/proofs/certificate.hpp>
 #include <blossom/proofs/fraction.hpp>
 #include <blossom/proofs/ground.hpp>
 #include <blossom/proofs/parser.hpp>
@@ -14,10 +15,6 @@
 #include <vector>
 
 namespace blossom::proofs {
-
-namespace second {
-struct Certificate;
-}
 
 /// A map of a counterexample, written out.
 struct WitnessMap {
