@@ -60,11 +60,11 @@ private:
     using Value = std::variant<Element, Geometric>;
     using Key = std::vector<long long>;  ///< indices, then the place of the name or of the abbreviation
     using Function = std::function<Element(const Element&)>;
-    /// What a variable of the block was before a polynomial or a `for all` took it over.
+    /// A variable of the block that a polynomial or a `for all` has taken over, for abbreviations to see.
     struct Taken {
         Key key;
-        std::optional<Element> number;
-        std::optional<Geometric> point;
+        Kind kind;
+        Geometric value;
     };
     struct Repeated {
         Geometric argument;
@@ -145,8 +145,7 @@ private:
     void each_case(const Statement& statement, std::vector<std::pair<Element, Element>>& found);
     void bind_all(const Statement& statement, Scope& scope);
     Geometric bound_value(const Quantified& quantified, const std::string& name);
-    void take_over(const Key& key, Kind kind, const Geometric& value);
-    void give_back(std::size_t first);
+    const Geometric* taken(const Key& key, Kind kind) const;
 
     Element zero() { return field_.number(Rational(0)); }
     Element one() { return field_.number(Rational(1)); }
@@ -161,6 +160,7 @@ private:
     Counting counting_;
     std::vector<Known>
         known_;  ///< the last is what holds now: where a variable of the block takes another value it begins anew
+    std::size_t map_layer_ = 0;  ///< what is known of maps: they do not see variables that are taken over
     std::map<Key, Element> symbols_;
     std::map<std::uint32_t, std::vector<Element>> free_maps_;
     std::map<std::uint32_t, MapShape> shapes_;

@@ -74,7 +74,7 @@ void Evaluation<Field>::each_case(const Statement& statement,
         Element left = number(statement.left, scope);
         found.emplace_back(std::move(left), number(statement.right, scope));
         known_.pop_back();
-        give_back(0);
+        taken_.clear();
         bound_members_.clear();
         variables_.clear();
     });
@@ -87,7 +87,7 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
         if (quantified.bare) {
             scope[quantified.slot].integer = static_cast<long long>(variables_.size());
             variables_.push_back(bound_value(quantified, name));
-            take_over({static_cast<long long>(quantified.name)}, quantified.kind, variables_.back());
+            taken_.push_back({{static_cast<long long>(quantified.name)}, quantified.kind, variables_.back()});
             continue;
         }
         Key first = counting_.integers(quantified.first, scope);
@@ -106,36 +106,18 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
             Key key = first;
             key.push_back(static_cast<long long>(quantified.name));
             variables_.push_back(bound_value(quantified, name_of_member(name, first)));
-            take_over(key, quantified.kind, variables_.back());
+            taken_.push_back({key, quantified.kind, variables_.back()});
             bound_members_[std::move(key)] = variables_.size() - 1;
         }
     }
 }
 
-// Abbreviations and other maps contain the variable of the block, which the polynomial or the line binds.
 template <class Field>
-void Evaluation<Field>::take_over(const Key& key, Kind kind, const Geometric& value) {
-    Taken taken{key, {}, {}};
-    if (kind == Kind::geometric) {
-        if (const auto known = points_.find(key); known != points_.end()) taken.point = known->second;
-        points_.insert_or_assign(key, value);
-    } else {
-        if (const auto known = symbols_.find(key); known != symbols_.end()) taken.number = known->second;
-        symbols_.insert_or_assign(key, value.coordinates.front());
+const typename Evaluation<Field>::Geometric* Evaluation<Field>::taken(const Key& key, Kind kind) const {
+    for (std::size_t i = taken_.size(); i-- > 0;) {
+        if (taken_[i].key == key && taken_[i].kind == kind) return &taken_[i].value;
     }
-    taken_.push_back(std::move(taken));
-}
-
-template <class Field>
-void Evaluation<Field>::give_back(std::size_t first) {
-    while (taken_.size() > first) {
-        Taken& taken = taken_.back();
-        symbols_.erase(taken.key);
-        points_.erase(taken.key);
-        if (taken.number) symbols_.emplace(taken.key, std::move(*taken.number));
-        if (taken.point) points_.emplace(taken.key, std::move(*taken.point));
-        taken_.pop_back();
-    }
+    return nullptr;
 }
 
 template <class Field>

@@ -19,17 +19,24 @@ const MapShape& Evaluation<Field>::shape(std::uint32_t map) {
 template <class Field>
 const std::vector<typename Field::Element>& Evaluation<Field>::coefficients(std::uint32_t map) {
     const bool is_free = reading_.maps()[map].kind == MapDeclaration::Kind::free;
-    std::map<std::uint32_t, std::vector<Element>>& all = is_free ? free_maps_ : known_.back().coefficients;
-    const auto known = all.find(map);
-    if (known != all.end()) return known->second;
+    const auto all = [&]() -> std::map<std::uint32_t, std::vector<Element>>& {
+        return is_free ? free_maps_ : known_[map_layer_].coefficients;
+    };
+    const auto known = all().find(map);
+    if (known != all().end()) return known->second;
     if (std::ranges::find(maps_in_work_, map) != maps_in_work_.end()) {
         fail(ErrorCode::syntax, quoted(reading_.name(reading_.maps()[map].name)) + " is defined by itself",
              reading_.maps()[map].offset);
     }
     maps_in_work_.push_back(map);
     const AtEnd forget([&] { maps_in_work_.pop_back(); });
+    // A map is what its line says, wherever it is used.
+    std::vector<Taken> aside = std::exchange(taken_, {});
+    known_.emplace_back();
     std::vector<Element> found = find_coefficients(map);
-    return all.emplace(map, std::move(found)).first->second;
+    known_.pop_back();
+    taken_ = std::move(aside);
+    return all().emplace(map, std::move(found)).first->second;
 }
 
 template <class Field>
@@ -127,12 +134,12 @@ std::vector<typename Field::Element> Evaluation<Field>::coefficients_from(const 
         const std::vector<Element> powers = field_.coefficients(
             [&](const Element& value) {
                 variables_[place].coordinates.front() = value;
-                const std::size_t first = taken_.size();
-                take_over({static_cast<long long>(map.variables[variable])}, Kind::number, variables_[place]);
+                taken_.push_back(
+                    {{static_cast<long long>(map.variables[variable])}, Kind::number, variables_[place]});
                 known_.emplace_back();
                 Element found = coefficients_from(map, shape, variable + 1, degree, scope)[i];
                 known_.pop_back();
-                give_back(first);
+                taken_.pop_back();
                 return found;
             },
             left);

@@ -278,12 +278,15 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
     for (const NodeId id : nodes) {
         const Node& node = block.nodes[id];
         if (node.kind == NodeKind::application) maps.insert(block.applications[node.index].map);
-        if (node.kind == NodeKind::symbol && !block.symbols[node.index].is_coefficient) symbols.insert(node.index);
+        if (node.kind == NodeKind::symbol && !block.symbols[node.index].is_coefficient &&
+            !block.symbols[node.index].is_bound) {
+            symbols.insert(node.index);
+        }
     }
     for (std::size_t i = 0; i < block.symbols.size(); ++i) {
         if (is_algebraic(i)) {
             witness.algebraic.push_back(names[i]);
-        } else {
+        } else if (!block.symbols[i].is_bound) {
             witness.values.emplace_back(names[i], choice->values()[i]);
         }
     }

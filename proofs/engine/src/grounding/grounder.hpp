@@ -49,6 +49,7 @@ public:
         Grounder& grounder_;
         std::string name_;
         std::optional<Bound> hidden_;
+        std::optional<Value> hidden_variable_;
     };
 
 
@@ -73,13 +74,32 @@ public:
 
 private:
     using Bindings = std::map<std::string, Bound>;
+    /// Variables of a `poly` or of `for all` for as long as it lives. Abbreviations see them, so that what is known of
+    /// abbreviations is set aside; maps that are declared already do not.
+    class Variables {
+    public:
+        explicit Variables(Grounder& grounder);
+        Variables(const Variables&) = delete;
+        Variables& operator=(const Variables&) = delete;
+        Variables(Variables&&) = delete;
+        Variables& operator=(Variables&&) = delete;
+        ~Variables();
+
+    private:
+        Grounder& grounder_;
+        std::map<std::string, Value> hidden_;
+        std::map<std::string, Value> let_values_;
+    };
     const Bound* bound(const std::string& name) const;
     NodeId scalar(const Expression& e);
     Value value(const Expression& e);
     Value name(const Expression& e);
+    Value bound_variable(const Expression& name);
+    std::size_t bound_symbol(const std::string& shown);
     Value variable(const std::string& full, const Declared* declared, std::size_t offset);
     Value let_value(const std::string& full, const Expression& e);
-    std::optional<Value> clause_value(const Statement& clause, const std::vector<long long>& indices);
+    bool binds(const Statement& clause, const std::vector<long long>& indices);
+    bool is_abbreviated(const std::vector<const Statement*>& clauses, const Expression& e);
     Value without_clause(const std::string& full, const Expression& e);
     bool is_declared_member(const Declared& family, const Expression& e);
     Value call(const Expression& e);
@@ -146,6 +166,7 @@ private:
     std::optional<Kinds> kinds_;
     Bindings bound_;
     Bindings parameters_;
+    std::map<std::string, Value> variables_;  ///< by full names
     std::map<std::string, std::size_t> symbols_;
     std::map<std::string, std::size_t> maps_;
     std::map<std::string, Value> let_values_;

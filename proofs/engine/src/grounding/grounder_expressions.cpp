@@ -170,6 +170,8 @@ NodeId Grounder::derivative(const Expression& e) {
 Value Grounder::name(const Expression& e) {
     const bool bare = e.children.empty();
     const std::string full = full_name(e);
+    const auto taken = variables_.find(full);
+    if (taken != variables_.end()) return taken->second;
     if (bare) {
         if (const Bound* value = bound(e.name)) {
             if (const long long* number = std::get_if<long long>(value)) return constant(*number);
@@ -220,24 +222,54 @@ Value Grounder::variable(const std::string& full, const Declared* declared, std:
     return result;
 }
 
-/// The two sides of a line. `for all` takes variables, in abbreviations too; all coordinates of a point or vector.
+Grounder::Variables::Variables(Grounder& grounder)
+    : grounder_(grounder), hidden_(grounder.variables_), let_values_(std::exchange(grounder.let_values_, {})) {}
+
+Grounder::Variables::~Variables() {
+    grounder_.variables_ = std::move(hidden_);
+    grounder_.let_values_ = std::move(let_values_);
+}
+
+std::size_t Grounder::bound_symbol(const std::string& shown) {
+    return symbol("bound " + shown + " " + std::to_string(block_.symbols.size()), {shown, false, true});
+}
+
+/// A variable of `for all`: a number, or the coordinates of a point or vector.
+Value Grounder::bound_variable(const Expression& name) {
+    const Declared* declared = name.children.empty() ? names_->bare(name.name) : names_->family(name.name);
+    const std::string full = full_name(name);
+    const bool geometric =
+        declared && (declared->meaning == Meaning::point || declared->meaning == Meaning::vector);
+    if (!geometric) return symbol_node(bound_symbol(full));
+    NodeArgument result{{}, constant(declared->meaning == Meaning::vector ? 0 : 1)};
+    const std::size_t dimension = count(declared->statements.front()->dimension[0]);
+    for (std::size_t i = 1; i <= dimension; ++i)
+        result.coordinates.push_back(symbol_node(bound_symbol(full + "." + std::to_string(i))));
+    return result;
+}
+
+/// The two sides of a line.
 Relation Grounder::relation(const Statement& statement) {
+    std::optional<Variables> variables;
+    if (!statement.quantified.empty()) variables.emplace(*this);
     Relation result;
     result.offset = statement.offset;
+    std::set<std::string> taken;
     for (const Expression& quantified : statement.quantified) {
         const bool run = quantified.kind == ExpressionKind::run;
         for (const Expression& name : run ? run_members(quantified) : std::vector<Expression>{quantified}) {
-            const Value variable = value(name);
+            const std::string full = full_name(name);
+            if (!taken.insert(full).second) refuse(full + " stands after \"for all\" twice", name.offset);
+            const auto* clauses = name.children.empty() ? nullptr : names_->clauses(name.name);
+            if (clauses && is_abbreviated(*clauses, name))
+                refuse("\"for all\" takes variables; " + full + " is an abbreviation", name.offset);
+            Value variable = bound_variable(name);
             const bool number = std::holds_alternative<NodeId>(variable);
             for (const NodeId id : number ? std::vector<NodeId>{std::get<NodeId>(variable)}
                                           : std::get<NodeArgument>(variable).coordinates) {
-                const Node& node = block_.nodes[id];
-                if (node.kind != NodeKind::symbol || full_name(name) != block_.symbols[node.index].name.substr(
-                                                                            0, full_name(name).size())) {
-                    refuse("\"for all\" takes variables; " + full_name(name) + " is something else", name.offset);
-                }
-                result.quantified.push_back(node.index);
+                result.quantified.push_back(block_.nodes[id].index);
             }
+            variables_[full] = std::move(variable);
         }
     }
     result.left = scalar(statement.sides[0]);
@@ -273,8 +305,9 @@ Value Grounder::let_value(const std::string& full, const Expression& e) {
         } else {
             for (const Statement* clause : *names_->clauses(e.name)) {
                 bound_ = parameters_;
-                result = clause_value(*clause, indices);
-                if (result) break;
+                if (!binds(*clause, indices)) continue;
+                result = value(clause->sides[1]);
+                break;
             }
         }
     } catch (...) {
@@ -288,11 +321,11 @@ Value Grounder::let_value(const std::string& full, const Expression& e) {
     return let_values_[full] = *result;
 }
 
-/// An index that is a name stands for any integer, unless it is a parameter of the block; every other one for its
-/// value.
-std::optional<Value> Grounder::clause_value(const Statement& clause, const std::vector<long long>& indices) {
+/// Whether the clause fits the indices, whose names are bound then. An index that is a name stands for any integer,
+/// unless it is a parameter of the block; every other one for its value.
+bool Grounder::binds(const Statement& clause, const std::vector<long long>& indices) {
     const auto& patterns = clause.sides[0].children;
-    if (patterns.size() != indices.size()) return std::nullopt;
+    if (patterns.size() != indices.size()) return false;
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const Expression& pattern = patterns[i];
         const bool any =
@@ -300,10 +333,22 @@ std::optional<Value> Grounder::clause_value(const Statement& clause, const std::
         if (any) {
             bound_[pattern.name] = indices[i];
         } else if (integer(pattern) != indices[i]) {
-            return std::nullopt;
+            return false;
         }
     }
-    return value(clause.sides[1]);
+    return true;
+}
+
+bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, const Expression& e) {
+    std::vector<long long> indices;
+    for (const Expression& index : e.children) indices.push_back(integer(index));
+    const Bindings outer = bound_;
+    const bool fits = std::ranges::any_of(clauses, [&](const Statement* clause) {
+        bound_ = parameters_;
+        return binds(*clause, indices);
+    });
+    bound_ = outer;
+    return fits;
 }
 
 /// A member of a family that no clause fits is what the family is declared as, or else a free number, unless a

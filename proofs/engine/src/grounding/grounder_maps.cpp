@@ -187,8 +187,13 @@ void Grounder::declare_polynomial(const Statement& statement) {
                     statement.offset);
     }
     std::vector<std::size_t> symbols;
-    for (std::size_t i = 1; i <= variables; ++i) symbols.push_back(symbol(statement.names[i], {statement.names[i]}));
+    std::optional<Variables> taken(std::in_place, *this);
+    for (std::size_t i = 1; i <= variables; ++i) {
+        symbols.push_back(bound_symbol(statement.names[i]));
+        variables_[statement.names[i]] = symbol_node(symbols.back());
+    }
     const NodeId body = scalar(statement.sides[0]);
+    taken.reset();
     Expander expander(block_, limits_);
     const auto [numerator, denominator] = expander(body);
     std::vector<NodeId> divisors;

@@ -35,6 +35,10 @@ Grounder::Binding::Binding(Grounder& grounder, const std::string& name, Bound va
     const auto known = bound.find(name);
     if (known != bound.end()) hidden_ = std::move(known->second);
     bound[name] = std::move(value);
+    const auto taken = grounder_.variables_.find(name);
+    if (taken == grounder_.variables_.end()) return;
+    hidden_variable_ = taken->second;
+    grounder_.variables_.erase(taken);
 }
 
 Grounder::Binding::~Binding() {
@@ -43,6 +47,7 @@ Grounder::Binding::~Binding() {
     } else {
         grounder_.bound_.erase(name_);
     }
+    if (hidden_variable_) grounder_.variables_[name_] = std::move(*hidden_variable_);
 }
 
 const Bound* Grounder::bound(const std::string& name) const {

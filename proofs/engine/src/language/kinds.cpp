@@ -179,6 +179,7 @@ void Kinds::check_polynomial(const Statement& statement) {
         const auto place = first + static_cast<std::ptrdiff_t>(i) - 1;
         if ((known && known->meaning != Meaning::number) || std::find(first, place, *place) != place)
             refuse_kind(quoted(statement.names[i]) + " is declared already", statement.offset);
+        if (statement.names[i] == "delta") refuse_kind("\"delta\" is a word of the language, not a variable", statement.offset);
         scope.add(statement.names[i], number_kind);
     }
     require_number(statement.sides[0]);

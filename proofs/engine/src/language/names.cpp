@@ -61,6 +61,7 @@ const Declared* Names::bare(const std::string& name) const {
 const Declared* Names::family(const std::string& name) const {
     const auto found = families_.find(name);
     if (found != families_.end()) return &found->second;
+    if (clauses_.contains(name)) return nullptr;
     const Declared* declared = bare(name);
     const bool spreads = declared && (declared->meaning == Meaning::number ||
                                       declared->meaning == Meaning::point || declared->meaning == Meaning::vector);

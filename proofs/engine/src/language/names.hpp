@@ -31,7 +31,7 @@ public:
     /// The declaration of a name without indices, or nullptr.
     const Declared* bare(const std::string& name) const;
     /// The declaration of the members of a family other than by `let`: their own, or that of the bare name, which
-    /// declares them too.
+    /// declares them too unless they have lines `let`.
     const Declared* family(const std::string& name) const;
     /// The clauses `let w_{...} = ...`, or nullptr.
     const std::vector<const Statement*>* clauses(const std::string& name) const;

@@ -79,10 +79,12 @@ struct Application {
     std::size_t offset = 0;
 };
 
-/// A variable: a number of the text, a coordinate, or a coefficient of a map.
+/// A variable: a number of the text, a coordinate, or a coefficient of a map. Bound variables are those of a `poly` and of
+/// `for all`, which may have the name of another one.
 struct Symbol {
     std::string name;
     bool is_coefficient = false;
+    bool is_bound = false;
 };
 
 struct Relation {
