@@ -5,6 +5,8 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <utility>
 
 namespace blossom::proofs::second {
@@ -115,9 +117,20 @@ std::string PointSearch::solve_linear(const std::vector<std::size_t>& lines) {
 // of maps.
 void PointSearch::add_linear_numbers(const std::vector<std::size_t>& lines,
                                      std::vector<std::string>& unknowns) {
+    std::vector<std::string> others;
+    std::map<std::string, std::size_t> lines_of;
+    for (const std::size_t line : lines) {
+        for (const std::string& name : symbols_[line]) {
+            if (++lines_of[name] == 1) others.push_back(name);
+        }
+    }
+    // The factors of a product cannot be unknown together. What many lines have comes first, and every turn
+    // another order.
+    std::ranges::stable_sort(others, std::greater(), [&](const std::string& name) { return lines_of[name]; });
+    if (!others.empty())
+        std::ranges::rotate(others, others.begin() + static_cast<long>(turn_ % others.size()));
     std::vector<std::string> offered = dependent_;
-    for (const std::size_t line : lines)
-        offered.insert(offered.end(), symbols_[line].begin(), symbols_[line].end());
+    offered.insert(offered.end(), others.begin(), others.end());
     std::set<std::string> seen(unknowns.begin(), unknowns.end());
     for (const std::string& name : offered) {
         if (!field_.knows(name) || fixed_.contains(name) || !may_move(name) || !seen.insert(name).second)

@@ -136,7 +136,13 @@ Rational Counting::abbreviation(const Node& node, Scope& scope) {
     key.push_back(static_cast<long long>(node.target));
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
-    return known_.emplace(std::move(key), value(clause->body, inner)).first->second;
+    if (!in_work_.insert(key).second) {
+        throw Error(ErrorCode::syntax, quoted(reading_.name(node.text)) + " is an abbreviation of itself", "",
+                    node.offset);
+    }
+    const AtEnd forget([&] { in_work_.erase(key); });
+    Rational found = value(clause->body, inner);
+    return known_.emplace(key, std::move(found)).first->second;
 }
 
 Rational Counting::function(const Node& node, Scope& scope) {

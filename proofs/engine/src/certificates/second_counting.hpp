@@ -2,10 +2,12 @@
 
 #include "second_reading.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,7 +53,7 @@ public:
     public:
         explicit Level(WorkLimit& work) : work_(work) {
             work.step();
-            if (++work.depth_ > deepest * work.limits_.nesting) {
+            if (++work.depth_ > deepest * std::min(work.limits_.nesting, most_nesting)) {
                 --work.depth_;
                 exceeded("nesting", work.limits_.nesting);
             }
@@ -61,7 +63,8 @@ public:
         ~Level() { --work_.depth_; }
 
     private:
-        static constexpr std::size_t deepest = 20;  ///< an abbreviation that uses itself takes about five
+        static constexpr std::size_t deepest = 10;  ///< an abbreviation that uses itself takes about five
+        static constexpr std::size_t most_nesting = 200;  ///< what a stack of 8 MiB bears in every build
         WorkLimit& work_;
     };
 
@@ -131,6 +134,7 @@ private:
     std::vector<long long> parameters_;
     WorkLimit work_;
     std::map<std::vector<long long>, Rational> known_;  ///< of abbreviations: family, indices
+    std::set<std::vector<long long>> in_work_;
 };
 
 /// Throws `limit_exceeded` when the product of numbers like these has too many digits.

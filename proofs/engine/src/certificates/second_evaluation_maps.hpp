@@ -90,7 +90,12 @@ std::vector<typename Field::Element> Evaluation<Field>::polynomial_coefficients(
         scope[i].integer = static_cast<long long>(first + i);
         variables_.push_back(point_of_number(zero()));
     }
-    return coefficients_from(map, shape, 0, shape.directions.front().degree, scope);
+    try {
+        return coefficients_from(map, shape, 0, shape.directions.front().degree, scope);
+    } catch (const Error& error) {
+        if (error.offset()) throw;
+        throw Error(error.code(), error.message(), error.field(), reading_.node(map.body).offset);
+    }
 }
 
 // On a simplex `degree` is what the variables before have left. A coefficient of the later variables is a

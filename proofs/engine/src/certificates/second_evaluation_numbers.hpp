@@ -135,7 +135,9 @@ typename Field::Element Evaluation<Field>::bernstein(const Node& node, Scope& sc
 
 template <class Field>
 typename Field::Element Evaluation<Field>::determinant(const Node& node, Scope& scope) {
-    const std::size_t size = counting_.count(node.children[2], scope, 16, "the size of a determinant");
+    const std::size_t size =
+        counting_.count(node.children[2], scope, reading_.limits().degree, "the size of a determinant");
+    if (size > 16) fail(ErrorCode::limit_exceeded, "a determinant has at most 16 rows", node.offset);
     std::vector<std::vector<Element>> matrix(size);
     for (std::size_t row = 0; row < size; ++row) {
         for (std::size_t column = 0; column < size; ++column) {
@@ -173,7 +175,8 @@ typename Field::Element Evaluation<Field>::determinant_of(const std::vector<std:
 template <class Field>
 typename Field::Element Evaluation<Field>::basis(const Node& node, Scope& scope) {
     const long long j = counting_.integer(node.children[0], scope);
-    const std::size_t degree = counting_.count(node.children[1], scope, 64, "the degree of a B-spline");
+    const std::size_t degree =
+        counting_.count(node.children[1], scope, reading_.limits().degree, "the degree of a B-spline");
     const long long span = counting_.integer(node.children[2], scope);
     const Element at = number(node.children[3], scope);
     return basis_function(node, j, static_cast<long long>(degree), span, at).value_or(zero());

@@ -3,6 +3,7 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/number_text.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace blossom::proofs::second {
@@ -13,7 +14,8 @@ namespace {
 class NestingLevel {
 public:
     NestingLevel(std::size_t& depth, const Limits& limits, std::size_t offset) : depth_(depth) {
-        if (++depth_ > limits.nesting) {
+        constexpr std::size_t most = 1000;  // what the stack bears
+        if (++depth_ > std::min(limits.nesting, most)) {
             --depth_;
             throw Error(ErrorCode::limit_exceeded,
                         "the expressions within expressions exceed the limit nesting = " +
