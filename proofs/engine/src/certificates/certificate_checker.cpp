@@ -35,6 +35,7 @@ PlainPolynomial named_polynomial(const NamedPolynomial& named, SymbolicField& fi
             powers.emplace_back(field.number_of_or_new(name), exponent);
         }
         terms.push_back(single_term(term.coefficient, powers));
+        field.budget().require_terms(terms.size(), terms.back().width());
     }
     return sum_of(std::move(terms), field.budget());
 }
@@ -55,7 +56,9 @@ public:
             }
         }
         for (const auto& [first, second] : evaluation.assumptions()) {
-            field_.require_nonzero(field_.sum(first, field_.negative(second)));
+            const SymbolicField::Element apart = field_.sum(first, field_.negative(second));
+            if (field_.is_zero(apart)) throw Error(ErrorCode::division_by_zero, "an assumption never holds");
+            field_.require_nonzero(apart);
         }
         nonzero_ = field_.divisors();
         symbols_ = field_.names().size();

@@ -15,6 +15,16 @@ void Budget::spend(std::size_t operations) {
     spent_ += operations;
 }
 
+void Budget::spend_on_bits(std::size_t bits, std::size_t terms) {
+    constexpr std::size_t bits_of_an_operation = 1024;
+    if (bits < bits_of_an_operation) return;
+    if (bits / 4 > digits_) {
+        throw Error(ErrorCode::limit_exceeded,
+                    "the digits of a number exceed the limit digits = " + std::to_string(digits_));
+    }
+    spend(bits / bits_of_an_operation * terms);
+}
+
 void Budget::require_terms(std::size_t terms, std::size_t words_per_term) const {
     if (terms > terms_) {
         throw Error(ErrorCode::limit_exceeded,
@@ -171,6 +181,13 @@ void PolynomialParts::reduce(PlainPolynomial& a) {
     for (Integer& coefficient : a.coefficients_) coefficient = divide_exactly(coefficient, common);
 }
 
+void PolynomialParts::spend_on_bits(const PlainPolynomial& a, Budget& budget) {
+    if (a.is_zero()) return;
+    budget.spend_on_bits(std::max({a.coefficients_.front().bit_length(), a.coefficients_.back().bit_length(),
+                                   a.denominator_.bit_length()}),
+                         a.size());
+}
+
 AlignedPolynomials::AlignedPolynomials(const PlainPolynomial& a, const PlainPolynomial& b, bool for_product,
                                        Budget& budget)
     : first_(a), second_(b) {
@@ -205,10 +222,13 @@ AlignedPolynomials::AlignedPolynomials(const PlainPolynomial& a, const PlainPoly
 
 std::string text_of(const PlainPolynomial& a, std::span<const std::string> names) {
     constexpr std::size_t longest = 200;
+    const auto shortened = [](const std::string& text) {
+        return text.size() > longest ? text.substr(0, longest) + "..." : text;
+    };
     if (a.is_zero()) return "0";
     std::string result;
     for (std::size_t k = 0; k < a.size(); ++k) {
-        if (result.size() > longest) return result + " + ...";
+        if (result.size() > longest) return shortened(result);
         const Rational coefficient = a.coefficient(k);
         if (k > 0) result += coefficient.sign() < 0 ? " - " : " + ";
         if (k == 0 && coefficient.sign() < 0) result += "-";
@@ -223,7 +243,7 @@ std::string text_of(const PlainPolynomial& a, std::span<const std::string> names
         if (factors.empty() || size != Rational(1)) result += to_string(size) + (factors.empty() ? "" : "*");
         result += factors;
     }
-    return result;
+    return shortened(result);
 }
 
 }  // namespace blossom::proofs::second

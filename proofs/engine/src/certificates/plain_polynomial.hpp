@@ -17,19 +17,24 @@ namespace blossom::proofs::second {
 /// What one check may still cost.
 class Budget {
 public:
-    explicit Budget(const Limits& limits) : terms_(limits.expansion_terms), work_(limits.expansion_work) {}
+    explicit Budget(const Limits& limits)
+        : terms_(limits.expansion_terms), work_(limits.expansion_work), digits_(limits.digits) {}
 
     /// Counts term operations. Errors: `limit_exceeded` beyond `expansion_work` of them.
     void spend(std::size_t operations);
     /// Errors: `limit_exceeded` for a polynomial of more than `expansion_terms` terms, or of more memory than
     /// that many terms in 256 symbols take.
     void require_terms(std::size_t terms, std::size_t words_per_term) const;
+    /// Counts operations on a number of terms with long coefficients. Errors: `limit_exceeded` beyond
+    /// `limits.digits` decimal digits, too.
+    void spend_on_bits(std::size_t bits, std::size_t terms);
     /// The term operations so far.
     std::size_t spent() const { return spent_; }
 
 private:
     std::size_t terms_;
     std::size_t work_;
+    std::size_t digits_;
     std::size_t spent_ = 0;
 };
 

@@ -59,6 +59,9 @@ struct PolynomialParts {
 
     /// Divides denominator and coefficients by what they share.
     static void reduce(PlainPolynomial& a);
+
+    /// Counts the work on long coefficients, by those at both ends and the denominator.
+    static void spend_on_bits(const PlainPolynomial& a, Budget& budget);
 };
 
 /// Two polynomials in one layout that has room for exponents up to a given one; copies where they must be.

@@ -44,6 +44,7 @@ public:
                 coefficients[slots_[slot]].add_product(a, b);
                 return;
             }
+            budget_.spend(1);
             slot = (slot + 1) & (slots_.size() - 1);
         }
         slots_[slot] = static_cast<std::uint32_t>(coefficients.size());
@@ -127,6 +128,7 @@ PlainPolynomial product(const PlainPolynomial& a, const PlainPolynomial& b, Budg
     budget.require_terms(result.size(), result.width());
     PolynomialParts::denominator(result) = PolynomialParts::denominator(a) * PolynomialParts::denominator(b);
     PolynomialParts::set_largest(result, both.largest());
+    PolynomialParts::spend_on_bits(result, budget);
     PolynomialParts::reduce(result);
     return result;
 }
@@ -203,6 +205,9 @@ bool is_sum_of_symbols(const PlainPolynomial& a) {
 PlainPolynomial power(const PlainPolynomial& a, std::size_t exponent, Budget& budget) {
     if (exponent == 0) return PlainPolynomial(1);
     if (exponent == 1 || a.is_zero()) return a;
+    const std::size_t bits = std::max(PolynomialParts::coefficients(a).front().bit_length(),
+                                      PolynomialParts::denominator(a).bit_length());
+    if (bits > 1 || !a.is_number()) budget.spend_on_bits(bits * exponent, 1);
     if (a.is_number()) return PlainPolynomial(pow(a.number(), exponent));
     constexpr std::size_t fields_end = 128;
     constexpr std::size_t greatest_depth = 64;  // of the recursion

@@ -70,6 +70,7 @@ PlainPolynomial weighted_sum(const PlainPolynomial& a, const Rational& left, con
                                           {both.second(), unshifted.data(), second_factor}, budget);
     PolynomialParts::denominator(result) = common;
     PolynomialParts::set_largest(result, both.largest());
+    PolynomialParts::spend_on_bits(result, budget);
     PolynomialParts::reduce(result);
     return result;
 }
@@ -89,6 +90,7 @@ PlainPolynomial scaled(const PlainPolynomial& a, const Rational& factor, Budget&
     budget.spend(a.size());
     for (Integer& coefficient : PolynomialParts::coefficients(result)) coefficient *= factor.numerator();
     PolynomialParts::denominator(result) *= factor.denominator();
+    PolynomialParts::spend_on_bits(result, budget);
     PolynomialParts::reduce(result);
     return result;
 }
@@ -130,6 +132,7 @@ std::vector<PlainPolynomial> coefficients_by_monomials(const PlainPolynomial& a,
                                                        std::span<const std::size_t> symbols, Budget& budget) {
     std::vector<PlainPolynomial> result = {a};
     for (const std::size_t symbol : symbols) {
+        if (a.degree(symbol) == 0) continue;
         std::vector<PlainPolynomial> finer;
         for (const PlainPolynomial& coefficient : result) {
             for (PlainPolynomial& part : coefficients_by(coefficient, symbol, budget)) {

@@ -57,6 +57,7 @@ void SymbolicField::divide_out_differences(PlainPolynomial& rest, Denominator& p
         if (rest.exponent(0, symbols[i]) == 0) continue;
         for (std::size_t j = i + 1; j < symbols.size() && rest.size() >= least_terms; ++j) {
             if (rest.exponent(rest.size() - 1, symbols[j]) == 0) continue;
+            budget_.spend(1);
             divide_out(
                 rest,
                 difference(PlainPolynomial::symbol(symbols[i]), PlainPolynomial::symbol(symbols[j]), budget_),

@@ -6,6 +6,14 @@ namespace blossom::proofs::second {
 
 namespace {
 
+/// Exponents in denominators, which no expansion bounds.
+std::uint32_t checked_exponent(std::uint64_t exponent) {
+    constexpr std::uint64_t greatest = 1 << 20;
+    if (exponent > greatest)
+        throw Error(ErrorCode::limit_exceeded, "an exponent beyond 2^20 in a denominator");
+    return static_cast<std::uint32_t>(exponent);
+}
+
 /// The product of two products of powers.
 std::vector<FactorPower> product_of_powers(const std::vector<FactorPower>& a,
                                            const std::vector<FactorPower>& b) {
@@ -15,7 +23,9 @@ std::vector<FactorPower> product_of_powers(const std::vector<FactorPower>& a,
     for (const FactorPower& power : a) {
         while (next != b.end() && next->factor < power.factor) result.push_back(*next++);
         result.push_back(power);
-        if (next != b.end() && next->factor == power.factor) result.back().exponent += (next++)->exponent;
+        if (next != b.end() && next->factor == power.factor) {
+            result.back().exponent = checked_exponent(std::uint64_t{power.exponent} + (next++)->exponent);
+        }
     }
     result.insert(result.end(), next, b.end());
     return result;
@@ -35,6 +45,11 @@ std::vector<FactorPower> powers_without(const std::vector<FactorPower>& a,
 }
 
 }  // namespace
+
+SymbolicField::Element SymbolicField::checked(Rational number) {
+    budget_.spend_on_bits(std::max(number.numerator().bit_length(), number.denominator().bit_length()), 1);
+    return Element(std::move(number));
+}
 
 SymbolicField::Element SymbolicField::number(const Rational& value) { return Element(value); }
 
@@ -109,7 +124,7 @@ void SymbolicField::add_part(std::vector<Part>& parts, Part part) {
 }
 
 SymbolicField::Element SymbolicField::sum(const Element& a, const Element& b) {
-    if (!a.sum_ && !b.sum_) return Element(a.number_ + b.number_);
+    if (!a.sum_ && !b.sum_) return checked(a.number_ + b.number_);
     if (!a.sum_ && a.number_.is_zero()) return b;
     if (!b.sum_ && b.number_.is_zero()) return a;
     Sum of_a;
@@ -147,7 +162,7 @@ SymbolicField::Element SymbolicField::sum_of_fractions(const Sum& a, const Sum& 
 }
 
 SymbolicField::Element SymbolicField::product(const Element& a, const Element& b) {
-    if (!a.sum_ && !b.sum_) return Element(a.number_ * b.number_);
+    if (!a.sum_ && !b.sum_) return checked(a.number_ * b.number_);
     if (!a.sum_ || !b.sum_) {
         const Rational& factor = a.sum_ ? b.number_ : a.number_;
         if (factor.is_zero()) return {};
@@ -190,12 +205,13 @@ SymbolicField::Element SymbolicField::quotient(const Element& a, const Element& 
 
 SymbolicField::Element SymbolicField::power(const Element& a, std::size_t exponent) {
     if (exponent == 0) return Element(Rational(1));
-    if (!a.sum_) return Element(pow(a.number_, exponent));
+    if (!a.sum_) return Element(second::power(PlainPolynomial(a.number_), exponent, budget_).number());
     if (exponent >= 1 << 15) throw Error(ErrorCode::limit_exceeded, "an exponent of 32768 or more");
     Sum storage;
     const Sum& base = settled(a, storage);
     Denominator denominator = base.denominator;
-    for (FactorPower& power : denominator) power.exponent *= static_cast<std::uint32_t>(exponent);
+    for (FactorPower& power : denominator)
+        power.exponent = checked_exponent(std::uint64_t{power.exponent} * exponent);
     return fraction(second::power(numerator_of(base), exponent, budget_), std::move(denominator));
 }
 

@@ -78,6 +78,8 @@ private:
     static const Sum& parts_of(const Element& a, Sum& storage);
     const Sum& settled(const Element& a, Sum& storage);
     static PlainPolynomial numerator_of(const Sum& settled);
+    /// A number of not too many digits.
+    Element checked(Rational number);
     static Element fraction(PlainPolynomial numerator, Denominator denominator);
     void add_part(std::vector<Part>& parts, Part part);
     Element sum_of_fractions(const Sum& a, const Sum& b);
