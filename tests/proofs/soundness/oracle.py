@@ -432,6 +432,7 @@ class Case:
         self.members = None
         self.maps = {}
         self.position = {}
+        self.seen = set()
         for at, line in enumerate(scope.block.lines):
             self.map_line(at, line)
 
@@ -859,9 +860,12 @@ class Case:
     def v_agg(self, n, env):
         _, which, binder, domain, body = n
         items = self.members_of(domain, env)
+        if binder in env or binder in self.decl:
+            self.seen.add("a binder hides a name")
         if which == "mean" and not items:
             raise Err("mean of nothing")
         if not items:
+            self.seen.add("empty " + ("set of subsets" if domain[0] == "set" else which))
             kind = self.kind(body, self.kinds(env, binder, self.binder_tag(domain)))
             if which == "prod":
                 if kind:
@@ -1280,6 +1284,8 @@ class Case:
         if kind == "copies":
             k = self.count(a[2], env)
             v = self.value(a[1], env)
+            if k == 0:
+                self.seen.add("no copies")
             out.extend([v] * k)
         elif kind == "run":
             first, last = a[1], a[2]
@@ -1289,6 +1295,8 @@ class Case:
             high = [self.integer(e, env) for e in last[2]]
             if low[:-1] != high[:-1] or len(low) != len(high):
                 raise Err("run", "of arguments")
+            if high[-1] < low[-1]:
+                self.seen.add("empty run")
             for k in range(low[-1], high[-1] + 1):
                 index = tuple(low[:-1]) + (k,)
                 bound = env.get((first[1], index)) if self.members else None
@@ -1937,7 +1945,8 @@ class Decision:
         self.lines = []
         self.error = None  # of the whole block
         self.points = 0
-        self.features = set()
+        self.free = set()  # names that nothing declares
+        self.seen = set()  # corners that were met
 
 
 def decide(block, points=4, seed=0, budget=400000, max_cases=400):
@@ -2059,6 +2068,7 @@ def decide_case(block, scope, params, out, points, seed, budget):
         found += 1
         case.use(sample)
         case.members = None
+        last = sample
         for item in work:
             line, result, env, status, good, reason = item
             if status == "error" or status == "false" and (not hypotheses.equations or len(result.witnesses) > 8):
@@ -2079,6 +2089,13 @@ def decide_case(block, scope, params, out, points, seed, budget):
                 item[3] = "false"
                 result.witnesses.append((case, env, sample, P))
     out.points += found
+    out.seen |= case.seen
+    if any(v == 0 for v in params.values()):
+        out.seen.add("a parameter is 0")
+    if found:
+        for base, index in last.vals:
+            if (base if index is None else base + "_") not in case.decl:
+                out.free.add((base, index))
     for line, result, env, status, good, reason in work:
         ranges = {k: v[1] for k, v in env.items() if k not in params}
         if status is None:
