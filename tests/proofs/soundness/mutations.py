@@ -524,9 +524,9 @@ def mutate(block, rng, changes=1):
     return current, kinds
 
 
-def generate(index, seed, blocks):
+def generate(index, seed, blocks, attempt=0):
     """The mutation with this number: deterministic in (seed, index), whatever was made before. (Block, kinds, source id)"""
-    rng = random.Random("mutation %s %s" % (seed, index))
+    rng = random.Random("mutation %s %s %s" % (seed, index, attempt))
     while True:
         source = blocks[index % len(blocks)] if rng.random() < 0.7 else rng.choice(blocks)
         small = copy_of(source, shrink(source, rng.choice((0, 1, 2, 2))), source.id, source.title)
