@@ -14,6 +14,7 @@ from mutations import (
     STATEMENTS, copy_of, count_off_by_one, exchange_kind, lost_factor, lost_summand, nodes, number, off_by_one, other_name, replace,
     sign, sum_bound, swap,
 )
+import oracle
 from oracle import decide
 
 SCALARS = ["a", "b", "c", "s", "t", "u", "v", "w", "x", "y", "z", "h"]
@@ -102,6 +103,7 @@ class Maker:
         self.r = rng
         self.new = new
         self.features = set()
+        self.slopes = {}
 
     def pick(self, *xs):
         return self.r.choice(xs)
@@ -124,17 +126,18 @@ class Maker:
         """An argument such as 2*t/w + 1, affine in x."""
         self.features.add("fraction")
         y, z = self.scalars(2, (x,) + tuple(without))
-        return self.pick(
-            "2*%s/%s + 1" % (x, z), "%s/%s" % (x, z), "(%s - %s)/(%s - %s)" % (x, y, z, y), "%s + %s" % (x, y), "%s" % x,
-            "1 - %s" % x, "%s*%s - 1/%s" % (y, x, z), "-%s" % x, "(%s + %s)/2" % (x, y), "%s/3" % x, "(2*%s + %s)/(1 + %s)" % (x, y, z),
+        text, slope = self.pick(
+            ("2*{x}/{z} + 1", "2/{z}"), ("{x}/{z}", "1/{z}"), ("({x} - {y})/({z} - {y})", "1/({z} - {y})"), ("{x} + {y}", "1"), ("{x}", "1"),
+            ("1 - {x}", "(-1)"), ("{y}*{x} - 1/{z}", "{y}"), ("-{x}", "(-1)"), ("({x} + {y})/2", "1/2"), ("{x}/3", "1/3"),
+            ("(2*{x} + {y})/(1 + {z})", "2/(1 + {z})"), ("3*{x}/({y}*{z})", "3/({y}*{z})"), ("({x}/{y} + 1)/{z}", "1/({y}*{z})"),
         )
+        text, slope = text.format(x=x, y=y, z=z), slope.format(x=x, y=y, z=z)
+        self.slopes[text, x] = "(" + slope + ")"
+        return text
 
     def slope(self, text, x):
-        """What multiplies x in an affine expression, by its values at 1 and 0, as text."""
-        e = parse_expr(text)
-        one = show(substituted(e, x, ("num", "1")))
-        zero = show(substituted(e, x, ("num", "0")))
-        return "(%s - (%s))" % (one, zero)
+        """What multiplies x in an argument that was made."""
+        return self.slopes[text, x]
 
     def range(self, name, low=None, high=None):
         low = self.r.choice((0, 0, 0, 1)) if low is None else low
@@ -296,12 +299,17 @@ def let_in_poly(m):
     body = m.pick(t, "%s + 1" % t, "%s*%s" % (t, y), "1/%s" % t, "sum(i, 1, 2, %s^i)" % t)
     poly = m.pick("w", "w*{t}", "w*{t}^2 + {t}", "w + {t}", "(w + {t})^2").format(t=t)
     m.features |= {"let in poly", "capture"}
-    expected = show(substituted(parse_expr(poly.replace("w", "W")), t, parse_expr(x)))
-    expected = expected.replace("W", "(" + body + ")")
     if "w" in (t, x, y):
         raise Capture()
-    return ["let w = " + body, "poly P(%s) degree 2 = %s" % (t, poly)], [
-        "P(%s) == %s" % (x, expected), "w == " + body, "P[%s, %s] == P(%s)" % (x, x, x),
+    if oracle.LET_SCOPE == "use":
+        expected = show(substituted(parse_expr(poly.replace("w", "(" + body + ")")), t, parse_expr(x)))
+        if "/" in body:
+            raise Capture()  # the poly would be none
+    else:
+        expected = show(substituted(parse_expr(poly.replace("w", "W")), t, parse_expr(x)))
+        expected = expected.replace("W", "(" + body + ")")
+    return ["let w = " + body, "poly P(%s) degree 4 = %s" % (t, poly)], [
+        "P(%s) == %s" % (x, expected), "w == " + body, "P[%s{4}] == P(%s)" % (x, x),
     ][: m.r.choice((1, 2, 3))]
 
 
@@ -468,13 +476,13 @@ def raised(m):
         ]
     if k == 1:
         return [m.range("n"), "map p degree n", "raise p to n + %d as q" % m.r.choice((0, 1, 2))], ["q(%s) == p(%s)" % (e, e), "q'(%s) == p'(%s)" % (e, e)]
-    if k == 2:
+    if k == 2 and m.new:
         m.features.add("tensor")
         return ["for m in 0..1", "for n in 0..1", "map f degrees m, n", "raise f to m + 1, n as g"], [
             "g[x_1..x_{m+1}; y_1..y_n] == sum(i, 1, m + 1, f[x_j : j in 1..m + 1, j != i; y_1..y_n])/(m + 1)",
             "g(%s, v) == f(%s, v)" % (e, e),
         ]
-    if k == 3:
+    if k in (2, 3):
         return [m.range("n"), "map p degree n", "raise p to n + 1 as q", "raise q to n + 2 as r"], ["r(%s) == p(%s)" % (e, e)]
     m.features.add("homogeneous")
     return [m.range("n"), "map p degree n", "raise p to n + 1 as q"], ["q(<s, w>) == w*p(<s, w>)", "q[delta{n+1}] == 0"]

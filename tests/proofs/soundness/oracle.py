@@ -62,6 +62,10 @@ def primes_below(n, count, residue):
     return out
 
 
+# Where the body of a let is read: 'block', in the scope of its block whoever uses it, or 'use', as an abbreviation that sees the
+# variables of the poly and of the `for all` around its use.
+LET_SCOPE = "block"
+
 P = PRIME
 # In some of these fields -1, 2, 3, 5 and so on have square roots; what has none in one field is tried in the next.
 FIELDS = [PRIME] + primes_below(1 << 61, 3, 1)
@@ -433,6 +437,7 @@ class Case:
         self.maps = {}
         self.position = {}
         self.seen = set()
+        self.around = {}  # variables of poly and for all that a let sees, when LET_SCOPE is 'use'
         for at, line in enumerate(scope.block.lines):
             self.map_line(at, line)
 
@@ -477,6 +482,7 @@ class Case:
     def use(self, sample):
         self.a = sample
         self.memo = {}
+        self.around = {}
 
     def spend(self, k=1):
         self.work -= k
@@ -704,6 +710,11 @@ class Case:
             return vals[key]
         what = d[0]
         if what == "let":
+            if self.around:
+                self.deeper()
+                v = self.value(d[1], {**self.penv, **self.around})
+                self.depth -= 1
+                return v
             memo = self.memo
             if base in memo:
                 return memo[base]
@@ -759,11 +770,15 @@ class Case:
         family = base + "_"
         if family in self.lets:
             key = (base, index)
-            if key in self.memo:
+            if key in self.memo and not self.around:
                 return self.memo[key]
             found = self.clause(base, index)
             if found is not None:
                 self.deeper()
+                if self.around:
+                    v = self.value(found[0], {**self.around, **found[1]})
+                    self.depth -= 1
+                    return v
                 v = self.value(found[0], found[1])
                 self.depth -= 1
                 self.memo[key] = v
@@ -1053,6 +1068,8 @@ class Case:
         if kind:
             raise Err("kind", "a poly of points")
         values = {}
+        around = self.around
+        self.around = {}
         index = [()]
         for m in grid:
             index = [i + (k,) for i in index for k in range(m)]
@@ -1060,6 +1077,8 @@ class Case:
         for i in index:
             for v, k, (nodes, _) in zip(variables, i, tables):
                 env[v] = ("n", nodes[k])
+            if LET_SCOPE == "use":
+                self.around = {v: env[v] for v in variables}
             values[i] = self.number(body, env)
         for at, (m, (_, rows)) in enumerate(zip(grid, tables)):
             fresh = {}
@@ -1080,7 +1099,10 @@ class Case:
         point = [self.a.fresh() for _ in variables]
         for v, x in zip(variables, point):
             env[v] = ("n", x)
+        if LET_SCOPE == "use":
+            self.around = {v: env[v] for v in variables}
         expected = self.number(body, env)
+        self.around = around
         found = 0
         for i, c in values.items():
             for x, k in zip(point, i):
@@ -1283,10 +1305,10 @@ class Case:
         kind = a[0]
         if kind == "copies":
             k = self.count(a[2], env)
-            v = self.value(a[1], env)
             if k == 0:
-                self.seen.add("no copies")
-            out.extend([v] * k)
+                self.seen.add("no copies")  # of what is not evaluated then
+            else:
+                out.extend([self.value(a[1], env)] * k)
         elif kind == "run":
             first, last = a[1], a[2]
             if first[0] != "name" or last[0] != "name" or first[2] is None or last[2] is None or first[1] != last[1]:
@@ -1662,6 +1684,12 @@ class Hypotheses:
 
     def residual(self, instance):
         line, env = instance
+        if LET_SCOPE == "use":
+            self.case.around = {k: v for k, v in env.items() if v[0] in ("n", "g")}
+            try:
+                return difference(self.case, line, env)
+            finally:
+                self.case.around = {}
         return difference(self.case, line, env)
 
     def point(self, rng, order, pool=None):
@@ -1949,7 +1977,7 @@ class Decision:
         self.seen = set()  # corners that were met
 
 
-def decide(block, points=4, seed=0, budget=400000, max_cases=400):
+def decide(block, points=4, seed=0, budget=400000, max_cases=4000):
     """The truth of every claim of a block: statuses true, false, error, novalue (no point was found), toobig."""
     global P
     out = Decision()
