@@ -11,8 +11,8 @@ import random
 
 from language import parse_expr, parse_text, show
 from mutations import (
-    STATEMENTS, copy_of, count_off_by_one, exchange_kind, lost_factor, lost_summand, nodes, number, off_by_one, other_name, replace,
-    sign, sum_bound, swap,
+    STATEMENTS, copy_of, count_off_by_one, exchange_kind, lost_factor, lost_summand, nodes, number, off_by_one, other_name, pick_node,
+    put, replace, sign, sum_bound, swap,
 )
 import oracle
 from oracle import decide
@@ -1045,7 +1045,16 @@ def rewritten(block, rng, new, steps):
 
 # neighbours
 
-CHANGES = [off_by_one, count_off_by_one, lost_factor, lost_factor, sign, sign, lost_summand, sum_bound, swap, exchange_kind, other_name]
+def lost_divisor(block, rng):
+    """A quotient in a claim that becomes its numerator."""
+    found = pick_node(block, rng, lambda e: e[0] == "div", STATEMENTS)
+    if found is None:
+        return None
+    at, path, e = found
+    return put(block, at, path, e[1])
+
+
+CHANGES = [lost_divisor, lost_divisor, off_by_one, count_off_by_one, lost_factor, lost_factor, sign, sign, lost_summand, sum_bound, swap, exchange_kind, other_name]
 
 
 def neighbour(block, rng, id):
