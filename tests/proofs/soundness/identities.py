@@ -1,20 +1,20 @@
 """Random identities of polar forms that are true by construction, and their false neighbours.
 
-Each begins with a true statement of a family (FAMILIES below), whose parts are chosen at random and near the corners (n = 0, empty
-sums, repeated arguments, names that coincide), is rewritten by steps that keep it true (REWRITES), and has a neighbour with one
+Each begins with a true statement of a family (OLD and NEW below), whose parts are chosen at random and near the corners (n = 0, empty
+sums, repeated arguments, names that coincide), is rewritten by steps that keep it true, and has a neighbour with one
 change that the oracle finds false.
 
-    generate(index, seed, new)  ->  [(Block, expected)], expected 'true' or 'false'
+    generate(index, seed, new)  ->  [(Block, expected, features)], expected 'true', 'false' or 'error'
 """
 
 import random
 
+import oracle
 from language import parse_expr, parse_text, show
 from mutations import (
     STATEMENTS, copy_of, count_off_by_one, exchange_kind, lost_factor, lost_summand, nodes, number, off_by_one, other_name, pick_node,
     put, replace, sign, sum_bound, swap,
 )
-import oracle
 from oracle import decide
 
 SCALARS = ["a", "b", "c", "s", "t", "u", "v", "w", "x", "y", "z", "h"]

@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """An oracle for the identity language: both sides of every claim at random points of a large prime field.
 
 It shares nothing with the prover: own reader (language.py), own scopes and kinds, values instead of expansion. A claim that
@@ -5,13 +6,16 @@ holds at random points is true (by Schwartz and Zippel, with an error far below 
 are met by solving for what is linear in them (map coefficients, numbers, coordinates), in several orders, so that different
 components are seen, and for one unknown of degree 2 by a square root.
 
-    statements = decide(block)  ->  a Decision with one Line for each claim and refute
+    decide(block)  ->  a Decision with one Line for each claim and refute
+
+As a program: `oracle.py FILE ...` prints the truth of each line of these files; `oracle.py prove FILE --json` prints it as the prover would.
 """
 
 import random
+import re
 from fractions import Fraction
 
-from language import RESERVED, SyntaxFault, parse_comparison, parse_text
+from language import RESERVED, SyntaxFault, parse_comparison, parse_expr, parse_text
 
 PRIME = (1 << 61) - 1  # 3 mod 4, 7 mod 8
 
@@ -1755,12 +1759,16 @@ class Hypotheses:
             self.shift(sample, s, -2 * by)
         return all((c - 2 * b + a) % P == 0 for a, b, c in zip(base, *found))
 
-    def solve(self, rng, order, instances):
+    def solve(self, rng, order, instances, given=None):
+        """Changes the sample so that the equations hold; a map or number in `given` stays as it is."""
         sample = self.case.a
         base = self.residuals(instances)
         if all(x == 0 for x in base):
             return True
         maps, scalars = self.symbols(sample)
+        if given is not None:
+            maps = [g for g in maps if g[0][1] not in given]
+            scalars = [g for g in scalars if g[0][1] not in given]
         rng.shuffle(scalars)
         if order == "maps":
             groups = maps + scalars
@@ -2133,6 +2141,11 @@ def decide_case(block, scope, params, out, points, seed, budget):
     return max(1, len(work))
 
 
+def readable(text):
+    """What a prover prints, as this reader has it: 2 x with its sign, u_1.2 with braces."""
+    return re.sub(r"_(\d+)(?=\.\d)", r"_{\1}", re.sub(r"(\d) ([A-Za-z])", r"\1*\2", text))
+
+
 def conditions_hold(witness, conditions):
     """Whether all conditions, as a prover prints them, hold at a witness; None when one cannot be read."""
     global P
@@ -2143,7 +2156,7 @@ def conditions_hold(witness, conditions):
         case.depth = 0
         for text in conditions:
             try:
-                op, a, b = parse_comparison(text, dots=True)
+                op, a, b = parse_comparison(readable(text), dots=True)
                 x, y = case.value(a, case.penv), case.value(b, case.penv)
                 if op == "!=" and same(x, y):
                     return False
@@ -2154,6 +2167,120 @@ def conditions_hold(witness, conditions):
         return True
     finally:
         P = keep
+
+
+def expanded(e, variables, s):
+    """A polynomial in these variables as coefficients by exponents."""
+    kind = e[0]
+    zero = (0,) * s
+    if kind == "num":
+        f = Fraction(e[1])
+        return {zero: f.numerator * pow(f.denominator, -1, P) % P}
+    if kind == "name" and e[2] is None and e[1] in variables:
+        at = variables.index(e[1])
+        return {tuple(1 if j == at else 0 for j in range(s)): 1}
+    if kind == "neg":
+        return {k: -x % P for k, x in expanded(e[1], variables, s).items()}
+    if kind in ("add", "sub"):
+        out = dict(expanded(e[1], variables, s))
+        f = 1 if kind == "add" else -1
+        for k, x in expanded(e[2], variables, s).items():
+            out[k] = (out.get(k, 0) + f * x) % P
+        return out
+    if kind == "mul":
+        return multiply(expanded(e[1], variables, s), expanded(e[2], variables, s))
+    if kind == "div" and e[2][0] == "num":
+        f = pow(int(e[2][1]), -1, P)
+        return {k: x * f % P for k, x in expanded(e[1], variables, s).items()}
+    if kind == "pow" and e[2][0] == "num":
+        out = {zero: 1}
+        base = expanded(e[1], variables, s)
+        for _ in range(int(e[2][1])):
+            out = multiply(out, base)
+        return out
+    raise Err("a map that cannot be read")
+
+
+def rational(text):
+    f = Fraction(text)
+    return f.numerator * pow(f.denominator, -1, P) % P
+
+
+def check_counterexample(block, place, example, seed=0):
+    """Whether the values a prover shows make a line false: True, or a text that says what is wrong; None when they cannot be read."""
+    try:
+        scope = Scope(block)
+        parameters = example.get("parameters", {})
+        params = {line[1]: int(parameters[line[1]]) for line in block.lines if line[0] == "for"}
+        case = Case(scope, params)
+        line = [l for l, p in zip(block.lines, block.places) if p == place][0]
+        env = dict(case.penv)
+        for binder, _, _ in line[3]:
+            if binder in params:
+                return None
+            env[binder] = ("i", int(parameters[binder]))
+        if env not in range_cases(case, line[3], case.penv):
+            return "parameters out of their ranges"
+        sample = Sample(random.Random("%s counterexample" % seed))
+        case.use(sample)
+        given = set()
+        for name, shown in example.get("maps", {}).items():
+            if name not in case.maps:
+                return None
+            dirs, kind, _ = case.maps[name]
+            if kind != "free":
+                continue
+            s = sum(d for d, _ in dirs)
+            text = re.sub(r"(\d) ?([A-Za-z])", r"\1*\2", re.sub(r"([A-Za-z])(\d+)", lambda m: m.group(1) + "QQ" + "ABCDEFGHIJ"[int(m.group(2))], shown["text"]))
+            variables = [re.sub(r"([A-Za-z])(\d+)", lambda m: m.group(1) + "QQ" + "ABCDEFGHIJ"[int(m.group(2))], v) for v in shown.get("variables", ["t"])]
+            if len(variables) != s:
+                return None
+            found = expanded(parse_expr(text), variables, s)
+            allowed = set(case.all_exponents(dirs))
+            if any(x and e not in allowed for e, x in found.items()):
+                return "a map of too high a degree"
+            sample.coefs[name] = {e: found.get(e, 0) for e in allowed}
+            given.add(name)
+        points = {}
+        for name, text in example.get("variables", {}).items():
+            node = parse_expr(readable(name), dots=True)
+            value = rational(text)
+            if node[0] == "symbol":
+                index = None if node[1][2] is None else tuple(case.integer(e, case.penv) for e in node[1][2])
+                if index is None and node[1][1] in case.maps:
+                    return None
+                points.setdefault((node[1][1], index), {})[node[2][0]] = value
+            elif node[0] == "name":
+                index = None if node[2] is None else tuple(case.integer(e, case.penv) for e in node[2])
+                sample.vals[node[1], index] = value
+                given.add((node[1], index))
+            else:
+                return None
+        for key, shown in points.items():
+            d = case.decl.get(key[0] if key[1] is None else key[0] + "_")
+            if d is None or d[0] not in ("point", "vector"):
+                return None
+            v = list(case.free(key, d))
+            for at, x in shown.items():
+                v[at - 1] = x
+            sample.vals[key] = tuple(v)
+            given.add(key)
+        hypotheses = Hypotheses(case)
+        instances = [(eq, hypotheses.instance(eq)) for eq in hypotheses.equations for _ in range(2 if eq[2] else 1)]
+        if instances and not hypotheses.solve(sample.rng, "maps", instances, given):
+            missing = bool({k for k in sample.vals if k not in given} | {k for k in sample.coefs if k not in given})
+            return None if missing else "a hypothesis does not hold"
+        case.use(sample)
+        for other, e in hypotheses.assumptions:
+            if all(x == 0 for x in difference(case, other, e)):
+                return "an assumption does not hold"
+        if all(x == 0 for x in difference(case, line, env)):
+            return "both sides are equal"
+        return True
+    except ZeroDivisor:
+        return "a divisor vanishes"
+    except (Err, SyntaxFault, KeyError, IndexError, ValueError, TooBig):
+        return None
 
 
 def lost_condition(block, decision, line_number, conditions, seed=0, tries=6):
@@ -2195,13 +2322,37 @@ def lost_condition(block, decision, line_number, conditions, seed=0, tries=6):
     return None
 
 
-if __name__ == "__main__":
+def prove(blocks, path, out):
+    """What a prover that is always right would print with --json: `check` must find nothing in it."""
+    import json
+
+    for block in blocks:
+        decision = decide(block)
+        if block.fault is not None:
+            continue
+        for l in decision.lines:
+            o = {"id": block.id, "file": path, "line": l.place, "kind": l.kind.split()[0], "conditions": []}
+            statuses = l.statuses()
+            if decision.error is not None or statuses - {"true", "false"}:
+                o.update(verdict="undecided", as_expected=False, error=str(decision.error or "; ".join(l.reasons())))
+            else:
+                proved = statuses == {"true"}
+                expected = {"claim": proved, "refute": statuses == {"false"}, "refute some": not proved}[l.kind]
+                o.update(verdict="proved" if proved else "refuted", as_expected=expected)
+            out.write(json.dumps(o) + "\n")
+
+
+def main(arguments):
     import sys
     import time
 
-    for path in sys.argv[1:]:
+    as_prover = arguments[:1] == ["prove"]
+    for path in [a for a in arguments if a not in ("prove", "--json")]:
         with open(path) as f:
             blocks = parse_text(f.read())
+        if as_prover:
+            prove(blocks, path, sys.stdout)
+            continue
         for block in blocks:
             start = time.time()
             decision = decide(block)
@@ -2209,4 +2360,13 @@ if __name__ == "__main__":
             if decision.error:
                 print("%s: %s (%.1f ms)" % (block.id, decision.error, spent))
             for l in decision.lines:
-                print("%s:%d %s %s %s (%d cases, %.1f ms)" % (block.id, l.place, l.kind, ",".join(sorted(l.statuses())), "; ".join(l.reasons()), len(l.cases), spent))
+                print(
+                    "%s:%d %s %s %s (%d cases, %.1f ms)"
+                    % (block.id, l.place, l.kind, ",".join(sorted(l.statuses())), "; ".join(l.reasons()), len(l.cases), spent)
+                )
+
+
+if __name__ == "__main__":
+    import sys
+
+    main(sys.argv[1:])
