@@ -860,7 +860,7 @@ def rewrite(e, bound, c):
                 return None
             return ("agg", which, binder, ("rng", low, high), substituted(body, binder, ("sub", ("add", low, high), b)))
         if k == 2:
-            name = r.choice(BINDERS + ["l", "g"])
+            name = r.choice(BINDERS)
             if name in free_names(body) or name in bound and name in free_names(body):
                 return None
             return ("agg", which, name, ("rng", low, high), substituted(body, binder, ("name", name, None)))
@@ -891,7 +891,10 @@ def rewrite(e, bound, c):
     if choice == 9:
         return ("mul", e, ("pow", x, ("num", "0")))
     if choice == 10:
-        return ("add", e, ("agg", "sum", r.choice(("i", x[1], "t")), ("rng", ONE, ("num", "0")), e))
+        name = r.choice(("i", x[1], "t"))
+        if name in free_names(e):
+            return None  # it might be no integer there
+        return ("add", e, ("agg", "sum", name, ("rng", ONE, ("num", "0")), e))
     if choice == 11 and free_names(e) & bound == set() and "name" != kind and not has_bound_member(e, c):
         name = c.fresh()
         c.declared.add(name)
