@@ -1448,6 +1448,8 @@ class Case:
                 raise Err("kind", "a set for a number")
             if n[1] == "bernstein" and self.kind(n[2][2], env) or n[1] == "bspline" and self.kind(n[2][4], env):
                 raise Err("kind", "a number expected")
+            if n[1] == "bspline" and n[2][2][0] == "name" and self.family_kind(n[2][2][1]):
+                raise Err("kind", "a knot is a number")
             return 0
         if what == "dif":
             if self.kind(n[1], env):
@@ -2033,34 +2035,46 @@ def decide(block, points=4, seed=0, budget=400000, max_cases=4000):
 
 
 def check_kinds(case, block):
-    """Kinds before values: every expression of the block, also where nothing is evaluated."""
-    base = {name: "i" for name in case.penv}
-    for line in block.lines:
-        if line[0] == "let":
-            if line[1][2] is None:
-                case.bare_kind(line[1][1])
-            else:
-                case.family_kind(line[1][1])
-        elif line[0] == "poly":
-            if case.kind(line[5], {**base, **{v: "n" for v in line[2]}}):
-                raise Err("kind", "a poly of points")
-        elif line[0] in ("assume", "given", "claim", "refute", "refute some"):
-            env = dict(base)
-            for binder, _, _ in line[3]:
-                env[binder] = "i"
-            for item in line[4]:
-                if item[0] == "name" and item[2] is None:
-                    d = case.decl.get(item[1])
-                    env[item[1]] = "n" if d is None or d[0] == "number" else ("g", case.count(d[1], case.penv)) if d[0] in ("point", "vector") else "n"
-                else:
-                    base_name = item[1] if item[0] == "name" else item[1][1]
-                    d = case.decl.get(base_name + "_")
-                    env[(base_name, "any")] = "n" if d is None or d[0] == "number" else ("g", case.count(d[1], case.penv))
-                    case.members = True
-            a, b = case.kind(line[1], env), case.kind(line[2], env)
-            if a is not None and b is not None and a != b:
-                raise Err("kind", "sides of two kinds")
+    """Kinds before values: every expression of the block, also where nothing is evaluated. The faults of claims by their lines."""
+    faults = {}
+    for at, line in enumerate(block.lines):
+        try:
+            check_kinds_of(case, line)
+        except Err as e:
             case.members = None
+            if line[0] not in ("claim", "refute", "refute some"):
+                raise
+            faults[at] = e
+    return faults
+
+
+def check_kinds_of(case, line):
+    base = {name: "i" for name in case.penv}
+    if line[0] == "let":
+        if line[1][2] is None:
+            case.bare_kind(line[1][1])
+        else:
+            case.family_kind(line[1][1])
+    elif line[0] == "poly":
+        if case.kind(line[5], {**base, **{v: "n" for v in line[2]}}):
+            raise Err("kind", "a poly of points")
+    elif line[0] in ("assume", "given", "claim", "refute", "refute some"):
+        env = dict(base)
+        for binder, _, _ in line[3]:
+            env[binder] = "i"
+        for item in line[4]:
+            if item[0] == "name" and item[2] is None:
+                d = case.decl.get(item[1])
+                env[item[1]] = "n" if d is None or d[0] == "number" else ("g", case.count(d[1], case.penv)) if d[0] in ("point", "vector") else "n"
+            else:
+                base_name = item[1] if item[0] == "name" else item[1][1]
+                d = case.decl.get(base_name + "_")
+                env[(base_name, "any")] = "n" if d is None or d[0] == "number" else ("g", case.count(d[1], case.penv))
+                case.members = True
+        a, b = case.kind(line[1], env), case.kind(line[2], env)
+        if a is not None and b is not None and a != b:
+            raise Err("kind", "sides of two kinds")
+        case.members = None
 
 
 def decide_case(block, scope, params, out, points, seed, budget):
@@ -2068,11 +2082,14 @@ def decide_case(block, scope, params, out, points, seed, budget):
     case = Case(scope, params, budget)
     text = repr(sorted(params.items()))
     rng = random.Random("%s %s %s" % (seed, block.id, text))
-    check_kinds(case, block)
+    faults = check_kinds(case, block)
     hypotheses = Hypotheses(case)
     work = []
-    for line, result in zip([l for l in block.lines if l[0] in ("claim", "refute", "refute some")], out.lines):
+    claims = [(at, l) for at, l in enumerate(block.lines) if l[0] in ("claim", "refute", "refute some")]
+    for (at, line), result in zip(claims, out.lines):
         try:
+            if at in faults:
+                raise faults[at]
             for env in range_cases(case, line[3], case.penv):
                 work.append([line, result, env, None, 0, None])
         except Err as e:
