@@ -16,7 +16,9 @@ std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const
     if (std::ranges::find(solved_, symbol) != solved_.end()) return "the symbol is solved for a second time";
     const PlainPolynomial usable = reduced(relation);
     budget_->spend(equations_.size());
-    if (std::ranges::find(equations_, usable) == equations_.end()) return "the relation is no hypothesis";
+    const bool follows = std::ranges::any_of(
+        equations_, [&](const PlainPolynomial& equation) { return is_zero_where(equation, usable, degree); });
+    if (!follows) return "the relation is no hypothesis";
     const std::vector<PlainPolynomial> coefficients = coefficients_by(usable, symbol, *budget_);
     if (degree == 0 || coefficients.size() != degree + 1)
         return "the relation has another degree in the symbol";
@@ -35,6 +37,21 @@ std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const
     solved_.push_back(symbol);
     reduce_all(nullptr);
     return "";
+}
+
+/// Whether the relation vanishes wherever the equation does: one is the other times what does not vanish, or some power
+/// of the relation is a multiple of the equation.
+bool BranchState::is_zero_where(const PlainPolynomial& equation, const PlainPolynomial& relation, std::size_t powers) {
+    if (equation == relation) return true;
+    if (relation.is_zero()) return false;
+    const auto cofactor = exact_quotient(equation, relation, *budget_);
+    if (cofactor && is_known_nonzero(*cofactor)) return true;
+    PlainPolynomial power = relation;
+    for (std::size_t k = 0; k < powers; ++k) {
+        if (exact_quotient(power, equation, *budget_)) return true;
+        power = product(power, relation, *budget_);
+    }
+    return false;
 }
 
 void BranchState::require_nonzero(const PlainPolynomial& pivot) {
@@ -77,6 +94,18 @@ void BranchState::add_nonzero(PlainPolynomial factor) {
         }
         if (divides) add_nonzero_part(divisor);
     }
+    const std::vector<std::size_t> symbols = factor.symbols();
+    for (std::size_t i = 0; i < symbols.size(); ++i) {
+        for (std::size_t j = i + 1; j < symbols.size() && factor.size() > 2; ++j) {
+            const PlainPolynomial apart =
+                difference(PlainPolynomial::symbol(symbols[i]), PlainPolynomial::symbol(symbols[j]), *budget_);
+            auto exact = exact_quotient(factor, apart, *budget_);
+            if (!exact) continue;
+            while (auto again = exact_quotient(*exact, apart, *budget_)) exact = std::move(again);
+            factor = std::move(*exact);
+            add_nonzero_part(apart);
+        }
+    }
     add_nonzero_part(std::move(factor));
 }
 
@@ -101,7 +130,11 @@ PlainPolynomial BranchState::stripped(PlainPolynomial a) {
 }
 
 bool BranchState::is_known_nonzero(const PlainPolynomial& a) {
-    return !a.is_zero() && stripped(a).is_number();
+    if (a.is_zero()) return false;
+    const PlainPolynomial rest = stripped(a);
+    return rest.is_number() || std::ranges::any_of(nonzero_, [&](const PlainPolynomial& known) {
+               return exact_quotient(known, rest, *budget_).has_value();
+           });
 }
 
 PlainPolynomial BranchState::replaced(const PlainPolynomial& a, const LinearStep& step) {

@@ -47,6 +47,7 @@ private:
     PlainPolynomial with_low_powers(PlainPolynomial a);
     /// Divides by factors that do not vanish; primitive.
     PlainPolynomial stripped(PlainPolynomial a);
+    bool is_zero_where(const PlainPolynomial& equation, const PlainPolynomial& relation, std::size_t powers);
     bool is_known_nonzero(const PlainPolynomial& a);
 
     /// All that is known after one more step.

@@ -197,9 +197,8 @@ std::pair<std::size_t, std::vector<std::pair<std::string, long long>>> key_of(co
 struct CertificateChecker::Text {
     Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
         for (Case& which : reading.cases()) {
-            if (reading.claims()[which.line].kind != Statement::Kind::claim) continue;
             keys.insert(key_of(which));
-            claimed.push_back(std::move(which));
+            if (reading.claims()[which.line].kind == Statement::Kind::claim) claimed.push_back(std::move(which));
         }
     }
 
@@ -226,7 +225,7 @@ std::string CertificateChecker::problem_of(const Certificate& certificate) {
         const Text& text = read(certificate.text);
         std::string problem = problem_of_head(certificate);
         if (!problem.empty()) return problem;
-        if (!text.keys.contains(key_of(certificate.which))) return "the text claims no such case";
+        if (!text.keys.contains(key_of(certificate.which))) return "the text has no such case";
         return CaseCheck(text.reading, certificate, limits_).problem();
     } catch (const Error& error) {
         return error.message().empty() ? "an error without a message" : error.message();
