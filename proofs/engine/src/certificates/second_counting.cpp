@@ -141,6 +141,7 @@ Rational Counting::abbreviation(const Node& node, Scope& scope) {
                     node.offset);
     }
     const AtEnd forget([&] { in_work_.erase(key); });
+    work_.require_few_abbreviations(in_work_.size());
     Rational found = value(clause->body, inner);
     return known_.emplace(key, std::move(found)).first->second;
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <list>
 #include <map>
 #include <optional>
 #include <set>
@@ -140,6 +141,19 @@ private:
     void bind_all(const Statement& statement, Scope& scope);
     Geometric bound_value(const Quantified& quantified, const std::string& name);
 
+    // Variables: second_evaluation_lines.hpp.
+    /// Everything from the `first` variable on and what abbreviations saw of it, for `forget_variables`.
+    struct Outside {
+        std::size_t first = 0;
+        std::map<Key, Element> symbols;
+        std::map<Key, Geometric> points;
+    };
+    Outside begin_variables();
+    std::size_t add_variable(Key key, Geometric value);
+    void assign_variable(std::size_t place, const Element& value);
+    void forget_variables(Outside& outside);
+    bool lets_see_variables() const { return reading_.let_scope() == LetScope::use; }
+
     Element zero() { return field_.number(Rational(0)); }
     Element one() { return field_.number(Rational(1)); }
     Element difference(const Element& a, const Element& b) { return field_.sum(a, field_.negative(b)); }
@@ -151,12 +165,12 @@ private:
     const Case& case_;
     Field& field_;
     Counting counting_;
-    std::vector<Known>
-        known_;  ///< the last is what holds now: a derivative with respect to a free symbol begins anew
+    std::list<Known> known_;  ///< the last is what holds now; what a symbol is rebound for begins anew
     std::map<Key, Element> symbols_;
     std::map<std::uint32_t, std::vector<Element>> free_maps_;
     std::map<std::uint32_t, MapShape> shapes_;
     std::vector<Geometric> variables_;  ///< of polynomials and of `for all`; scopes hold places among them
+    std::vector<Key> variable_keys_;    ///< their names
     std::map<Key, std::size_t> bound_members_;
     std::vector<std::uint32_t> maps_in_work_;
     std::map<Key, Geometric> points_;

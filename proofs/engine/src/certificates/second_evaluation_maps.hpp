@@ -83,12 +83,11 @@ template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::polynomial_coefficients(const MapDeclaration& map,
                                                                                 const MapShape& shape) {
     Scope scope(map.slots);
-    const std::size_t first = variables_.size();
-    const AtEnd forget(
-        [&] { variables_.erase(variables_.begin() + static_cast<long>(first), variables_.end()); });
+    Outside outside = begin_variables();
+    const AtEnd forget([&] { forget_variables(outside); });
     for (std::size_t i = 0; i < map.variables.size(); ++i) {
-        scope[i].integer = static_cast<long long>(first + i);
-        variables_.push_back(point_of_number(zero()));
+        const Key key{static_cast<long long>(map.variables[i])};
+        scope[i].integer = static_cast<long long>(add_variable(key, point_of_number(zero())));
     }
     try {
         return coefficients_from(map, shape, 0, shape.directions.front().degree, scope);
@@ -126,7 +125,7 @@ std::vector<typename Field::Element> Evaluation<Field>::coefficients_from(const 
         }
         const std::vector<Element> powers = field_.coefficients(
             [&](const Element& value) {
-                variables_[place].coordinates.front() = value;
+                assign_variable(place, value);
                 return coefficients_from(map, shape, variable + 1, degree, scope)[i];
             },
             left);

@@ -187,7 +187,7 @@ template <class Field>
 std::optional<typename Field::Element> Evaluation<Field>::basis_function(const Node& node, long long j,
                                                                          long long degree, long long span,
                                                                          const Element& at) {
-    counting_.work().step();
+    const WorkLimit::Level level(counting_.work());
     if (span < j || span > j + degree) return std::nullopt;
     if (degree == 0) return one();
     const auto knot = [&](long long index) {
@@ -228,8 +228,8 @@ typename Field::Element Evaluation<Field>::derivative(const Node& node, Scope& s
         const Element kept = variables_[*place].coordinates.front();
         return field_.derivative(
             [&](const Element& value) {
-                const AtEnd restore([&] { variables_[*place].coordinates.front() = kept; });
-                variables_[*place].coordinates.front() = value;
+                const AtEnd restore([&] { assign_variable(*place, kept); });
+                assign_variable(*place, value);
                 return number(node.children[0], scope);
             },
             kept, order);
