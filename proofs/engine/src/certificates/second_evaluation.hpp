@@ -85,7 +85,6 @@ private:
     Element basis(const Node& node, Scope& scope);
     std::optional<Element> basis_function(const Node& node, long long j, long long degree, long long span,
                                           const Element& at);
-    Element derivative(const Node& node, Scope& scope);
 
     // Points and names: second_evaluation_points.hpp.
     Geometric geometric(NodeId id, Scope& scope);
@@ -103,7 +102,7 @@ private:
     Value declared_member(const Node& node, std::uint32_t declaration, const Key& indices);
     Element symbol(std::uint32_t name, const Key& indices);
 
-    // Maps: second_evaluation_maps.hpp.
+    // Maps: second_evaluation_maps.hpp and second_evaluation_nets.hpp.
     const MapShape& shape(std::uint32_t map);
     const std::vector<Element>& coefficients(std::uint32_t map);
     std::vector<Element> find_coefficients(std::uint32_t map);
@@ -118,21 +117,24 @@ private:
     std::vector<Element> coefficients_from(const MapDeclaration& map, const MapShape& shape,
                                            std::size_t variable, std::size_t degree, Scope& scope);
     Element map_value(const Node& node, Scope& scope);
-    Element map_derivative(const Node& node, Scope& scope);
-    Element directional_derivative(const Node& node, Scope& scope);
     Element blossom(const Node& node, Scope& scope);
     std::vector<Geometric> map_arguments(const Node& node, std::size_t first, Scope& scope);
     std::vector<Repeated> expand(const Node& node, std::size_t first, std::size_t last, Scope& scope);
     void expand_run(const Node& run, std::vector<Repeated>& found, Scope& scope);
     std::vector<Element> value_weights(const Direction& direction, const Geometric& at);
-    std::vector<Element> derivative_weights(const Direction& direction, const Geometric& at,
-                                            std::size_t order, std::size_t offset);
     std::vector<Element> blossom_weights(const Direction& direction, const std::vector<Repeated>& arguments,
                                          std::size_t offset);
     /// sum over all exponents of coefficient times the product of the weights of the directions
     Element contract(std::uint32_t map, const std::vector<std::vector<Element>>& weights);
     void require_dimension(const Geometric& value, std::size_t dimension, std::size_t offset) const;
     bool has_unit_mass(const Geometric& value);
+
+    // Derivatives: second_evaluation_derivatives.hpp.
+    Element derivative(const Node& node, Scope& scope);
+    Element map_derivative(const Node& node, Scope& scope);
+    Element directional_derivative(const Node& node, Scope& scope);
+    std::vector<Element> derivative_weights(const Direction& direction, const Geometric& at,
+                                            std::size_t order, std::size_t offset);
 
     // Lines: second_evaluation_lines.hpp.
     const Statement& claim() const { return reading_.claims()[case_.line]; }
@@ -180,6 +182,7 @@ private:
 
 }  // namespace blossom::proofs::second
 
+#include "second_evaluation_derivatives.hpp"
 #include "second_evaluation_lines.hpp"
 #include "second_evaluation_maps.hpp"
 #include "second_evaluation_nets.hpp"
