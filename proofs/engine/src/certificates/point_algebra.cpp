@@ -121,6 +121,8 @@ AlgebraNumber Algebra::product(const AlgebraNumber& a, const AlgebraNumber& b) c
     if (b.is_rational()) return scaled(a, b.constant_);
     if (a.is_rational()) return scaled(b, a.constant_);
     require_short_product(a.constant_, b.constant_, limits_);
+    work_ += a.size() * b.size();
+    require_within(work_, limits_.expansion_work, "expansion_work", "the work at one point");
     return product_at(a, b, level_of(std::max(a.size(), b.size())));
 }
 

@@ -97,6 +97,7 @@ private:
 
     Limits limits_;
     std::vector<Level> levels_;
+    mutable std::size_t work_ = 0;      ///< products of coordinates
     mutable std::size_t inverted_ = 0;  ///< one more than the highest level of an element that was inverted
 };
 

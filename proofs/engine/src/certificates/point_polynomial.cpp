@@ -160,9 +160,18 @@ std::vector<Rational> rational_roots(const PointPolynomial& polynomial) {
     return found;
 }
 
-PointPolynomial without_root(const Algebra& algebra, const PointPolynomial& polynomial,
-                             const Rational& root) {
-    return divided(algebra, polynomial, {AlgebraNumber(-root), AlgebraNumber(Rational(1))}).first;
+// Horner's rule.
+DividedByRoot divided_by_root(const Algebra& algebra, const PointPolynomial& polynomial,
+                              const AlgebraNumber& root) {
+    DividedByRoot result;
+    result.quotient.resize(polynomial.size() - 1);
+    AlgebraNumber value = polynomial.back();
+    for (std::size_t i = polynomial.size() - 1; i-- > 0;) {
+        result.quotient[i] = value;
+        value = algebra.sum(algebra.product(value, root), polynomial[i]);
+    }
+    result.value = std::move(value);
+    return result;
 }
 
 void LinearSystem::subtract(std::vector<AlgebraNumber>& row, const std::vector<AlgebraNumber>& pivot_row,

@@ -26,8 +26,13 @@ PointPolynomial shifted_back(const Algebra& algebra, PointPolynomial polynomial,
 /// degrees up to 2 and for short coefficients.
 std::vector<Rational> rational_roots(const PointPolynomial& polynomial);
 
-/// p / (t - root)
-PointPolynomial without_root(const Algebra& algebra, const PointPolynomial& polynomial, const Rational& root);
+/// p == quotient * (t - root) + value
+struct DividedByRoot {
+    PointPolynomial quotient;
+    AlgebraNumber value;
+};
+DividedByRoot divided_by_root(const Algebra& algebra, const PointPolynomial& polynomial,
+                              const AlgebraNumber& root);
 
 /// Solves rows of a_1 x_1 + ... + a_n x_n == b one by one.
 class LinearSystem {

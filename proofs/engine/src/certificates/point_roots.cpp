@@ -187,18 +187,27 @@ bool PointSearch::solve_again() {
     return false;
 }
 
-// A rational root, or a root of what is left without them, by turns: an equation that splits has points of
-// several sorts.
+// A rational root, one of the roots adjoined before or its negative, or a root of what is left without them,
+// by turns: an equation that splits has points of several sorts.
 AlgebraNumber PointSearch::some_root(const PointPolynomial& polynomial) {
-    const Algebra& algebra = field_.algebra();
-    const std::vector<Rational> roots = rational_roots(polynomial);
+    Algebra& algebra = field_.algebra();
+    std::vector<AlgebraNumber> roots;
+    for (const Rational& root : rational_roots(polynomial)) roots.emplace_back(root);
     PointPolynomial rest = polynomial;
-    for (const Rational& root : roots) rest = without_root(algebra, rest, root);
-    const std::size_t choices = roots.size() + (rest.size() > 1 ? 1 : 0);
-    const std::size_t choice = turn_ % choices;
+    for (const AlgebraNumber& root : roots) rest = divided_by_root(algebra, rest, root).quotient;
+    for (const AlgebraNumber& generator : generators_) {
+        for (const AlgebraNumber& root : {generator, algebra.negative(generator)}) {
+            DividedByRoot divided = divided_by_root(algebra, rest, root);
+            if (!divided.value.is_zero() || divided.quotient.empty()) continue;
+            rest = std::move(divided.quotient);
+            roots.push_back(root);
+        }
+    }
+    const std::size_t choice = turn_ % (roots.size() + (rest.size() > 1 ? 1 : 0));
     if (choice < roots.size()) return roots[choice];
     rest.pop_back();
-    return field_.algebra().adjoin_root(std::move(rest));
+    generators_.push_back(algebra.adjoin_root(std::move(rest)));
+    return generators_.back();
 }
 
 }  // namespace blossom::proofs::second

@@ -40,6 +40,7 @@ void PointSearch::find_symbols() {
 bool PointSearch::may_move(const std::string& name) const { return !movable_ || movable_->contains(name); }
 
 std::string PointSearch::run() {
+    if (movable_ && movable_->empty()) return verify();
     if (!reading_.hypotheses().empty()) {
         find_symbols();
         std::vector<std::size_t> linear;

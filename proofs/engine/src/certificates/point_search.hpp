@@ -76,7 +76,8 @@ private:
     std::optional<std::set<std::string>> movable_;
     std::vector<std::vector<std::string>> symbols_;  ///< of each line, in the order in which they occur
     std::vector<Solved> solved_;
-    std::set<std::string> fixed_;  ///< symbols of equations that are solved by roots
+    std::vector<AlgebraNumber> generators_;  ///< roots that were adjoined
+    std::set<std::string> fixed_;            ///< symbols of equations that are solved by roots
 };
 
 }  // namespace blossom::proofs::second

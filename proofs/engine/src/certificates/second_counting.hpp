@@ -62,11 +62,17 @@ public:
         Level& operator=(const Level&) = delete;
         ~Level() { --work_.depth_; }
 
-    private:
-        static constexpr std::size_t deepest = 10;  ///< an abbreviation that uses itself takes about five
         static constexpr std::size_t most_nesting = 200;  ///< what a stack of 8 MiB bears in every build
+
+    private:
+        static constexpr std::size_t deepest = 10;  ///< calls within calls for one bracket
         WorkLimit& work_;
     };
+
+    /// Abbreviations within abbreviations, which take more of the stack than other calls.
+    void require_few_abbreviations(std::size_t count) const {
+        if (count > 2 * std::min(limits_.nesting, Level::most_nesting)) exceeded("nesting", limits_.nesting);
+    }
 
     const Limits& limits() const { return limits_; }
 

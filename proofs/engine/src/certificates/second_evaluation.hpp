@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <list>
 #include <map>
 #include <optional>
 #include <set>
@@ -90,7 +91,6 @@ private:
     Element basis(const Node& node, Scope& scope);
     std::optional<Element> basis_function(const Node& node, long long j, long long degree, long long span,
                                           const Element& at);
-    Element derivative(const Node& node, Scope& scope);
 
     // Points and names: second_evaluation_points.hpp.
     Geometric geometric(NodeId id, Scope& scope);
@@ -108,7 +108,7 @@ private:
     Value declared_member(const Node& node, std::uint32_t declaration, const Key& indices);
     Element symbol(std::uint32_t name, const Key& indices);
 
-    // Maps: second_evaluation_maps.hpp.
+    // Maps: second_evaluation_maps.hpp and second_evaluation_nets.hpp.
     const MapShape& shape(std::uint32_t map);
     const std::vector<Element>& coefficients(std::uint32_t map);
     std::vector<Element> find_coefficients(std::uint32_t map);
@@ -123,21 +123,24 @@ private:
     std::vector<Element> coefficients_from(const MapDeclaration& map, const MapShape& shape,
                                            std::size_t variable, std::size_t degree, Scope& scope);
     Element map_value(const Node& node, Scope& scope);
-    Element map_derivative(const Node& node, Scope& scope);
-    Element directional_derivative(const Node& node, Scope& scope);
     Element blossom(const Node& node, Scope& scope);
     std::vector<Geometric> map_arguments(const Node& node, std::size_t first, Scope& scope);
     std::vector<Repeated> expand(const Node& node, std::size_t first, std::size_t last, Scope& scope);
     void expand_run(const Node& run, std::vector<Repeated>& found, Scope& scope);
     std::vector<Element> value_weights(const Direction& direction, const Geometric& at);
-    std::vector<Element> derivative_weights(const Direction& direction, const Geometric& at,
-                                            std::size_t order, std::size_t offset);
     std::vector<Element> blossom_weights(const Direction& direction, const std::vector<Repeated>& arguments,
                                          std::size_t offset);
     /// sum over all exponents of coefficient times the product of the weights of the directions
     Element contract(std::uint32_t map, const std::vector<std::vector<Element>>& weights);
     void require_dimension(const Geometric& value, std::size_t dimension, std::size_t offset) const;
     bool has_unit_mass(const Geometric& value);
+
+    // Derivatives: second_evaluation_derivatives.hpp.
+    Element derivative(const Node& node, Scope& scope);
+    Element map_derivative(const Node& node, Scope& scope);
+    Element directional_derivative(const Node& node, Scope& scope);
+    std::vector<Element> derivative_weights(const Direction& direction, const Geometric& at,
+                                            std::size_t order, std::size_t offset);
 
     // Lines: second_evaluation_lines.hpp.
     const Statement& claim() const { return reading_.claims()[case_.line]; }
@@ -146,6 +149,19 @@ private:
     void bind_all(const Statement& statement, Scope& scope);
     Geometric bound_value(const Quantified& quantified, const std::string& name);
     const Geometric* taken(const Key& key, Kind kind) const;
+
+    // Variables: second_evaluation_lines.hpp.
+    /// Everything from the `first` variable on and what abbreviations saw of it, for `forget_variables`.
+    struct Outside {
+        std::size_t first = 0;
+        std::map<Key, Element> symbols;
+        std::map<Key, Geometric> points;
+    };
+    Outside begin_variables();
+    std::size_t add_variable(Key key, Geometric value);
+    void assign_variable(std::size_t place, const Element& value);
+    void forget_variables(Outside& outside);
+    bool lets_see_variables() const { return reading_.let_scope() == LetScope::use; }
 
     Element zero() { return field_.number(Rational(0)); }
     Element one() { return field_.number(Rational(1)); }
@@ -158,13 +174,12 @@ private:
     const Case& case_;
     Field& field_;
     Counting counting_;
-    std::vector<Known>
-        known_;  ///< the last is what holds now: where a variable of the block takes another value it begins anew
-    std::size_t map_layer_ = 0;  ///< what is known of maps: they do not see variables that are taken over
+    std::list<Known> known_;  ///< the last is what holds now; what a symbol is rebound for begins anew
     std::map<Key, Element> symbols_;
     std::map<std::uint32_t, std::vector<Element>> free_maps_;
     std::map<std::uint32_t, MapShape> shapes_;
     std::vector<Geometric> variables_;  ///< of polynomials and of `for all`; scopes hold places among them
+    std::vector<Key> variable_keys_;    ///< their names
     std::map<Key, std::size_t> bound_members_;
     std::vector<Taken> taken_;
     std::vector<std::uint32_t> maps_in_work_;
@@ -175,6 +190,7 @@ private:
 
 }  // namespace blossom::proofs::second
 
+#include "second_evaluation_derivatives.hpp"
 #include "second_evaluation_lines.hpp"
 #include "second_evaluation_maps.hpp"
 #include "second_evaluation_nets.hpp"

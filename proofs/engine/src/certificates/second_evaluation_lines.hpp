@@ -69,15 +69,62 @@ void Evaluation<Field>::each_case(const Statement& statement,
                                   std::vector<std::pair<Element, Element>>& found) {
     Scope scope(statement.slots);
     counting_.each_range(statement.ranges, scope, [&] {
+        Outside outside = begin_variables();
+        const AtEnd forget([&] {
+            bound_members_.clear();
+            forget_variables(outside);
+        });
         bind_all(statement, scope);
         known_.emplace_back();
         Element left = number(statement.left, scope);
         found.emplace_back(std::move(left), number(statement.right, scope));
-        known_.pop_back();
-        taken_.clear();
-        bound_members_.clear();
-        variables_.clear();
     });
+}
+
+template <class Field>
+typename Evaluation<Field>::Outside Evaluation<Field>::begin_variables() {
+    Outside outside{variables_.size(), {}, {}};
+    if (!lets_see_variables()) return outside;
+    outside.symbols = symbols_;
+    outside.points = points_;
+    known_.emplace_back();
+    return outside;
+}
+
+template <class Field>
+std::size_t Evaluation<Field>::add_variable(Key key, Geometric value) {
+    if (lets_see_variables()) {
+        if (value.coordinates.size() == 1) symbols_.insert_or_assign(key, value.coordinates.front());
+        points_.insert_or_assign(key, value);
+    }
+    variables_.push_back(std::move(value));
+    variable_keys_.push_back(std::move(key));
+    return variables_.size() - 1;
+}
+
+template <class Field>
+void Evaluation<Field>::assign_variable(std::size_t place, const Element& value) {
+    variables_[place].coordinates.front() = value;
+    if (!lets_see_variables()) return;
+    symbols_.insert_or_assign(variable_keys_[place], value);
+    known_.back() = Known();
+}
+
+// Symbols that were met inside for the first time are kept: the field is asked once for each.
+template <class Field>
+void Evaluation<Field>::forget_variables(Outside& outside) {
+    if (lets_see_variables()) {
+        for (std::size_t i = outside.first; i < variable_keys_.size(); ++i) {
+            symbols_.erase(variable_keys_[i]);
+            points_.erase(variable_keys_[i]);
+        }
+        for (auto& [key, value] : outside.symbols) symbols_.insert_or_assign(key, std::move(value));
+        for (auto& [key, value] : outside.points) points_.insert_or_assign(key, std::move(value));
+        known_.pop_back();
+    }
+    const auto first = static_cast<long>(outside.first);
+    variables_.erase(variables_.begin() + first, variables_.end());
+    variable_keys_.erase(variable_keys_.begin() + first, variable_keys_.end());
 }
 
 template <class Field>
@@ -85,9 +132,8 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
     for (const Quantified& quantified : statement.for_all) {
         const std::string& name = reading_.name(quantified.name);
         if (quantified.bare) {
-            scope[quantified.slot].integer = static_cast<long long>(variables_.size());
-            variables_.push_back(bound_value(quantified, name));
-            taken_.push_back({{static_cast<long long>(quantified.name)}, quantified.kind, variables_.back()});
+            scope[quantified.slot].integer = static_cast<long long>(
+                add_variable({static_cast<long long>(quantified.name)}, bound_value(quantified, name)));
             continue;
         }
         Key first = counting_.integers(quantified.first, scope);
@@ -105,9 +151,7 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
             }
             Key key = first;
             key.push_back(static_cast<long long>(quantified.name));
-            variables_.push_back(bound_value(quantified, name_of_member(name, first)));
-            taken_.push_back({key, quantified.kind, variables_.back()});
-            bound_members_[std::move(key)] = variables_.size() - 1;
+            bound_members_[key] = add_variable(key, bound_value(quantified, name_of_member(name, first)));
         }
     }
 }

@@ -90,12 +90,11 @@ template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::polynomial_coefficients(const MapDeclaration& map,
                                                                                 const MapShape& shape) {
     Scope scope(map.slots);
-    const std::size_t first = variables_.size();
-    const AtEnd forget(
-        [&] { variables_.erase(variables_.begin() + static_cast<long>(first), variables_.end()); });
+    Outside outside = begin_variables();
+    const AtEnd forget([&] { forget_variables(outside); });
     for (std::size_t i = 0; i < map.variables.size(); ++i) {
-        scope[i].integer = static_cast<long long>(first + i);
-        variables_.push_back(point_of_number(zero()));
+        const Key key{static_cast<long long>(map.variables[i])};
+        scope[i].integer = static_cast<long long>(add_variable(key, point_of_number(zero())));
     }
     try {
         return coefficients_from(map, shape, 0, shape.directions.front().degree, scope);
@@ -133,14 +132,8 @@ std::vector<typename Field::Element> Evaluation<Field>::coefficients_from(const 
         }
         const std::vector<Element> powers = field_.coefficients(
             [&](const Element& value) {
-                variables_[place].coordinates.front() = value;
-                taken_.push_back(
-                    {{static_cast<long long>(map.variables[variable])}, Kind::number, variables_[place]});
-                known_.emplace_back();
-                Element found = coefficients_from(map, shape, variable + 1, degree, scope)[i];
-                known_.pop_back();
-                taken_.pop_back();
-                return found;
+                assign_variable(place, value);
+                return coefficients_from(map, shape, variable + 1, degree, scope)[i];
             },
             left);
         exponents.insert(exponents.begin(), 0);
@@ -259,89 +252,6 @@ typename Field::Element Evaluation<Field>::contract(std::uint32_t map,
         row = &kept;
     }
     return kept.front();
-}
-
-template <class Field>
-typename Field::Element Evaluation<Field>::map_derivative(const Node& node, Scope& scope) {
-    const MapShape& own = shape(node.target);
-    const std::size_t order_count = node.groups.front();
-    if (own.directions.size() == 1 && own.directions.front().dimension > 1)
-        return directional_derivative(node, scope);
-    if (order_count != own.directions.size()) {
-        fail(ErrorCode::wrong_arity, "a derivative has one order a direction", node.offset);
-    }
-    const std::vector<Geometric> arguments = map_arguments(node, order_count, scope);
-    std::vector<std::vector<Element>> weights;
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (reading_.node(node.children[i]).kind != Kind::integer) {
-            fail(ErrorCode::wrong_kind, "an order of differentiation is an integer", node.offset);
-        }
-        const std::size_t order =
-            counting_.count(node.children[i], scope, reading_.limits().degree, "an order of differentiation");
-        weights.push_back(derivative_weights(own.directions[i], arguments[i], order, node.offset));
-    }
-    return contract(node.target, weights);
-}
-
-template <class Field>
-std::vector<typename Field::Element> Evaluation<Field>::derivative_weights(const Direction& direction,
-                                                                           const Geometric& at,
-                                                                           std::size_t order,
-                                                                           std::size_t offset) {
-    require_dimension(at, 1, offset);
-    if (!has_unit_mass(at)) {
-        fail(ErrorCode::wrong_kind, "a derivative is taken at a number or at a point of mass 1", offset);
-    }
-    counting_.work().step(direction.monomials.size());
-    std::vector<Element> weights;
-    Element power = one();
-    for (std::size_t exponent = 0; exponent <= direction.degree; ++exponent) {
-        if (exponent < order) {
-            weights.push_back(zero());
-            continue;
-        }
-        weights.push_back(field_.product(field_.number(Rational(falling_factorial(exponent, order))), power));
-        power = field_.product(power, at.coordinates.front());
-    }
-    return weights;
-}
-
-// By definition: d/dh_1 ... d/dh_m F(u + h_1 d_1 + ... + h_m d_m) at 0.
-template <class Field>
-typename Field::Element Evaluation<Field>::directional_derivative(const Node& node, Scope& scope) {
-    const Direction& direction = shape(node.target).directions.front();
-    const std::size_t order = node.groups.front();
-    const std::vector<Geometric> arguments = map_arguments(node, order, scope);
-    std::vector<Geometric> vectors;
-    for (std::size_t i = 0; i < order; ++i) {
-        vectors.push_back(geometric(node.children[i], scope));
-        require_dimension(vectors.back(), direction.dimension, node.offset);
-        if (!field_.is_zero(vectors.back().mass)) {
-            fail(ErrorCode::wrong_kind, "a map on a simplex is differentiated along vectors", node.offset);
-        }
-    }
-    if (!has_unit_mass(arguments.front())) {
-        fail(ErrorCode::wrong_kind, "a derivative is taken at a point", node.offset);
-    }
-    const std::function<Element(const Geometric&, std::size_t)> along = [&](const Geometric& at,
-                                                                            std::size_t place) -> Element {
-        if (place == order) return contract(node.target, {value_weights(direction, at)});
-        return field_.derivative(
-            [&](const Element& step) {
-                Geometric moved = at;
-                for (std::size_t i = 0; i < moved.coordinates.size(); ++i) {
-                    moved.coordinates[i] =
-                        field_.sum(moved.coordinates[i], field_.product(step, vectors[place].coordinates[i]));
-                }
-                return along(moved, place + 1);
-            },
-            zero(), 1);
-    };
-    if (order > direction.degree) {
-        contract(node.target, {value_weights(direction, arguments.front())});
-        return zero();
-    }
-    return along({arguments.front().coordinates, one(), true}, 0);
 }
 
 }  // namespace blossom::proofs::second

@@ -187,7 +187,7 @@ template <class Field>
 std::optional<typename Field::Element> Evaluation<Field>::basis_function(const Node& node, long long j,
                                                                          long long degree, long long span,
                                                                          const Element& at) {
-    counting_.work().step();
+    const WorkLimit::Level level(counting_.work());
     if (span < j || span > j + degree) return std::nullopt;
     if (degree == 0) return one();
     const auto knot = [&](long long index) {
@@ -207,57 +207,6 @@ std::optional<typename Field::Element> Evaluation<Field>::basis_function(const N
         total = field_.sum(total, field_.product(weight, *second));
     }
     return total;
-}
-
-template <class Field>
-typename Field::Element Evaluation<Field>::derivative(const Node& node, Scope& scope) {
-    const Node& variable = reading_.node(node.children[1]);
-    if (variable.kind == Kind::geometric) {
-        fail(ErrorCode::wrong_kind, "D differentiates with respect to a number", variable.offset);
-    }
-    std::size_t order = 1;
-    if (node.children.size() > 2) {
-        order = counting_.count(node.children[2], scope, reading_.limits().degree, "an order");
-    }
-    Key key = counting_.integers(variable.children, scope);
-    key.push_back(static_cast<long long>(variable.text));
-    std::optional<std::size_t> place;
-    if (variable.meaning == Meaning::local) place = static_cast<std::size_t>(scope[variable.target].integer);
-    if (variable.may_be_bound && bound_members_.contains(key)) place = bound_members_.at(key);
-    if (place) {
-        const Element kept = variables_[*place].coordinates.front();
-        return field_.derivative(
-            [&](const Element& value) {
-                const AtEnd restore([&] { variables_[*place].coordinates.front() = kept; });
-                variables_[*place].coordinates.front() = value;
-                return number(node.children[0], scope);
-            },
-            kept, order);
-    }
-    if (variable.meaning == Meaning::abbreviation) {
-        Scope inner;
-        key.pop_back();
-        if (counting_.fitting_clause(variable.target, key, inner) != nullptr) {
-            fail(ErrorCode::wrong_kind, "D differentiates with respect to a number, not an abbreviation",
-                 variable.offset);
-        }
-        key.push_back(static_cast<long long>(variable.text));
-    }
-    const Element kept = number(node.children[1], scope);
-    // What is known of abbreviations and maps may contain the symbol, at its old value.
-    return field_.derivative(
-        [&](const Element& value) {
-            const AtEnd restore([&, layer = map_layer_] {
-                symbols_.insert_or_assign(key, kept);
-                known_.pop_back();
-                map_layer_ = layer;
-            });
-            known_.emplace_back();
-            map_layer_ = known_.size() - 1;
-            symbols_.insert_or_assign(key, value);
-            return number(node.children[0], scope);
-        },
-        kept, order);
 }
 
 }  // namespace blossom::proofs::second

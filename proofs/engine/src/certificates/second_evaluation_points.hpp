@@ -252,6 +252,7 @@ typename Evaluation<Field>::Value Evaluation<Field>::abbreviation(const Node& no
              node.offset);
     }
     const AtEnd forget([&] { abbreviations_in_work_.erase(key); });
+    counting_.work().require_few_abbreviations(abbreviations_in_work_.size());
     Value value = let.kind == Kind::geometric ? Value(geometric(clause->body, inner))
                                               : Value(number(clause->body, inner));
     return known_.back().abbreviations.emplace(key, std::move(value)).first->second;

@@ -76,6 +76,7 @@ private:
     Kind infer_iteration(const Node& iteration);
     Kind infer_name(const Node& name);
     Kind infer_other(const Node& other);
+    Kind infer_argument(const Node& other);
     Kind require(NodeId id, Kind kind, const char* what);
     Kind require_value(NodeId id);
     Kind require_set(NodeId id);

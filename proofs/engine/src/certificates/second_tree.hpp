@@ -64,6 +64,8 @@ enum class Kind : std::uint8_t {
     condition,
 };
 
+constexpr bool is_number_kind(Kind kind) { return kind <= Kind::number; }
+
 /// What a name stands for.
 enum class Meaning : std::uint8_t {
     unresolved,
