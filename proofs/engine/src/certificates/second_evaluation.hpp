@@ -61,12 +61,6 @@ private:
     using Value = std::variant<Element, Geometric>;
     using Key = std::vector<long long>;  ///< indices, then the place of the name or of the abbreviation
     using Function = std::function<Element(const Element&)>;
-    /// A variable of the block that a polynomial or a `for all` has taken over, for abbreviations to see.
-    struct Taken {
-        Key key;
-        Kind kind;
-        Geometric value;
-    };
     struct Repeated {
         Geometric argument;
         std::size_t count;
@@ -148,20 +142,14 @@ private:
     void each_case(const Statement& statement, std::vector<std::pair<Element, Element>>& found);
     void bind_all(const Statement& statement, Scope& scope);
     Geometric bound_value(const Quantified& quantified, const std::string& name);
-    const Geometric* taken(const Key& key, Kind kind) const;
 
     // Variables: second_evaluation_lines.hpp.
-    /// Everything from the `first` variable on and what abbreviations saw of it, for `forget_variables`.
-    struct Outside {
-        std::size_t first = 0;
-        std::map<Key, Element> symbols;
-        std::map<Key, Geometric> points;
-    };
-    Outside begin_variables();
+    // Abbreviations see them where they are used; a map is what its line says, wherever it is used.
+    std::size_t begin_variables();
     std::size_t add_variable(Key key, Geometric value);
     void assign_variable(std::size_t place, const Element& value);
-    void forget_variables(Outside& outside);
-    bool lets_see_variables() const { return reading_.let_scope() == LetScope::use; }
+    void forget_variables(std::size_t first);
+    const Geometric* variable(const Key& key) const;
 
     Element zero() { return field_.number(Rational(0)); }
     Element one() { return field_.number(Rational(1)); }
@@ -180,8 +168,9 @@ private:
     std::map<std::uint32_t, MapShape> shapes_;
     std::vector<Geometric> variables_;  ///< of polynomials and of `for all`; scopes hold places among them
     std::vector<Key> variable_keys_;    ///< their names
+    std::size_t first_visible_ = 0;     ///< of the variables
+    Known* map_layer_ = nullptr;        ///< of `known_`, for what is known of maps; if none, the first
     std::map<Key, std::size_t> bound_members_;
-    std::vector<Taken> taken_;
     std::vector<std::uint32_t> maps_in_work_;
     std::map<Key, Geometric> points_;
     std::set<Key> abbreviations_in_work_;

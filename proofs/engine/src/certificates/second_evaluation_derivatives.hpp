@@ -127,11 +127,13 @@ typename Field::Element Evaluation<Field>::derivative(const Node& node, Scope& s
     // What is known of abbreviations and maps may contain the symbol, at its old value.
     return field_.derivative(
         [&](const Element& value) {
-            const AtEnd restore([&] {
+            const AtEnd restore([&, layer = map_layer_] {
                 symbols_.insert_or_assign(key, kept);
                 known_.pop_back();
+                map_layer_ = layer;
             });
             known_.emplace_back();
+            map_layer_ = &known_.back();
             symbols_.insert_or_assign(key, value);
             return number(node.children[0], scope);
         },

@@ -69,62 +69,50 @@ void Evaluation<Field>::each_case(const Statement& statement,
                                   std::vector<std::pair<Element, Element>>& found) {
     Scope scope(statement.slots);
     counting_.each_range(statement.ranges, scope, [&] {
-        Outside outside = begin_variables();
+        const std::size_t first = begin_variables();
         const AtEnd forget([&] {
             bound_members_.clear();
-            forget_variables(outside);
+            forget_variables(first);
         });
         bind_all(statement, scope);
-        known_.emplace_back();
         Element left = number(statement.left, scope);
         found.emplace_back(std::move(left), number(statement.right, scope));
     });
 }
 
 template <class Field>
-typename Evaluation<Field>::Outside Evaluation<Field>::begin_variables() {
-    Outside outside{variables_.size(), {}, {}};
-    if (!lets_see_variables()) return outside;
-    outside.symbols = symbols_;
-    outside.points = points_;
+std::size_t Evaluation<Field>::begin_variables() {
     known_.emplace_back();
-    return outside;
+    return variables_.size();
 }
 
 template <class Field>
 std::size_t Evaluation<Field>::add_variable(Key key, Geometric value) {
-    if (lets_see_variables()) {
-        if (value.coordinates.size() == 1) symbols_.insert_or_assign(key, value.coordinates.front());
-        points_.insert_or_assign(key, value);
-    }
     variables_.push_back(std::move(value));
     variable_keys_.push_back(std::move(key));
     return variables_.size() - 1;
 }
 
+// What is known of abbreviations may contain the variable, at its old value.
 template <class Field>
 void Evaluation<Field>::assign_variable(std::size_t place, const Element& value) {
     variables_[place].coordinates.front() = value;
-    if (!lets_see_variables()) return;
-    symbols_.insert_or_assign(variable_keys_[place], value);
     known_.back() = Known();
 }
 
-// Symbols that were met inside for the first time are kept: the field is asked once for each.
 template <class Field>
-void Evaluation<Field>::forget_variables(Outside& outside) {
-    if (lets_see_variables()) {
-        for (std::size_t i = outside.first; i < variable_keys_.size(); ++i) {
-            symbols_.erase(variable_keys_[i]);
-            points_.erase(variable_keys_[i]);
-        }
-        for (auto& [key, value] : outside.symbols) symbols_.insert_or_assign(key, std::move(value));
-        for (auto& [key, value] : outside.points) points_.insert_or_assign(key, std::move(value));
-        known_.pop_back();
+void Evaluation<Field>::forget_variables(std::size_t first) {
+    variables_.erase(variables_.begin() + static_cast<long>(first), variables_.end());
+    variable_keys_.erase(variable_keys_.begin() + static_cast<long>(first), variable_keys_.end());
+    known_.pop_back();
+}
+
+template <class Field>
+const typename Evaluation<Field>::Geometric* Evaluation<Field>::variable(const Key& key) const {
+    for (std::size_t i = variables_.size(); i-- > first_visible_;) {
+        if (variable_keys_[i] == key) return &variables_[i];
     }
-    const auto first = static_cast<long>(outside.first);
-    variables_.erase(variables_.begin() + first, variables_.end());
-    variable_keys_.erase(variable_keys_.begin() + first, variable_keys_.end());
+    return nullptr;
 }
 
 template <class Field>
@@ -154,14 +142,6 @@ void Evaluation<Field>::bind_all(const Statement& statement, Scope& scope) {
             bound_members_[key] = add_variable(key, bound_value(quantified, name_of_member(name, first)));
         }
     }
-}
-
-template <class Field>
-const typename Evaluation<Field>::Geometric* Evaluation<Field>::taken(const Key& key, Kind kind) const {
-    for (std::size_t i = taken_.size(); i-- > 0;) {
-        if (taken_[i].key == key && taken_[i].kind == kind) return &taken_[i].value;
-    }
-    return nullptr;
 }
 
 template <class Field>

@@ -20,7 +20,7 @@ template <class Field>
 const std::vector<typename Field::Element>& Evaluation<Field>::coefficients(std::uint32_t map) {
     const bool is_free = reading_.maps()[map].kind == MapDeclaration::Kind::free;
     const auto all = [&]() -> std::map<std::uint32_t, std::vector<Element>>& {
-        return is_free ? free_maps_ : known_[map_layer_].coefficients;
+        return is_free ? free_maps_ : (map_layer_ ? *map_layer_ : known_.front()).coefficients;
     };
     const auto known = all().find(map);
     if (known != all().end()) return known->second;
@@ -30,12 +30,11 @@ const std::vector<typename Field::Element>& Evaluation<Field>::coefficients(std:
     }
     maps_in_work_.push_back(map);
     const AtEnd forget([&] { maps_in_work_.pop_back(); });
-    // A map is what its line says, wherever it is used.
-    std::vector<Taken> aside = std::exchange(taken_, {});
+    const AtEnd restore([&, visible = first_visible_] { first_visible_ = visible; });
+    first_visible_ = variables_.size();
     known_.emplace_back();
     std::vector<Element> found = find_coefficients(map);
     known_.pop_back();
-    taken_ = std::move(aside);
     return all().emplace(map, std::move(found)).first->second;
 }
 
@@ -90,8 +89,8 @@ template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::polynomial_coefficients(const MapDeclaration& map,
                                                                                 const MapShape& shape) {
     Scope scope(map.slots);
-    Outside outside = begin_variables();
-    const AtEnd forget([&] { forget_variables(outside); });
+    const std::size_t first = begin_variables();
+    const AtEnd forget([&] { forget_variables(first); });
     for (std::size_t i = 0; i < map.variables.size(); ++i) {
         const Key key{static_cast<long long>(map.variables[i])};
         scope[i].integer = static_cast<long long>(add_variable(key, point_of_number(zero())));

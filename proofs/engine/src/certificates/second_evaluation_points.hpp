@@ -195,7 +195,7 @@ typename Evaluation<Field>::Value Evaluation<Field>::declared_member(const Node&
     if (declared.kind == Declaration::Kind::number) return symbol(node.text, indices);
     Key key = indices;
     key.push_back(static_cast<long long>(node.text));
-    if (const Geometric* value = taken(key, Kind::geometric)) return *value;
+    if (const Geometric* value = variable(key)) return *value;
     const auto known = points_.find(key);
     if (known != points_.end()) return known->second;
     return points_
@@ -262,7 +262,7 @@ template <class Field>
 typename Field::Element Evaluation<Field>::symbol(std::uint32_t name, const Key& indices) {
     Key key = indices;
     key.push_back(static_cast<long long>(name));
-    if (const Geometric* value = taken(key, Kind::number)) return value->coordinates.front();
+    if (const Geometric* value = variable(key)) return value->coordinates.front();
     const auto known = symbols_.find(key);
     if (known != symbols_.end()) return known->second;
     const std::string& text = reading_.name(name);

@@ -11,8 +11,7 @@
 
 namespace blossom::proofs::second {
 
-Reading::Reading(std::string_view block_text, const Limits& limits, LetScope let_scope)
-    : limits_(limits), let_scope_(let_scope) {
+Reading::Reading(std::string_view block_text, const Limits& limits) : limits_(limits) {
     Parser(block_text, *this).parse_block();
     NameTable(*this).resolve();
 }

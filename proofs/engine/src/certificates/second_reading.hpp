@@ -92,30 +92,17 @@ struct Abbreviation {
     bool inherits = false;                     ///< that of the bare name
 };
 
-/// One choice of the parameters of a claim.
-struct Case {
-    std::size_t line = 0;  ///< among the claim and refute lines of the block, from 0
-    std::vector<std::pair<std::string, long long>>
-        parameters;  ///< the block's, then the line's own, in order
-};
-
-/// Where the body of a `let` is read: in the scope of the block, or as an abbreviation, which sees the
-/// variables of polynomials and of `for all` where it is used.
-enum class LetScope { block, use };
-
 /// A block as read: a tree with all names looked up and all kinds decided.
 class Reading {
 public:
     /// Errors: `syntax` and others with the place in `block_text`; `limit_exceeded` beyond limits.nesting.
-    explicit Reading(std::string_view block_text, const Limits& limits = {},
-                     LetScope let_scope = LetScope::block);
+    explicit Reading(std::string_view block_text, const Limits& limits = {});
 
     /// All cases of all claim and refute lines, in order. Errors: `limit_exceeded` beyond limits.numbers.
     std::vector<Case> cases() const;
 
     const Limits& limits() const { return limits_; }
     bool strict() const { return strict_; }
-    LetScope let_scope() const { return let_scope_; }
     const Node& node(NodeId id) const { return nodes_[id]; }
     const std::string& name(std::uint32_t text) const { return names_[text]; }
     const std::vector<std::string>& names() const { return names_; }
@@ -135,7 +122,6 @@ private:
     friend class NameTable;
 
     Limits limits_;
-    LetScope let_scope_;
     bool strict_ = false;
     std::vector<Node> nodes_;
     std::vector<std::string> names_;
