@@ -89,10 +89,23 @@ void Evaluation<Field>::add_to(Geometric& total, const Geometric& term, bool sub
 
 template <class Field>
 typename Evaluation<Field>::Geometric Evaluation<Field>::geometric_terms(const Node& node, Scope& scope) {
-    Geometric total = geometric(node.children[0], scope);
-    for (std::size_t i = 1; i < node.children.size(); ++i) {
-        add_to(total, geometric(node.children[i], scope), node.flags[i], node);
+    const auto is_geometric = [&](NodeId child) { return reading_.node(child).kind == Kind::geometric; };
+    if (is_geometric(node.children[0])) {
+        Geometric total = geometric(node.children[0], scope);
+        for (std::size_t i = 1; i < node.children.size(); ++i)
+            add_to(total, geometric(node.children[i], scope), node.flags[i], node);
+        return total;
     }
+    // From left to right: numbers in front of the first vector or pair are one number, and so one point.
+    Element number_in_front = number(node.children[0], scope);
+    std::size_t i = 1;
+    for (; !is_geometric(node.children[i]); ++i) {
+        const Element next = number(node.children[i], scope);
+        number_in_front = node.flags[i] ? difference(number_in_front, next) : field_.sum(number_in_front, next);
+    }
+    Geometric total = point_of_number(std::move(number_in_front));
+    for (; i < node.children.size(); ++i)
+        add_to(total, geometric(node.children[i], scope), node.flags[i], node);
     return total;
 }
 

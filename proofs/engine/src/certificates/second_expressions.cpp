@@ -132,7 +132,6 @@ NodeId Parser::parse_word() {
         node(result).text = name;
         return result;
     }
-    if (word.text == "delta") return add(Form::unit_vector, word.offset);
     const NodeId result = add(Form::name, word.offset);
     node(result).text = name;
     return result;

@@ -59,6 +59,11 @@ void NameTable::resolve_name(NodeId id) {
         name.kind = locals_[slot].kind;
         return;
     }
+    // Only a name that runs may hide the vector.
+    if (reading_.names_[name.text] == "delta") {
+        name.form = Form::unit_vector;
+        return;
+    }
     const auto known = bare_.find(name.text);
     if (known == bare_.end()) {
         name.meaning = Meaning::free_number;

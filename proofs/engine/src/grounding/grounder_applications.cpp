@@ -121,35 +121,30 @@ NodeId Grounder::derivative_of(const Expression& e, Application result) {
     const bool differentiates =
         by_directions || std::ranges::any_of(e.children, [&](const Expression& order) { return count(order) > 0; });
     if (!differentiates) return value_of(e, {.map = result.map, .offset = result.offset});
-    std::vector<NodeId> entries{constant(0)};
-    bool vanishes = false;
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
         const NodeArgument point = place_of(e, map, i);
         const Rational* mass = constant_value(point.mass);
         const bool is_point = mass && *mass == Rational(1);
         const std::size_t order = by_directions ? e.children.size() : count(e.children[i]);
         if (order > 0 && !is_point) refuse("a derivative is taken at a number or at a point, of mass 1", e.offset);
-        const std::size_t degree = map.directions[i].degree;
         std::vector<NodeArgument> directions;
         if (by_directions) {
             for (const Expression& direction : e.children)
                 directions.push_back(argument(direction, map.directions[i].dimension));
         } else {
-            directions.assign(std::min(order, degree), NodeArgument{{constant(1)}, constant(0)});
+            directions.assign(order, NodeArgument{{constant(1)}, constant(0)});
         }
-        entries.insert(entries.end(), point.coordinates.begin(), point.coordinates.end());
-        for (const NodeArgument& direction : directions)
-            entries.insert(entries.end(), direction.coordinates.begin(), direction.coordinates.end());
-        vanishes = vanishes || order > degree;
         result.orders.push_back(order);
         result.places.push_back(point);
-        if (vanishes) continue;
-        result.scale *= Rational(falling_factorial(degree, order));
-        result.arguments.emplace_back(degree - order, placed(point, map));
-        for (const NodeArgument& direction : directions) result.arguments.back().push_back(placed(direction, map));
+        // A derivative of an order above the degree is zero, and defined only where the value is.
+        const std::size_t degree = map.directions[i].degree;
+        const bool vanishes = order > degree;
+        result.scale *= vanishes ? Rational(0) : Rational(falling_factorial(degree, order));
+        result.arguments.emplace_back(vanishes ? degree : degree - order, placed(point, map));
+        for (const NodeArgument& direction : directions) {
+            if (!vanishes) result.arguments.back().push_back(placed(direction, map));
+        }
     }
-    // Zero, but defined only where its arguments are.
-    if (vanishes) return multiply(std::move(entries));
     return push(std::move(result));
 }
 
