@@ -61,12 +61,15 @@ Words rewritten(std::span<const std::uint64_t> monomials, std::size_t words, std
 }
 
 Words greatest_exponents(std::span<const std::uint64_t> monomials, std::size_t words, std::size_t bits) {
-    Words result(words);
-    for (std::size_t i = 0; i < monomials.size(); i += words) {
-        for (std::size_t j = 0; j < words; ++j)
-            result[j] = greater_exponents(result[j], monomials[i + j], bits);
-    }
-    return result;
+    if (words == 0) return {};
+    return with_width(words, [&](const auto& width) {
+        auto greatest = width.monomial();
+        for (std::size_t i = 0; i < monomials.size(); i += width.words()) {
+            for (std::size_t j = 0; j < width.words(); ++j)
+                greatest[j] = greater_exponents(greatest[j], monomials[i + j], bits);
+        }
+        return Words(greatest.begin(), greatest.end());
+    });
 }
 
 }  // namespace blossom::packed_monomials

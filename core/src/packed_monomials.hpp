@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 /// Monomials as words: exponents of 4, 8 or 16 bits, the first variable in the top bits of the first word, so
@@ -52,6 +54,16 @@ constexpr std::uint64_t greater_exponents(std::uint64_t a, std::uint64_t b, std:
     return (a & from_a) | (b & ~from_a);
 }
 
+constexpr std::size_t sum_of_exponents(std::uint64_t word, std::size_t bits) {
+    constexpr std::uint64_t quarters = 0x0f0f'0f0f'0f0f'0f0f;
+    constexpr std::uint64_t halves = 0x00ff'00ff'00ff'00ff;
+    constexpr std::uint64_t wholes = 0x0000'ffff'0000'ffff;
+    if (bits == 4) word = (word & quarters) + (word >> 4 & quarters);
+    if (bits <= 8) word = (word & halves) + (word >> 8 & halves);
+    word = (word & wholes) + (word >> 16 & wholes);
+    return (word & 0xffff'ffff) + (word >> 32);
+}
+
 /// Whether each exponent of a is at least that of b.
 constexpr bool divides(std::span<const std::uint64_t> b, std::span<const std::uint64_t> a, std::size_t bits) {
     for (std::size_t i = 0; i < a.size(); ++i) {
@@ -73,6 +85,51 @@ constexpr std::uint64_t gathered(std::uint64_t word, std::size_t bits) {
     if (bits == 4) word = (word | word >> 4) & 0x00ff'00ff'00ff'00ff;
     word = (word | word >> 8) & 0x0000'ffff'0000'ffff;
     return (word | word >> 16) & 0x0000'0000'ffff'ffff;
+}
+
+/// The words of a monomial as a constant, or, for 0, at run time: loops over few words are unrolled.
+template <std::size_t W>
+struct Width {
+    using Monomial = std::conditional_t<W == 0, std::vector<std::uint64_t>, std::array<std::uint64_t, W>>;
+
+    std::size_t count = W;
+
+    constexpr std::size_t words() const { return W == 0 ? count : W; }
+    Monomial monomial() const {
+        Monomial result{};
+        if constexpr (W == 0) result.resize(count);
+        return result;
+    }
+    /// The sign of a - b in lexicographic order.
+    int compare(const std::uint64_t* a, const std::uint64_t* b) const {
+        for (std::size_t i = 0; i < words(); ++i) {
+            if (a[i] != b[i]) return a[i] > b[i] ? 1 : -1;
+        }
+        return 0;
+    }
+    void copy(const std::uint64_t* from, std::uint64_t* to) const {
+        for (std::size_t i = 0; i < words(); ++i) to[i] = from[i];
+    }
+    void add(const std::uint64_t* a, const std::uint64_t* b, std::uint64_t* to) const {
+        for (std::size_t i = 0; i < words(); ++i) to[i] = a[i] + b[i];
+    }
+};
+
+/// Calls `action` with the width for so many words a monomial.
+template <class Action>
+auto with_width(std::size_t words, const Action& action) {
+    switch (words) {
+        case 1:
+            return action(Width<1>{});
+        case 2:
+            return action(Width<2>{});
+        case 3:
+            return action(Width<3>{});
+        case 4:
+            return action(Width<4>{});
+        default:
+            return action(Width<0>{words});
+    }
 }
 
 /// Monomials of `words` words with exponents of `bits` bits, rewritten with `new_words` words and `new_bits`;

@@ -3,8 +3,6 @@
 #include <blossom/core/sparse_polynomial.hpp>
 
 #include <algorithm>
-#include <array>
-#include <type_traits>
 #include <utility>
 
 #include "packed_monomials.hpp"
@@ -67,54 +65,5 @@ struct SparseArithmetic {
 private:
     static void shrink(SparsePolynomial& polynomial);
 };
-
-namespace packed_monomials {
-
-/// The words of a monomial as a constant, or, for 0, at run time: loops over few words are unrolled.
-template <std::size_t W>
-struct Width {
-    using Monomial = std::conditional_t<W == 0, std::vector<std::uint64_t>, std::array<std::uint64_t, W>>;
-
-    std::size_t count = W;
-
-    constexpr std::size_t words() const { return W == 0 ? count : W; }
-    Monomial monomial() const {
-        Monomial result{};
-        if constexpr (W == 0) result.resize(count);
-        return result;
-    }
-    /// The sign of a - b in lexicographic order.
-    int compare(const std::uint64_t* a, const std::uint64_t* b) const {
-        for (std::size_t i = 0; i < words(); ++i) {
-            if (a[i] != b[i]) return a[i] > b[i] ? 1 : -1;
-        }
-        return 0;
-    }
-    void copy(const std::uint64_t* from, std::uint64_t* to) const {
-        for (std::size_t i = 0; i < words(); ++i) to[i] = from[i];
-    }
-    void add(const std::uint64_t* a, const std::uint64_t* b, std::uint64_t* to) const {
-        for (std::size_t i = 0; i < words(); ++i) to[i] = a[i] + b[i];
-    }
-};
-
-/// Calls `action` with the width for so many words a monomial.
-template <class Action>
-auto with_width(std::size_t words, const Action& action) {
-    switch (words) {
-        case 1:
-            return action(Width<1>{});
-        case 2:
-            return action(Width<2>{});
-        case 3:
-            return action(Width<3>{});
-        case 4:
-            return action(Width<4>{});
-        default:
-            return action(Width<0>{words});
-    }
-}
-
-}  // namespace packed_monomials
 
 }  // namespace blossom

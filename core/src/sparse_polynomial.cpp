@@ -407,7 +407,7 @@ std::size_t SparsePolynomial::exponent(std::size_t term, std::size_t variable) c
 
 std::size_t SparsePolynomial::degree(std::size_t term) const {
     std::size_t sum = 0;
-    for (std::size_t i = 0; i < variables(); ++i) sum += exponent(term, i);
+    for (const std::uint64_t word : monomial(term)) sum += packed_monomials::sum_of_exponents(word, bits_);
     return sum;
 }
 
@@ -452,6 +452,13 @@ SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b)
     std::vector<Summand> summands;
     add_products(larger, smaller, layout, 1, summands);
     return sum_of(summands, layout, a.coefficients_.denominator() * b.coefficients_.denominator());
+}
+
+std::vector<std::size_t> SparsePolynomial::degrees() const {
+    const Monomial greatest = SparseArithmetic::degrees(*this);
+    std::vector<std::size_t> result(variables_);
+    for (std::size_t i = 0; i < variables_; ++i) result[i] = packed_monomials::exponent(greatest, i, bits_);
+    return result;
 }
 
 Rational SparsePolynomial::operator()(std::span<const Rational> values) const {

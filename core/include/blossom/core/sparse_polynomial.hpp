@@ -39,6 +39,8 @@ public:
     std::size_t total_degree() const;
     /// The greatest exponent of one variable.
     std::size_t degree_in(std::size_t variable) const;
+    /// The greatest exponent of each variable that may occur. Cost: one pass.
+    std::vector<std::size_t> degrees() const;
     const RationalVector& coefficients() const { return coefficients_; }
 
     SparsePolynomial& operator+=(const SparsePolynomial& other) { return *this = *this + other; }
