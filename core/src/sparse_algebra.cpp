@@ -2,8 +2,9 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
-#include <optional>
 #include <vector>
+
+#include "sparse_arithmetic.hpp"
 
 namespace blossom {
 
@@ -15,17 +16,6 @@ std::vector<std::size_t> exponents(const SparsePolynomial& polynomial, std::size
     return powers;
 }
 
-/// The quotient of the leading terms, if it is a term.
-std::optional<SparsePolynomial> leading_quotient(const SparsePolynomial& a, const SparsePolynomial& b) {
-    std::vector<std::size_t> powers = exponents(a, 0);
-    for (std::size_t i = 0; i < std::max(a.variables(), b.variables()); ++i) {
-        const std::size_t below = b.exponent(0, i);
-        if (below > a.exponent(0, i)) return std::nullopt;
-        if (i < powers.size()) powers[i] -= below;
-    }
-    return SparsePolynomial::term(a.coefficient(0) / b.coefficient(0), powers);
-}
-
 SparsePolynomial monic(const SparsePolynomial& polynomial) {
     return polynomial.is_zero() ? polynomial
                                 : polynomial * SparsePolynomial(Rational(1) / polynomial.coefficient(0));
@@ -34,20 +24,6 @@ SparsePolynomial monic(const SparsePolynomial& polynomial) {
 /// Coefficients by powers of one variable, lowest first, none for zero: elements of R[x] with R in the other
 /// variables.
 using Coefficients = std::vector<SparsePolynomial>;
-
-Coefficients coefficients_in(const SparsePolynomial& polynomial, std::size_t variable) {
-    if (polynomial.is_zero()) return {};
-    std::vector<std::vector<SparsePolynomial>> terms(polynomial.degree_in(variable) + 1);
-    for (std::size_t i = 0; i < polynomial.size(); ++i) {
-        std::vector<std::size_t> powers = exponents(polynomial, i);
-        const std::size_t power = polynomial.exponent(i, variable);
-        if (power != 0) powers[variable] = 0;
-        terms[power].push_back(SparsePolynomial::term(polynomial.coefficient(i), powers));
-    }
-    Coefficients coefficients;
-    for (const auto& summands : terms) coefficients.push_back(sum(summands));
-    return coefficients;
-}
 
 SparsePolynomial assembled(const Coefficients& coefficients, std::size_t variable) {
     return polynomial_value(coefficients, SparsePolynomial::variable(variable));
@@ -96,28 +72,43 @@ SparsePolynomial substitute(const SparsePolynomial& polynomial, std::span<const 
 }
 
 SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t variable) {
-    std::vector<SparsePolynomial> terms;
+    if (variable >= polynomial.variables()) return {};
+    // The terms that have the variable stay in order.
+    const SparseArithmetic::Layout layout = SparseArithmetic::layout(polynomial);
+    const std::size_t words = layout.words();
+    SparseArithmetic::Terms terms;
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         const std::size_t power = polynomial.exponent(i, variable);
         if (power == 0) continue;
-        std::vector<std::size_t> lowered = exponents(polynomial, i);
-        --lowered[variable];
-        terms.push_back(SparsePolynomial::term(polynomial.coefficient(i) * Rational(power), lowered));
+        const auto from = SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
+        terms.monomials.insert(terms.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));
+        packed_monomials::set_exponent(std::span(terms.monomials).last(words), variable, layout.bits, power - 1);
+        terms.coefficients.push_back(polynomial.coefficients().numerators()[i] * Integer(power));
     }
-    return sum(terms);
+    return SparseArithmetic::polynomial(std::move(terms), layout, polynomial.coefficients().denominator());
 }
 
-SparsePolynomial divide_exactly(const SparsePolynomial& a, const SparsePolynomial& b) {
-    if (b.is_zero())
-        throw Error(ErrorCode::division_by_zero, "a polynomial cannot be divided by the zero polynomial");
-    std::vector<SparsePolynomial> terms;
-    for (SparsePolynomial rest = a; !rest.is_zero();) {
-        const auto term = leading_quotient(rest, b);
-        if (!term) throw Error(ErrorCode::inexact_division, "the divisor does not divide the polynomial");
-        rest -= *term * b;
-        terms.push_back(*term);
+std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial, std::size_t variable) {
+    if (polynomial.is_zero()) return {};
+    if (variable >= polynomial.variables()) return {polynomial};
+    // The terms with one power of the variable stay in order without it.
+    const SparseArithmetic::Layout layout = SparseArithmetic::layout(polynomial);
+    const std::size_t words = layout.words();
+    std::vector<SparseArithmetic::Terms> terms(polynomial.degree_in(variable) + 1);
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        SparseArithmetic::Terms& to = terms[polynomial.exponent(i, variable)];
+        const auto from = SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
+        to.monomials.insert(to.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));
+        packed_monomials::set_exponent(std::span(to.monomials).last(words), variable, layout.bits, 0);
+        to.coefficients.push_back(polynomial.coefficients().numerators()[i]);
     }
-    return sum(terms);
+    std::vector<SparsePolynomial> coefficients;
+    coefficients.reserve(terms.size());
+    for (auto& power : terms) {
+        coefficients.push_back(
+            SparseArithmetic::polynomial(std::move(power), layout, polynomial.coefficients().denominator()));
+    }
+    return coefficients;
 }
 
 SparsePolynomial gcd(const SparsePolynomial& a, const SparsePolynomial& b) {
@@ -129,8 +120,8 @@ SparsePolynomial gcd(const SparsePolynomial& a, const SparsePolynomial& b) {
     }
     if (variable == std::max(a.variables(), b.variables())) return 1;
 
-    Coefficients x = coefficients_in(a, variable);
-    Coefficients y = coefficients_in(b, variable);
+    Coefficients x = coefficients_by_powers(a, variable);
+    Coefficients y = coefficients_by_powers(b, variable);
     const SparsePolynomial content_x = content(x);
     const SparsePolynomial content_y = content(y);
     divide_by(x, content_x);

@@ -3,14 +3,21 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <deque>
 #include <string>
+
+#include "sparse_arithmetic.hpp"
 
 namespace blossom {
 
 namespace {
 
-constexpr std::uint64_t guards = 0x8000'8000'8000'8000;
-constexpr std::size_t greatest_exponent = 0x7fff;
+using Layout = SparseArithmetic::Layout;
+using Terms = SparseArithmetic::Terms;
+using Aligned = SparseArithmetic::Aligned;
+using packed_monomials::greatest_exponent;
+using packed_monomials::Width;
+using Monomial = std::vector<std::uint64_t>;
 
 [[noreturn]] void exponent_too_large() {
     throw Error(
@@ -18,180 +25,389 @@ constexpr std::size_t greatest_exponent = 0x7fff;
         "an exponent exceeds the limit " + std::to_string(greatest_exponent) + " of a symbolic polynomial");
 }
 
-/// The sign of a - b in lexicographic order; the spans have the same length.
-int compare(std::span<const std::uint64_t> a, std::span<const std::uint64_t> b) {
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        if (a[i] != b[i]) return a[i] > b[i] ? 1 : -1;
+/// Terms times one term, whose monomial is left out when it is 1.
+struct Summand {
+    const Aligned* terms;
+    const std::uint64_t* monomial;
+    Integer coefficient;
+};
+
+/// The terms of a summand one after the other.
+template <class Width>
+class SummandStream {
+public:
+    SummandStream(const Width& width, const Summand& summand)
+        : width_(width),
+          summand_(summand),
+          monomial_(summand.terms->monomials()),
+          coefficient_(summand.terms->coefficients()),
+          left_(summand.terms->size()),
+          product_(width.monomial()),
+          scaled_(!summand.coefficient.is_one()) {
+        shift();
     }
-    return 0;
+
+    std::size_t left() const { return left_; }
+    const std::uint64_t* monomial() const { return summand_.monomial ? product_.data() : monomial_; }
+    Integer take() {
+        Integer result = scaled_ ? *coefficient_ * summand_.coefficient : *coefficient_;
+        monomial_ += width_.words();
+        ++coefficient_;
+        --left_;
+        shift();
+        return result;
+    }
+
+private:
+    void shift() {
+        if (summand_.monomial && left_ > 0) width_.add(monomial_, summand_.monomial, product_.data());
+    }
+
+    Width width_;
+    const Summand& summand_;
+    const std::uint64_t* monomial_;
+    const Integer* coefficient_;
+    std::size_t left_;
+    typename Width::Monomial product_;
+    bool scaled_;
+};
+
+/// Terms one after the other; their coefficients are moved away.
+template <class Width>
+class ConsumedStream {
+public:
+    ConsumedStream(const Width& width, Terms& terms) : width_(width), terms_(terms) {}
+
+    std::size_t left() const { return terms_.size() - next_; }
+    const std::uint64_t* monomial() const { return terms_.monomials.data() + next_ * width_.words(); }
+    Integer take() { return std::move(terms_.coefficients[next_++]); }
+
+private:
+    Width width_;
+    Terms& terms_;
+    std::size_t next_ = 0;
+};
+
+/// Terms as they are written, greatest first.
+template <class Width>
+class TermWriter {
+public:
+    TermWriter(const Width& width, std::size_t most) : width_(width) {
+        terms_.monomials.resize(most * width.words());
+        terms_.coefficients.reserve(most);
+    }
+
+    void append(const std::uint64_t* monomial, Integer&& coefficient) {
+        width_.copy(monomial, terms_.monomials.data() + terms_.size() * width_.words());
+        terms_.coefficients.push_back(std::move(coefficient));
+    }
+    template <class Stream>
+    void append_next(Stream& stream) {
+        width_.copy(stream.monomial(), terms_.monomials.data() + terms_.size() * width_.words());
+        terms_.coefficients.push_back(stream.take());
+    }
+    Terms finished() && {
+        terms_.monomials.resize(terms_.size() * width_.words());
+        return std::move(terms_);
+    }
+
+private:
+    Width width_;
+    Terms terms_;
+};
+
+template <class Width, class Stream>
+Terms merged(const Width& width, Stream a, Stream b) {
+    TermWriter<Width> writer(width, a.left() + b.left());
+    auto monomial = width.monomial();
+    while (a.left() > 0 && b.left() > 0) {
+        const int order = width.compare(a.monomial(), b.monomial());
+        if (order > 0) {
+            writer.append_next(a);
+        } else if (order < 0) {
+            writer.append_next(b);
+        } else {
+            width.copy(a.monomial(), monomial.data());
+            Integer coefficient = a.take();
+            coefficient += b.take();
+            if (!coefficient.is_zero()) writer.append(monomial.data(), std::move(coefficient));
+        }
+    }
+    while (a.left() > 0) writer.append_next(a);
+    while (b.left() > 0) writer.append_next(b);
+    return std::move(writer).finished();
+}
+
+/// The sum of all by halves.
+template <class Width>
+Terms sum_of(const Width& width, std::span<const Summand> summands) {
+    using Stream = SummandStream<Width>;
+    if (summands.size() == 1) {
+        Stream stream(width, summands[0]);
+        TermWriter<Width> writer(width, stream.left());
+        while (stream.left() > 0) writer.append_next(stream);
+        return std::move(writer).finished();
+    }
+    if (summands.size() == 2) return merged(width, Stream(width, summands[0]), Stream(width, summands[1]));
+    const std::size_t half = summands.size() / 2;
+    Terms a = sum_of(width, summands.first(half));
+    Terms b = sum_of(width, summands.subspan(half));
+    return merged(width, ConsumedStream<Width>(width, a), ConsumedStream<Width>(width, b));
+}
+
+SparsePolynomial sum_of(std::span<const Summand> summands, const Layout& layout, Integer denominator) {
+    if (summands.empty()) return {};
+    return packed_monomials::with_width(layout.words(), [&](const auto& width) {
+        return SparseArithmetic::polynomial(sum_of(width, summands), layout, std::move(denominator));
+    });
+}
+
+/// summands[0] + ... with the last one times `last_sign`.
+SparsePolynomial weighted_sum(std::span<const SparsePolynomial* const> polynomials, int last_sign) {
+    Layout layout;
+    Integer denominator = 1;
+    for (const SparsePolynomial* polynomial : polynomials) {
+        layout = SparseArithmetic::common_layout(layout, SparseArithmetic::layout(*polynomial));
+        denominator = lcm(denominator, polynomial->coefficients().denominator());
+    }
+    std::deque<Aligned> aligned;
+    std::vector<Summand> summands;
+    for (std::size_t i = 0; i < polynomials.size(); ++i) {
+        const SparsePolynomial& polynomial = *polynomials[i];
+        if (polynomial.is_zero()) continue;
+        Integer scale = divide_exactly(denominator, polynomial.coefficients().denominator());
+        if (last_sign < 0 && i + 1 == polynomials.size()) scale.negate();
+        summands.push_back({&aligned.emplace_back(polynomial, layout), nullptr, std::move(scale)});
+    }
+    return sum_of(summands, layout, std::move(denominator));
+}
+
+/// A layout that holds the product of two polynomials, whose degrees in each variable add.
+Layout product_layout(const SparsePolynomial& a, const SparsePolynomial& b) {
+    Layout layout = SparseArithmetic::common_layout(SparseArithmetic::layout(a), SparseArithmetic::layout(b));
+    const auto degrees = [&](const SparsePolynomial& polynomial) {
+        const Layout own = SparseArithmetic::layout(polynomial);
+        Monomial result = packed_monomials::rewritten(SparseArithmetic::degrees(polynomial), own.words(), own.bits,
+                                                      layout.words(), layout.bits);
+        result.resize(layout.words());
+        return result;
+    };
+    const Monomial of_a = degrees(a);
+    const Monomial of_b = degrees(b);
+    std::size_t greatest = 0;
+    for (std::size_t i = 0; i < of_a.size(); ++i) {
+        if (((of_a[i] + of_b[i]) & packed_monomials::guards(layout.bits)) == 0) continue;
+        for (std::size_t k = 0; k < layout.variables; ++k) {
+            greatest = std::max(greatest, packed_monomials::exponent(of_a, k, layout.bits) +
+                                              packed_monomials::exponent(of_b, k, layout.bits));
+        }
+    }
+    if (greatest > greatest_exponent) exponent_too_large();
+    layout.bits = std::max(layout.bits, packed_monomials::bits_for(greatest));
+    return layout;
+}
+
+/// The products of a with the terms of b, times `scale`.
+void add_products(const Aligned& a, const Aligned& b, const Layout& layout, const Integer& scale,
+                  std::vector<Summand>& summands) {
+    for (std::size_t i = 0; i < b.size(); ++i) {
+        const std::uint64_t* monomial = b.monomials() + i * layout.words();
+        const bool one = std::all_of(monomial, monomial + layout.words(), [](std::uint64_t w) { return w == 0; });
+        summands.push_back({&a, one ? nullptr : monomial, b.coefficients()[i] * scale});
+    }
+}
+
+/// The power of a polynomial of two terms, by the binomial theorem: the terms come out in order.
+SparsePolynomial binomial_power(const SparsePolynomial& base, std::size_t n) {
+    std::size_t greatest = 0;
+    for (std::size_t k = 0; k < base.variables(); ++k)
+        greatest = std::max({greatest, base.exponent(0, k), base.exponent(1, k)});
+    if (greatest != 0 && n > greatest_exponent / greatest) exponent_too_large();
+    const Layout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
+    const std::size_t words = layout.words();
+    const Aligned aligned(base, layout);
+    const std::uint64_t* first = aligned.monomials();
+    const std::uint64_t* second = first + words;
+    const Integer* factors = aligned.coefficients();
+    std::vector<Integer> second_powers{1};
+    for (std::size_t k = 0; k < n; ++k) second_powers.push_back(second_powers.back() * factors[1]);
+    const std::vector<Integer> binomials = binomial_row(n);
+
+    Terms result;
+    Integer first_power = pow(factors[0], n);
+    for (std::size_t k = 0; k <= n; ++k) {
+        for (std::size_t i = 0; i < words; ++i)
+            result.monomials.push_back(first[i] * (n - k) + second[i] * k);
+        result.coefficients.push_back(binomials[k] * first_power * second_powers[k]);
+        if (k < n) first_power = divide_exactly(first_power, factors[0]);
+    }
+    return SparseArithmetic::polynomial(std::move(result), layout, pow(base.coefficients().denominator(), n));
+}
+
+/// How many terms are left from the first one on whose first variable occurs in a later one too; 1 when there
+/// is none.
+std::size_t terms_after_independent_ones(const SparsePolynomial& polynomial) {
+    std::size_t start = 0;
+    for (; start + 1 < polynomial.size(); ++start) {
+        std::size_t first = 0;
+        while (first < polynomial.variables() && polynomial.exponent(start, first) == 0) ++first;
+        if (first == polynomial.variables()) break;
+        bool alone = true;
+        for (std::size_t i = start + 1; alone && i < polynomial.size(); ++i) {
+            alone = polynomial.exponent(i, first) == 0;
+        }
+        if (!alone) break;
+    }
+    return polynomial.size() - start;
+}
+
+/// Powers 0..n of integer terms, times denominators left out, where all terms but the last are independent.
+/// With x the first variable, which no other term has, (c m + z)^k = sum_j C(k, j) c^j m^j z^(k-j) comes out in
+/// order block by block.
+std::vector<Terms> independent_powers(const Aligned& base, std::size_t words, std::size_t n, bool all) {
+    std::vector<Terms> powers(n + 1);
+    const auto term_power = [&](std::size_t term, std::size_t k, Terms& to) {
+        for (std::size_t i = 0; i < words; ++i) to.monomials.push_back(base.monomials()[term * words + i] * k);
+    };
+    const std::size_t last = base.size() - 1;
+    Integer coefficient = 1;
+    for (std::size_t k = 0; k <= n; ++k) {
+        term_power(last, k, powers[k]);
+        powers[k].coefficients.push_back(coefficient);
+        coefficient *= base.coefficients()[last];
+    }
+    std::vector<std::vector<Integer>> binomials;
+    for (std::size_t k = 0; k <= n; ++k) binomials.push_back(binomial_row(k));
+    for (std::size_t term = last; term-- > 0;) {
+        std::vector<Integer> term_powers{1};
+        for (std::size_t k = 0; k < n; ++k)
+            term_powers.push_back(term_powers.back() * base.coefficients()[term]);
+        std::vector<Terms> next(n + 1);
+        for (std::size_t k = all || term > 0 ? 0 : n; k <= n; ++k) {
+            std::size_t size = 0;
+            for (std::size_t j = 0; j <= k; ++j) size += powers[j].size();
+            next[k].monomials.reserve(size * words);
+            next[k].coefficients.reserve(size);
+            for (std::size_t j = k + 1; j-- > 0;) {
+                const Terms& rest = powers[k - j];
+                const Integer scale = binomials[k][j] * term_powers[j];
+                for (std::size_t i = 0; i < rest.monomials.size(); ++i) {
+                    next[k].monomials.push_back(rest.monomials[i] + base.monomials()[term * words + i % words] * j);
+                }
+                for (const Integer& entry : rest.coefficients) next[k].coefficients.push_back(entry * scale);
+            }
+        }
+        powers = std::move(next);
+    }
+    return powers;
+}
+
+std::vector<SparsePolynomial> independent_powers(const SparsePolynomial& base, std::size_t n, bool all) {
+    std::size_t greatest = 0;
+    for (std::size_t k = 0; k < base.variables(); ++k) greatest = std::max(greatest, base.degree_in(k));
+    if (greatest != 0 && n > greatest_exponent / greatest) exponent_too_large();
+    const Layout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
+    std::vector<Terms> powers = independent_powers(Aligned(base, layout), layout.words(), n, all);
+    std::vector<SparsePolynomial> result(n + 1);
+    for (std::size_t k = all ? 0 : n; k <= n; ++k) {
+        result[k] = SparseArithmetic::polynomial(std::move(powers[k]), layout,
+                                                 pow(base.coefficients().denominator(), k));
+    }
+    return result;
 }
 
 }  // namespace
 
-/// Terms with integer coefficients, in order and without zeros: what the arithmetic works on.
-struct SparseArithmetic {
-    struct Terms {
-        std::size_t words;
-        std::vector<std::uint64_t> monomials;
-        std::vector<Integer> coefficients;
-
-        std::size_t size() const { return coefficients.size(); }
-        std::span<const std::uint64_t> monomial(std::size_t i) const {
-            return {monomials.data() + i * words, words};
-        }
-        void append(std::span<const std::uint64_t> monomial, Integer coefficient) {
-            if (coefficient.is_zero()) return;
-            for (const std::uint64_t word : monomial) monomials.push_back(word);
-            coefficients.push_back(std::move(coefficient));
-        }
-    };
-
-    /// The terms of `polynomial` with `words` words a monomial, times `scale`.
-    static Terms terms(const SparsePolynomial& polynomial, std::size_t words, const Integer& scale) {
-        Terms result{words, {}, polynomial.coefficients_.numerators()};
-        if (!scale.is_one()) {
-            for (Integer& coefficient : result.coefficients) coefficient *= scale;
-        }
-        if (words == polynomial.words_) {
-            result.monomials = polynomial.monomials_;
-            return result;
-        }
-        result.monomials.resize(words * result.size());
-        for (std::size_t i = 0; i < result.size(); ++i) {
-            std::ranges::copy(polynomial.monomial(i),
-                              result.monomials.begin() + static_cast<std::ptrdiff_t>(i * words));
-        }
-        return result;
+SparsePolynomial SparseArithmetic::polynomial(Terms terms, const Layout& layout, Integer denominator) {
+    SparsePolynomial result;
+    if (terms.size() == 0) return result;
+    if (2 * terms.size() < terms.coefficients.capacity()) {
+        terms.monomials.shrink_to_fit();
+        terms.coefficients.shrink_to_fit();
     }
+    result.variables_ = layout.variables;
+    result.bits_ = layout.bits;
+    result.words_ = layout.words();
+    result.monomials_ = std::move(terms.monomials);
+    result.coefficients_ = RationalVector(std::move(terms.coefficients), std::move(denominator));
+    result.coefficients_.make_canonical();
+    shrink(result);
+    return result;
+}
 
-    static SparsePolynomial polynomial(Terms terms, const Integer& denominator) {
-        SparsePolynomial result;
-        result.words_ = terms.words;
-        result.monomials_ = std::move(terms.monomials);
-        result.coefficients_ = RationalVector(std::move(terms.coefficients), denominator);
-        result.coefficients_.make_canonical();
-        result.shrink();
-        return result;
+/// Gives up variables that do not occur, and bits that no exponent needs. Cost: up to the first terms that
+/// need all, in what needs all.
+void SparseArithmetic::shrink(SparsePolynomial& polynomial) {
+    const std::size_t words = polynomial.words_;
+    if (words == 0) return;
+    const std::size_t bits = polynomial.bits_;
+    const std::uint64_t large = packed_monomials::guards(bits) - (packed_monomials::ones(bits) << (bits / 2 - 1));
+    const std::size_t last = (polynomial.variables_ - 1) * bits % 64;
+    const std::uint64_t last_variable = (~std::uint64_t{0} >> (64 - bits)) << (64 - bits - last);
+    bool needs_bits = bits == packed_monomials::least_bits;
+    bool needs_variables = false;
+    for (std::size_t i = 0; i < polynomial.monomials_.size() && !(needs_bits && needs_variables); i += words) {
+        needs_variables = needs_variables || (polynomial.monomials_[i + words - 1] & last_variable) != 0;
+        for (std::size_t j = 0; j < words && !needs_bits; ++j)
+            needs_bits = (polynomial.monomials_[i + j] & large) != 0;
     }
+    if (needs_bits && needs_variables) return;
 
-    /// Merges; consumes its operands.
-    static Terms sum(Terms a, Terms b) {
-        Terms result{a.words, {}, {}};
-        result.monomials.reserve(a.monomials.size() + b.monomials.size());
-        result.coefficients.reserve(a.size() + b.size());
-        std::size_t i = 0;
-        std::size_t j = 0;
-        while (i < a.size() && j < b.size()) {
-            const int order = compare(a.monomial(i), b.monomial(j));
-            if (order > 0) {
-                result.append(a.monomial(i), std::move(a.coefficients[i]));
-                ++i;
-            } else if (order < 0) {
-                result.append(b.monomial(j), std::move(b.coefficients[j]));
-                ++j;
-            } else {
-                a.coefficients[i] += b.coefficients[j];
-                result.append(a.monomial(i), std::move(a.coefficients[i]));
-                ++i;
-                ++j;
-            }
-        }
-        for (; i < a.size(); ++i) result.append(a.monomial(i), std::move(a.coefficients[i]));
-        for (; j < b.size(); ++j) result.append(b.monomial(j), std::move(b.coefficients[j]));
-        return result;
+    const Monomial greatest = degrees(polynomial);
+    Layout layout{polynomial.variables_, bits};
+    while (layout.variables > 0 && packed_monomials::exponent(greatest, layout.variables - 1, bits) == 0)
+        --layout.variables;
+    std::size_t exponent = 0;
+    for (std::size_t k = 0; k < layout.variables; ++k)
+        exponent = std::max(exponent, packed_monomials::exponent(greatest, k, bits));
+    layout.bits = packed_monomials::bits_for(exponent);
+    if (layout.words() != words || layout.bits != bits) {
+        polynomial.monomials_ =
+            packed_monomials::rewritten(polynomial.monomials_, words, bits, layout.words(), layout.bits);
     }
-
-    /// a times one term: the order stays.
-    static Terms shifted(const Terms& a, std::span<const std::uint64_t> monomial,
-                         const Integer& coefficient) {
-        Terms result = a;
-        for (std::size_t i = 0; i < result.monomials.size(); ++i) {
-            result.monomials[i] += monomial[i % a.words];
-            if (result.monomials[i] & guards) exponent_too_large();
-        }
-        if (!coefficient.is_one()) {
-            for (Integer& entry : result.coefficients) entry *= coefficient;
-        }
-        return result;
-    }
-
-    /// a times the terms first..last-1 of b, as a balanced sum of shifted copies.
-    static Terms product(const Terms& a, const Terms& b, std::size_t first, std::size_t last) {
-        if (last - first == 1) return shifted(a, b.monomial(first), b.coefficients[first]);
-        const std::size_t middle = first + (last - first) / 2;
-        return sum(product(a, b, first, middle), product(a, b, middle, last));
-    }
-
-    /// (x + y)^n for two terms x > y by the binomial theorem: the terms come out in order.
-    static SparsePolynomial binomial_power(const SparsePolynomial& base, std::size_t n) {
-        for (std::size_t variable = 0; variable < base.variables(); ++variable) {
-            if (base.degree_in(variable) * n > greatest_exponent) exponent_too_large();
-        }
-        const auto& factors = base.coefficients_.numerators();
-        std::vector<Integer> second_powers{1};
-        for (std::size_t k = 0; k < n; ++k) second_powers.push_back(second_powers.back() * factors[1]);
-        const std::vector<Integer> binomials = binomial_row(n);
-
-        Terms result{base.words_, {}, {}};
-        std::vector<std::uint64_t> monomial(base.words_);
-        Integer first_power = pow(factors[0], n);
-        for (std::size_t k = 0; k <= n; ++k) {
-            for (std::size_t i = 0; i < monomial.size(); ++i) {
-                monomial[i] = base.monomial(0)[i] * (n - k) + base.monomial(1)[i] * k;
-            }
-            result.append(monomial, binomials[k] * first_power * second_powers[k]);
-            if (k < n) first_power = divide_exactly(first_power, factors[0]);
-        }
-        return polynomial(std::move(result), pow(base.coefficients_.denominator(), n));
-    }
-};
+    polynomial.variables_ = layout.variables;
+    polynomial.bits_ = layout.bits;
+    polynomial.words_ = layout.words();
+}
 
 SparsePolynomial::SparsePolynomial(const Rational& constant) {
     if (!constant.is_zero()) coefficients_ = RationalVector({&constant, 1});
 }
 
 SparsePolynomial SparsePolynomial::variable(std::size_t index) {
-    std::vector<std::size_t> exponents(index + 1);
-    exponents[index] = 1;
-    return term(1, exponents);
+    SparsePolynomial result(1);
+    result.variables_ = index + 1;
+    result.words_ = packed_monomials::words_for(result.variables_, result.bits_);
+    result.monomials_.resize(result.words_);
+    packed_monomials::set_exponent(result.monomials_, index, result.bits_, 1);
+    return result;
 }
 
 SparsePolynomial SparsePolynomial::term(const Rational& coefficient, std::span<const std::size_t> exponents) {
     SparsePolynomial result(coefficient);
     if (result.is_zero()) return result;
-    result.words_ = (exponents.size() + lanes - 1) / lanes;
-    result.monomials_.resize(result.words_);
+    std::size_t greatest = 0;
     for (std::size_t i = 0; i < exponents.size(); ++i) {
-        if (exponents[i] > greatest_exponent) exponent_too_large();
-        result.monomials_[i / lanes] |= std::uint64_t{exponents[i]} << (16 * (lanes - 1 - i % lanes));
+        greatest = std::max(greatest, exponents[i]);
+        if (exponents[i] > 0) result.variables_ = i + 1;
     }
-    result.shrink();
+    if (greatest > greatest_exponent) exponent_too_large();
+    result.bits_ = packed_monomials::bits_for(greatest);
+    result.words_ = packed_monomials::words_for(result.variables_, result.bits_);
+    result.monomials_.resize(result.words_);
+    for (std::size_t i = 0; i < result.variables_; ++i)
+        packed_monomials::set_exponent(result.monomials_, i, result.bits_, exponents[i]);
     return result;
 }
 
-void SparsePolynomial::shrink() {
-    while (words_ > 0) {
-        for (std::size_t i = words_ - 1; i < monomials_.size(); i += words_) {
-            if (monomials_[i] != 0) return;
-        }
-        std::vector<std::uint64_t> narrower;
-        narrower.reserve(size() * (words_ - 1));
-        for (std::size_t i = 0; i < monomials_.size(); ++i) {
-            if (i % words_ != words_ - 1) narrower.push_back(monomials_[i]);
-        }
-        monomials_ = std::move(narrower);
-        --words_;
-    }
-}
-
 std::size_t SparsePolynomial::exponent(std::size_t term, std::size_t variable) const {
-    if (variable / lanes >= words_) return 0;
-    return (monomial(term)[variable / lanes] >> (16 * (lanes - 1 - variable % lanes))) & greatest_exponent;
+    if (variable >= variables_) return 0;
+    return packed_monomials::exponent(monomial(term), variable, bits_);
 }
 
 std::size_t SparsePolynomial::degree(std::size_t term) const {
     std::size_t sum = 0;
-    for (std::size_t i = 0; i < variables(); ++i) sum += exponent(term, i);
+    for (const std::uint64_t word : monomial(term)) sum += packed_monomials::sum_of_exponents(word, bits_);
     return sum;
 }
 
@@ -210,31 +426,39 @@ std::size_t SparsePolynomial::degree_in(std::size_t variable) const {
 SparsePolynomial operator+(const SparsePolynomial& a, const SparsePolynomial& b) {
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
-    const std::size_t words = std::max(a.words_, b.words_);
-    const Integer& da = a.coefficients_.denominator();
-    const Integer& db = b.coefficients_.denominator();
-    const Integer denominator = lcm(da, db);
-    return SparseArithmetic::polynomial(
-        SparseArithmetic::sum(SparseArithmetic::terms(a, words, divide_exactly(denominator, da)),
-                              SparseArithmetic::terms(b, words, divide_exactly(denominator, db))),
-        denominator);
+    const SparsePolynomial* const both[] = {&a, &b};
+    return weighted_sum(both, 1);
 }
 
 SparsePolynomial operator-(const SparsePolynomial& a) {
-    return SparseArithmetic::polynomial(SparseArithmetic::terms(a, a.words_, -1),
-                                        a.coefficients_.denominator());
+    SparsePolynomial result = a;
+    std::vector<Integer> coefficients = a.coefficients_.numerators();
+    for (Integer& coefficient : coefficients) coefficient.negate();
+    result.coefficients_ = a.coefficients_.over_same_denominator(std::move(coefficients));
+    return result;
 }
 
-SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b) { return a + -b; }
+SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b) {
+    const SparsePolynomial* const both[] = {&a, &b};
+    return weighted_sum(both, -1);
+}
 
 SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b) {
     if (a.is_zero() || b.is_zero()) return {};
     if (a.size() < b.size()) return b * a;
-    const std::size_t words = std::max(a.words_, b.words_);
-    return SparseArithmetic::polynomial(
-        SparseArithmetic::product(SparseArithmetic::terms(a, words, 1), SparseArithmetic::terms(b, words, 1),
-                                  0, b.size()),
-        a.coefficients_.denominator() * b.coefficients_.denominator());
+    const Layout layout = product_layout(a, b);
+    const Aligned larger(a, layout);
+    const Aligned smaller(b, layout);
+    std::vector<Summand> summands;
+    add_products(larger, smaller, layout, 1, summands);
+    return sum_of(summands, layout, a.coefficients_.denominator() * b.coefficients_.denominator());
+}
+
+std::vector<std::size_t> SparsePolynomial::degrees() const {
+    const Monomial greatest = SparseArithmetic::degrees(*this);
+    std::vector<std::size_t> result(variables_);
+    for (std::size_t i = 0; i < variables_; ++i) result[i] = packed_monomials::exponent(greatest, i, bits_);
+    return result;
 }
 
 Rational SparsePolynomial::operator()(std::span<const Rational> values) const {
@@ -256,27 +480,58 @@ Rational SparsePolynomial::operator()(std::span<const Rational> values) const {
 }
 
 SparsePolynomial sum(std::span<const SparsePolynomial> summands) {
-    if (summands.empty()) return {};
     if (summands.size() == 1) return summands.front();
-    const std::size_t half = summands.size() / 2;
-    return sum(summands.first(half)) + sum(summands.subspan(half));
+    std::vector<const SparsePolynomial*> all;
+    all.reserve(summands.size());
+    for (const SparsePolynomial& summand : summands) all.push_back(&summand);
+    return weighted_sum(all, 1);
 }
 
 SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const SparsePolynomial> b) {
-    std::vector<SparsePolynomial> products;
-    products.reserve(a.size());
-    for (std::size_t i = 0; i < a.size(); ++i) products.push_back(a[i] * b[i]);
-    return sum(products);
+    Layout layout;
+    Integer denominator = 1;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].is_zero() || b[i].is_zero()) continue;
+        layout = SparseArithmetic::common_layout(layout, product_layout(a[i], b[i]));
+        denominator = lcm(denominator, a[i].coefficients().denominator() * b[i].coefficients().denominator());
+    }
+    std::deque<Aligned> aligned;
+    std::vector<Summand> summands;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        if (a[i].is_zero() || b[i].is_zero()) continue;
+        const bool a_larger = a[i].size() >= b[i].size();
+        const Aligned& larger = aligned.emplace_back(a_larger ? a[i] : b[i], layout);
+        const Aligned& smaller = aligned.emplace_back(a_larger ? b[i] : a[i], layout);
+        add_products(larger, smaller, layout,
+                     divide_exactly(denominator, a[i].coefficients().denominator() *
+                                                     b[i].coefficients().denominator()),
+                     summands);
+    }
+    return sum_of(summands, layout, std::move(denominator));
 }
 
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
-    std::vector<SparsePolynomial> powers{1};
-    while (powers.size() < coefficients.size()) powers.push_back(powers.back() * x);
-    return dot(coefficients, powers);
+    if (coefficients.empty()) return {};
+    return dot(coefficients, powers(x, coefficients.size() - 1));
+}
+
+bool has_independent_terms(const SparsePolynomial& polynomial) {
+    return terms_after_independent_ones(polynomial) <= 1;
+}
+
+std::vector<SparsePolynomial> powers(const SparsePolynomial& base, std::size_t n) {
+    if (base.size() > 2 && has_independent_terms(base)) return independent_powers(base, n, true);
+    std::vector<SparsePolynomial> result{1};
+    while (result.size() <= n) {
+        result.push_back(base.size() == 2 ? binomial_power(base, result.size()) : result.back() * base);
+    }
+    return result;
 }
 
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent) {
-    if (base.size() == 2) return SparseArithmetic::binomial_power(base, exponent);
+    if (base.size() == 2) return binomial_power(base, exponent);
+    if (base.size() > 2 && has_independent_terms(base))
+        return std::move(independent_powers(base, exponent, false).back());
     SparsePolynomial result = 1;
     for (SparsePolynomial square = base; exponent != 0; exponent >>= 1) {
         if (exponent & 1) result *= square;

@@ -3,7 +3,9 @@
 #include <blossom/core/sparse_polynomial.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <vector>
 
 namespace blossom {
 
@@ -14,8 +16,27 @@ SparsePolynomial substitute(const SparsePolynomial& polynomial, std::span<const 
 /// The partial derivative by one variable.
 SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t variable);
 
-/// a / b where b divides a. Cost: one product of b with a term, and one merge, a term of the quotient.
-/// Errors: `inexact_division` if it does not, `division_by_zero`.
+/// The coefficients by powers of one variable, lowest first and none for zero: polynomials in the others.
+/// Cost: one pass.
+std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial, std::size_t variable);
+
+/// What became of a / b.
+struct Division {
+    std::optional<SparsePolynomial> quotient;  ///< where b divides a
+    std::size_t work = 0;                      ///< term operations
+};
+
+/// a / b if b divides a. That it does not is seen at the first term of the quotient that cannot be one: because
+/// of its exponents, which the degrees of a and b bound, or because it is not an integer where b is primitive.
+/// Gives up beyond `most_work` term operations.
+///
+/// Cost: for a divisor of two terms one pass over a and the quotient; for one of k terms k log(k) operations a
+/// term of the quotient. Errors: `division_by_zero`.
+/// Source: Monagan and Pearce, Sparse polynomial division using a heap, 2011.
+Division divide(const SparsePolynomial& a, const SparsePolynomial& b,
+                std::size_t most_work = std::size_t(-1));
+
+/// a / b where b divides a. Errors: `inexact_division` if it does not, `division_by_zero`.
 SparsePolynomial divide_exactly(const SparsePolynomial& a, const SparsePolynomial& b);
 
 /// The greatest common divisor, with leading coefficient 1 in lexicographic order; gcd(0, 0) = 0.

@@ -15,7 +15,8 @@ namespace blossom {
 ///
 /// Variables are numbered from 0 and have no names here; every polynomial is a polynomial in all of them.
 /// Terms are kept in lexicographic order without zeros and the denominator is the least, so that equal
-/// polynomials are equal objects. Exponents are at most 32767 a variable (`limit_exceeded` beyond).
+/// polynomials are equal objects. Exponents are at most 32767 a variable (`limit_exceeded` beyond); they take
+/// 4, 8 or 16 bits each, the least that hold all of them, so that a monomial in many variables has few words.
 class SparsePolynomial {
 public:
     SparsePolynomial() = default;
@@ -29,8 +30,8 @@ public:
     bool is_zero() const { return coefficients_.empty(); }
     /// The number of terms.
     std::size_t size() const { return coefficients_.size(); }
-    /// One more than the greatest variable that may occur.
-    std::size_t variables() const { return words_ * lanes; }
+    /// One more than the greatest variable that occurs.
+    std::size_t variables() const { return variables_; }
     Rational coefficient(std::size_t term) const { return coefficients_[term]; }
     std::size_t exponent(std::size_t term, std::size_t variable) const;
     std::size_t degree(std::size_t term) const;
@@ -38,6 +39,8 @@ public:
     std::size_t total_degree() const;
     /// The greatest exponent of one variable.
     std::size_t degree_in(std::size_t variable) const;
+    /// The greatest exponent of each variable that may occur. Cost: one pass.
+    std::vector<std::size_t> degrees() const;
     const RationalVector& coefficients() const { return coefficients_; }
 
     SparsePolynomial& operator+=(const SparsePolynomial& other) { return *this = *this + other; }
@@ -46,7 +49,7 @@ public:
     /// Cost: one merge.
     friend SparsePolynomial operator+(const SparsePolynomial& a, const SparsePolynomial& b);
     friend SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b);
-    /// Cost: a b log(min(a, b)) for a and b terms.
+    /// Cost: a b log(min(a, b)) for a and b terms; one merge for a factor of two terms.
     friend SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b);
     friend SparsePolynomial operator-(const SparsePolynomial& a);
     friend bool operator==(const SparsePolynomial&, const SparsePolynomial&) = default;
@@ -55,15 +58,14 @@ public:
     Rational operator()(std::span<const Rational> values) const;
 
 private:
-    static constexpr std::size_t lanes = 4;  ///< exponents of 16 bits a word, the top bit of each a guard
-
     std::span<const std::uint64_t> monomial(std::size_t term) const {
         return std::span(monomials_).subspan(term * words_, words_);
     }
-    void shrink();
     friend struct SparseArithmetic;
 
-    std::size_t words_ = 0;                 ///< words a monomial
+    std::size_t variables_ = 0;
+    std::size_t bits_ = 4;                  ///< an exponent: 4, 8 or 16, the top bit of each a guard
+    std::size_t words_ = 0;                 ///< a monomial
     std::vector<std::uint64_t> monomials_;  ///< term by term; greater in lexicographic order first
     RationalVector coefficients_;
 };
@@ -78,7 +80,14 @@ SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const Sparse
 /// Horner's rule would multiply.
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x);
 
-/// base^exponent, with 0^0 = 1; two terms by the binomial theorem.
+/// Whether the powers of the polynomial have as many terms as they can have, as those of x_1 + ... + x_m: each
+/// term has a variable that no later one has.
+bool has_independent_terms(const SparsePolynomial& polynomial);
+
+/// base^0, ..., base^n. Cost: a product each; of independent terms, the terms of the result.
+std::vector<SparsePolynomial> powers(const SparsePolynomial& base, std::size_t n);
+
+/// base^exponent, with 0^0 = 1; two terms by the binomial theorem, and independent ones by the multinomial.
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent);
 
 }  // namespace blossom

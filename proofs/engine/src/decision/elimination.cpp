@@ -97,7 +97,7 @@ Branch& Elimination::root(const std::set<std::size_t>& nonzero) {
 
 SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
     if (polynomial.is_zero() || factors.empty() || polynomial.total_degree() == 0) return polynomial;
-    return expander_.field().without(std::move(polynomial), factors);
+    return expander_.field().stripped(std::move(polynomial), factors);
 }
 
 /// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what the

@@ -56,42 +56,89 @@ Ring engine_blossom(std::span<const Ring> coefficients, std::span<const Argument
     return numerators.front() * Ring(Rational(factorial(arguments.size()), denominator));
 }
 
-void require_agreement(bool agree, const GroundMap& map, std::size_t offset) {
-    if (agree) return;
-    throw Error(ErrorCode::internal,
-                "the engine's construction and the definition disagree about " + map.name +
-                    ": this is an error of the program",
-                "", offset);
+/// The value of the form, sum of coefficient * coordinates^alpha * mass^(n - |alpha|), from powers.
+Ring value_of_form(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
+    std::vector<std::vector<Ring>> powers_of;
+    for (const Ring& coordinate : argument.coordinates) powers_of.push_back(powers(coordinate, direction.degree));
+    const std::vector<Ring> powers_of_mass = powers(argument.mass, direction.degree);
+    std::vector<Ring> products;
+    for (const auto& exponents : monomials(direction)) {
+        std::size_t left = direction.degree;
+        for (const std::size_t exponent : exponents) left -= exponent;
+        Ring product = powers_of_mass[left];
+        for (std::size_t j = 0; j < exponents.size(); ++j) product *= powers_of[j][exponents[j]];
+        products.push_back(std::move(product));
+    }
+    return dot(coefficients, products);
 }
 
+/// p(t), or the form at coordinates and mass.
 Ring value_in(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
-    const bool number = direction.dimension == 1 && argument.mass == Ring(1);
-    return number ? polynomial_value(coefficients, argument.coordinates.front())
-                  : form_value<Ring>(direction, coefficients, argument);
+    if (direction.dimension == 1 && argument.mass == Ring(1))
+        return polynomial_value(coefficients, argument.coordinates.front());
+    return value_of_form(direction, coefficients, argument);
 }
 
 }  // namespace
 
 Fraction Expander::operator()(NodeId id) {
-    if (known_.size() < block_.nodes.size()) known_.resize(block_.nodes.size());
+    if (known_.size() < block_.nodes.size()) count_uses();
+    if (known_[id]) return *known_[id];
     // Operands come before what is made of them; only what is needed is expanded.
-    std::vector<NodeId> open{id};
+    std::vector<Frame> open;
+    open.push_back(opened(id));
     while (!open.empty()) {
-        const NodeId next = open.back();
-        if (known_[next]) {
-            open.pop_back();
+        Frame& frame = open.back();
+        if (frame.next < frame.operands.size()) {
+            const NodeId operand = frame.operands[frame.next];
+            if (!known_[operand]) {
+                open.push_back(opened(operand));
+                continue;
+            }
+            if (frame.sum) frame.sum->add(use(operand));
+            ++frame.next;
             continue;
         }
-        const Node& node = block_.nodes[next];
-        const std::size_t before = open.size();
-        for (const NodeId operand : operands_of(block_, next)) {
-            if (!known_[operand]) open.push_back(operand);
+        known_[frame.node] = frame.sum ? std::move(*frame.sum).result() : expanded(block_.nodes[frame.node]);
+        was_known_[frame.node] = true;
+        if (!frame.sum) {
+            for (const NodeId operand : frame.operands) give_up_use(operand);
         }
-        if (open.size() != before) continue;
-        known_[next] = expanded(node);
         open.pop_back();
     }
     return *known_[id];
+}
+
+void Expander::count_uses() {
+    const std::size_t before = known_.size();
+    known_.resize(block_.nodes.size());
+    uses_.resize(block_.nodes.size());
+    was_known_.resize(block_.nodes.size());
+    for (NodeId id = before; id < block_.nodes.size(); ++id) {
+        for (const NodeId operand : operands_of(block_, id)) ++uses_[operand];
+        // Divisors are asked for once more, as conditions.
+        if (block_.nodes[id].kind == NodeKind::quotient) ++uses_[block_.nodes[id].operands[1]];
+    }
+}
+
+Expander::Frame Expander::opened(NodeId id) {
+    Frame frame{id, operands_of(block_, id), 0, std::nullopt};
+    if (block_.nodes[id].kind == NodeKind::sum) frame.sum.emplace(field_);
+    // What was given up and is needed again needs its operands again.
+    if (was_known_[id]) {
+        for (const NodeId operand : frame.operands) ++uses_[operand];
+    }
+    return frame;
+}
+
+Fraction Expander::use(NodeId id) {
+    Fraction result = uses_[id] > 1 ? *known_[id] : std::move(*known_[id]);
+    give_up_use(id);
+    return result;
+}
+
+void Expander::give_up_use(NodeId id) {
+    if (--uses_[id] == 0) known_[id].reset();
 }
 
 Fraction Expander::expanded(const Node& node) {
@@ -101,12 +148,8 @@ Fraction Expander::expanded(const Node& node) {
             return {node.value, {}};
         case NodeKind::symbol:
             return {SparsePolynomial::variable(node.index), {}};
-        case NodeKind::sum: {
-            std::vector<Fraction> summands;
-            summands.reserve(node.operands.size());
-            for (std::size_t i = 0; i < node.operands.size(); ++i) summands.push_back(operand(i));
-            return field_.sum(summands);
-        }
+        case NodeKind::sum:
+            break;
         case NodeKind::product: {
             Fraction product = operand(0);
             for (std::size_t i = 1; i < node.operands.size(); ++i)
@@ -163,11 +206,17 @@ Fraction Expander::application(const Application& application) {
     auto [coefficients, denominator] = field_.over_common_denominator(entries);
     result = field_.product(result, {1, std::move(denominator)});
 
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
+    // The last direction is contracted first, row by row.
+    std::size_t terms = 0;
+    for (const Ring& coefficient : coefficients) terms = std::max(terms, coefficient.size());
+    std::size_t rows = coefficients.size();
+    for (std::size_t i = arguments.size(); i-- > 0;) {
         std::vector<Argument> all = arguments[i];
         if (value) all.assign(map.directions[i].degree, arguments[i].front());
         const std::size_t size = greatest_size(all, limits_);
-        field_.spend(size, saturating_product(size, coefficients.size()));
+        terms = saturating_product(terms, size);
+        rows /= monomials(map.directions[i]).size();
+        field_.spend(size, saturating_product(terms, rows));
     }
     const auto contract = [&](const auto& one_direction) {
         return contracted(map.directions, coefficients, one_direction);
@@ -176,14 +225,10 @@ Fraction Expander::application(const Application& application) {
     if (!value) {
         Integer scale = 1;
         for (const Direction& direction : map.directions) scale *= factorial(direction.degree);
-        const Ring defined = contract([&](std::size_t i, std::span<const Ring> row) {
-            return polar_form<Ring>(map.directions[i], row, arguments[i]);
-        });
         numerator = contract([&](std::size_t i, std::span<const Ring> row) {
             return map.directions[i].dimension == 1 ? engine_blossom(row, arguments[i])
                                                     : polar_form<Ring>(map.directions[i], row, arguments[i]);
         });
-        require_agreement(numerator == defined, map, application.offset);
         numerator *= Ring(application.scale / Rational(scale));
     } else {
         numerator = contract([&](std::size_t i, std::span<const Ring> row) {

@@ -1,15 +1,13 @@
 #include <blossom/core/sparse_algebra.hpp>
 #include <blossom/proofs/fraction.hpp>
+#include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
-#include <optional>
 
 namespace blossom::proofs {
 
 namespace {
-
-using Factors = std::vector<std::pair<std::size_t, std::size_t>>;
 
 /// The exponents of a and b combined, factor by factor.
 template <class Combine>
@@ -33,20 +31,12 @@ Factors multiplied(const Factors& a, const Factors& b) {
     return merged(a, b, [](std::size_t x, std::size_t y) { return x + y; });
 }
 
-std::optional<SparsePolynomial> quotient_if_exact(const SparsePolynomial& a, const SparsePolynomial& b) {
-    // The degrees say no more cheaply than a division.
-    for (std::size_t i = 0; i < b.variables(); ++i) {
-        if (b.degree_in(i) > a.degree_in(i)) return std::nullopt;
-    }
-    try {
-        return divide_exactly(a, b);
-    } catch (const Error& error) {
-        if (error.code() != ErrorCode::inexact_division) throw;
-        return std::nullopt;
-    }
+/// The factors of a without those of b.
+Factors without(const Factors& a, const Factors& b) {
+    return merged(a, b, [](std::size_t x, std::size_t y) { return x > y ? x - y : 0; });
 }
 
-bool is_constant(const SparsePolynomial& polynomial) { return polynomial.total_degree() == 0; }
+bool is_constant(const SparsePolynomial& polynomial) { return polynomial.variables() == 0; }
 
 }  // namespace
 
@@ -67,36 +57,32 @@ SparsePolynomial FractionField::product(const SparsePolynomial& a, const SparseP
     return result;
 }
 
+SparsePolynomial FractionField::multiplied(SparsePolynomial polynomial, const Factors& factors) {
+    for (const auto& [factor, exponent] : factors) {
+        for (std::size_t i = 0; i < exponent; ++i) polynomial = product(polynomial, factors_[factor]);
+    }
+    return polynomial;
+}
+
 FractionField::Common FractionField::over_common_denominator(std::span<const Fraction> fractions) {
     Common result;
-    const bool polynomials =
-        std::ranges::all_of(fractions, [](const Fraction& f) { return f.denominator.empty(); });
     for (const Fraction& fraction : fractions) {
-        if (polynomials) break;
+        if (fraction.denominator.empty()) continue;
         result.denominator = merged(result.denominator, fraction.denominator,
                                     [](std::size_t x, std::size_t y) { return std::max(x, y); });
     }
+    result.numerators.reserve(fractions.size());
     for (const Fraction& fraction : fractions) {
-        SparsePolynomial numerator = fraction.numerator;
-        const Factors missing = merged(result.denominator, fraction.denominator,
-                                       [](std::size_t x, std::size_t y) { return x - y; });
-        for (const auto& [factor, exponent] : missing) {
-            for (std::size_t i = 0; i < exponent; ++i) numerator = product(numerator, factors_[factor]);
-        }
-        result.numerators.push_back(std::move(numerator));
+        result.numerators.push_back(
+            multiplied(fraction.numerator, without(result.denominator, fraction.denominator)));
     }
     return result;
 }
 
 Fraction FractionField::sum(std::span<const Fraction> summands) {
-    Common common = over_common_denominator(summands);
-    std::size_t terms = 0;
-    for (const SparsePolynomial& numerator : common.numerators) terms += numerator.size();
-    spend(0, terms);
-    SparsePolynomial numerator = blossom::sum(common.numerators);
-    spend(numerator.size(), 0);
-    if (numerator.is_zero()) return {};
-    return {std::move(numerator), std::move(common.denominator)};
+    FractionSum sum(*this);
+    for (const Fraction& summand : summands) sum.add(summand);
+    return std::move(sum).result();
 }
 
 Fraction FractionField::difference(const Fraction& a, const Fraction& b) {
@@ -106,8 +92,12 @@ Fraction FractionField::difference(const Fraction& a, const Fraction& b) {
 
 Fraction FractionField::product(const Fraction& a, const Fraction& b) {
     if (a.is_zero() || b.is_zero()) return {};
-    Fraction result{product(a.numerator, b.numerator), multiplied(a.denominator, b.denominator)};
-    return result.denominator.empty() ? result : reduced(std::move(result));
+    if (a.denominator.empty() && b.denominator.empty()) return {product(a.numerator, b.numerator), {}};
+    Fraction left{a.numerator, b.denominator};
+    Fraction right{b.numerator, a.denominator};
+    cancel(left.numerator, left.denominator);
+    cancel(right.numerator, right.denominator);
+    return {product(left.numerator, right.numerator), blossom::proofs::multiplied(left.denominator, right.denominator)};
 }
 
 Fraction FractionField::power(const Fraction& base, std::size_t exponent) {
@@ -116,8 +106,15 @@ Fraction FractionField::power(const Fraction& base, std::size_t exponent) {
     for (const auto& [factor, power] : base.denominator) {
         if (exponent > 0) result.denominator.emplace_back(factor, power * exponent);
     }
-    if (base.numerator.size() <= 2) {
-        spend(exponent + 1, exponent);
+    const std::size_t terms = base.numerator.size();
+    if (terms <= 2 || has_independent_terms(base.numerator)) {
+        for (std::size_t i = 1; i <= exponent; ++i) {
+            const Integer size = binomial(i + std::max<std::size_t>(terms, 1) - 1, i);
+            const std::size_t count = size > Integer(limits_.expansion_work)
+                                          ? limits_.expansion_work
+                                          : static_cast<std::size_t>(*size.to_int64());
+            spend(count, count);
+        }
         result.numerator = pow(base.numerator, exponent);
         return result;
     }
@@ -128,14 +125,14 @@ Fraction FractionField::power(const Fraction& base, std::size_t exponent) {
 /// (N / prod f_j^e_j)' = (N' prod f_j - N sum_j e_j f_j' prod_{i != j} f_i) / prod f_j^(e_j + 1)
 Fraction FractionField::derivative(const Fraction& a, std::size_t variable) {
     Fraction result{blossom::derivative(a.numerator, variable), a.denominator};
-    SparsePolynomial without = a.numerator;
+    SparsePolynomial others = a.numerator;
     for (auto& [factor, exponent] : result.denominator) {
         const SparsePolynomial& f = factors_[factor];
         const SparsePolynomial df = blossom::derivative(f, variable);
         if (df.is_zero()) continue;
         result.numerator = product(result.numerator, f) -
-                           product(without, df * SparsePolynomial(Rational(exponent)));
-        without = product(without, f);
+                           product(others, df * SparsePolynomial(Rational(exponent)));
+        others = product(others, f);
         ++exponent;
     }
     return reduced(std::move(result));
@@ -143,42 +140,30 @@ Fraction FractionField::derivative(const Fraction& a, std::size_t variable) {
 
 Fraction FractionField::quotient(const Fraction& a, const Fraction& b) {
     if (b.is_zero()) throw Error(ErrorCode::division_by_zero, "the denominator is zero");
-    const Factorisation divisor = factorise(b.numerator);
-    Fraction result{a.numerator * SparsePolynomial(Rational(1) / divisor.unit),
-                    multiplied(a.denominator, divisor.factors)};
-    for (const auto& [factor, exponent] : b.denominator) {
-        for (std::size_t i = 0; i < exponent; ++i)
-            result.numerator = product(result.numerator, factors_[factor]);
-    }
-    return result.is_zero() ? Fraction{} : reduced(std::move(result));
+    if (a.is_zero()) return {};
+    auto [unit, factors] = factorise(b.numerator);
+    Fraction result{a.numerator, std::move(factors)};
+    cancel(result.numerator, result.denominator);
+    result.numerator = multiplied(std::move(result.numerator), without(b.denominator, a.denominator));
+    if (unit != Rational(1)) result.numerator *= SparsePolynomial(Rational(1) / unit);
+    result.denominator = blossom::proofs::multiplied(result.denominator, without(a.denominator, b.denominator));
+    return result;
+}
+
+void FractionField::cancel(SparsePolynomial& numerator, Factors& factors) {
+    for (auto& [factor, exponent] : factors) exponent -= divide_out(numerator, factors_[factor], exponent);
+    std::erase_if(factors, [](const auto& factor) { return factor.second == 0; });
 }
 
 Fraction FractionField::reduced(Fraction a) {
     if (a.is_zero()) return {};
-    Factors left;
-    for (auto [factor, exponent] : a.denominator) {
-        while (exponent > 0) {
-            spend(0, a.numerator.size());
-            auto smaller = quotient_if_exact(a.numerator, factors_[factor]);
-            if (!smaller) break;
-            a.numerator = std::move(*smaller);
-            --exponent;
-        }
-        if (exponent > 0) left.emplace_back(factor, exponent);
-    }
-    a.denominator = std::move(left);
+    cancel(a.numerator, a.denominator);
     return a;
 }
 
-SparsePolynomial FractionField::without(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
-    for (const std::size_t factor : factors) {
-        while (!polynomial.is_zero()) {
-            spend(0, polynomial.size());
-            auto smaller = quotient_if_exact(polynomial, factors_[factor]);
-            if (!smaller) break;
-            polynomial = std::move(*smaller);
-        }
-    }
+SparsePolynomial FractionField::stripped(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
+    if (polynomial.is_zero()) return polynomial;
+    for (const std::size_t factor : factors) divide_out(polynomial, factors_[factor], polynomial.total_degree());
     return polynomial;
 }
 
@@ -189,14 +174,17 @@ std::size_t FractionField::number_of(const SparsePolynomial& factor) {
     return factors_.size() - 1;
 }
 
-void FractionField::divide_out(SparsePolynomial& rest, const SparsePolynomial& factor,
-                               Factorisation& result) {
+std::size_t FractionField::divide_out(SparsePolynomial& rest, const SparsePolynomial& factor,
+                                      std::size_t most) {
     std::size_t exponent = 0;
-    while (auto smaller = quotient_if_exact(rest, factor)) {
-        rest = std::move(*smaller);
+    while (exponent < most) {
+        Division division = divide(rest, factor, limits_.expansion_work - std::min(work_, limits_.expansion_work));
+        spend(0, division.work);
+        if (!division.quotient) break;
+        rest = std::move(*division.quotient);
         ++exponent;
     }
-    if (exponent > 0) result.factors.emplace_back(number_of(factor), exponent);
+    return exponent;
 }
 
 void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& result) {
@@ -204,48 +192,105 @@ void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& re
     // polynomials of moderate size, where the common divisor is cheap; a factor that is not split is still
     // one.
     constexpr std::size_t most_terms = 30;
-    for (std::size_t i = 0; rest.size() <= most_terms && i < rest.variables(); ++i) {
+    constexpr std::size_t most_variables = 4;
+    std::size_t occurring = 0;
+    for (std::size_t i = 0; i < rest.variables(); ++i) occurring += rest.degree_in(i) > 0 ? 1U : 0U;
+    const bool cheap = rest.size() <= most_terms && occurring <= most_variables;
+    for (std::size_t i = 0; cheap && i < rest.variables(); ++i) {
         if (rest.degree_in(i) < 2) continue;
         const SparsePolynomial repeated = gcd(rest, blossom::derivative(rest, i));
         if (is_constant(repeated)) continue;
         for (const SparsePolynomial& part : {repeated, divide_exactly(rest, repeated)}) {
             const Factorisation split = factorise(part);
             result.unit *= split.unit;
-            result.factors = multiplied(result.factors, split.factors);
+            result.factors = blossom::proofs::multiplied(result.factors, split.factors);
         }
         return;
     }
-    result.factors = multiplied(result.factors, {{number_of(rest), 1}});
+    result.factors = blossom::proofs::multiplied(result.factors, {{number_of(rest), 1}});
 }
 
 FractionField::Factorisation FractionField::factorise(const SparsePolynomial& polynomial) {
     Factorisation result{polynomial.coefficient(0), {}};
-    SparsePolynomial rest = polynomial * SparsePolynomial(Rational(1) / result.unit);
-    std::vector<std::size_t> occurring;
-    for (std::size_t i = 0; i < rest.variables(); ++i) {
-        if (rest.degree_in(i) > 0) occurring.push_back(i);
-    }
+    SparsePolynomial rest =
+        result.unit == Rational(1) ? polynomial : polynomial * SparsePolynomial(Rational(1) / result.unit);
     if (rest.total_degree() > 1) {
-        const std::vector<SparsePolynomial> known = factors_;
-        for (const SparsePolynomial& factor : known) divide_out(rest, factor, result);
-        for (std::size_t i = 0; i < occurring.size(); ++i) {
-            if (is_constant(rest)) break;
-            const SparsePolynomial x = SparsePolynomial::variable(occurring[i]);
-            divide_out(rest, x, result);
-            for (std::size_t j = i + 1; j < occurring.size() && rest.total_degree() > 1; ++j) {
-                divide_out(rest, x - SparsePolynomial::variable(occurring[j]), result);
+        const auto try_factor = [&](const SparsePolynomial& factor) {
+            if (const std::size_t exponent = divide_out(rest, factor, std::size_t(-1)); exponent > 0)
+                result.factors.emplace_back(number_of(factor), exponent);
+        };
+        for (std::size_t i = 0; i < factors_.size(); ++i) try_factor(SparsePolynomial(factors_[i]));
+        const std::vector<std::size_t> degrees = rest.degrees();
+        for (std::size_t i = 0; i < degrees.size() && !is_constant(rest); ++i) {
+            if (degrees[i] == 0) continue;
+            const SparsePolynomial x = SparsePolynomial::variable(i);
+            try_factor(x);
+            for (std::size_t j = i + 1; j < degrees.size() && rest.total_degree() > 1; ++j) {
+                if (degrees[j] > 0) try_factor(x - SparsePolynomial::variable(j));
             }
         }
     }
     std::ranges::sort(result.factors);
-    if (is_constant(rest)) {
-        if (!rest.is_zero()) result.unit *= rest.coefficient(0);
-        return result;
-    }
     result.unit *= rest.coefficient(0);
+    if (is_constant(rest)) return result;
     rest *= SparsePolynomial(Rational(1) / rest.coefficient(0));
     split_powers(rest, result);
     return result;
+}
+
+void FractionSum::add(Fraction summand) {
+    if (summand.is_zero()) return;
+    auto group = std::ranges::find(groups_, summand.denominator, &Group::denominator);
+    if (group == groups_.end())
+        group = groups_.insert(groups_.end(), {std::move(summand.denominator), {}});
+    SparsePolynomial carry = std::move(summand.numerator);
+    for (SparsePolynomial& partial : group->partial_sums) {
+        if (partial.is_zero()) {
+            partial = std::move(carry);
+            return;
+        }
+        carry = sum_of(partial, carry);
+        partial = {};
+    }
+    group->partial_sums.push_back(std::move(carry));
+}
+
+SparsePolynomial FractionSum::sum_of(const SparsePolynomial& a, const SparsePolynomial& b) {
+    field_->spend(0, a.size() + b.size());
+    SparsePolynomial sum = a + b;
+    field_->spend(sum.size(), 0);
+    return sum;
+}
+
+Fraction FractionSum::result() && {
+    std::vector<Fraction> totals;
+    for (Group& group : groups_) {
+        SparsePolynomial total;
+        for (const SparsePolynomial& partial : group.partial_sums) total = sum_of(total, partial);
+        if (total.is_zero()) continue;
+        const bool one_summand = group.partial_sums.size() == 1;
+        Fraction fraction{std::move(total), std::move(group.denominator)};
+        totals.push_back(one_summand ? std::move(fraction) : field_->reduced(std::move(fraction)));
+    }
+    if (totals.empty()) return {};
+    if (totals.size() == 1) return std::move(totals.front());
+
+    auto [numerators, denominator] = field_->over_common_denominator(totals);
+    std::size_t terms = 0;
+    for (const SparsePolynomial& numerator : numerators) terms += numerator.size();
+    field_->spend(0, terms);
+    SparsePolynomial numerator = blossom::sum(numerators);
+    field_->spend(numerator.size(), 0);
+    if (numerator.is_zero()) return {};
+    // a / f^2 + b / f is no fraction over f where f does not divide a.
+    Factors shared;
+    Factors alone;
+    for (const auto& factor : denominator) {
+        const auto has_all = [&](const Fraction& total) { return std::ranges::find(total.denominator, factor) != total.denominator.end(); };
+        (std::ranges::count_if(totals, has_all) > 1 ? shared : alone).push_back(factor);
+    }
+    field_->cancel(numerator, shared);
+    return {std::move(numerator), multiplied(shared, alone)};
 }
 
 }  // namespace blossom::proofs

@@ -116,7 +116,8 @@ private:
         for (std::size_t i = 0; i < application.orders.size(); ++i) {
             const std::size_t order = application.orders[i];
             if (!by_directions) name += ", " + std::to_string(order);
-            for (std::size_t k = arguments.size() - order; by_directions && k < arguments.size(); ++k)
+            const std::size_t first = arguments.size() - std::min(order, arguments.size());
+            for (std::size_t k = first; by_directions && k < arguments.size(); ++k)
                 name += ", " + argument(arguments[k]);
         }
         std::string places;

@@ -139,7 +139,11 @@ Value Grounder::binary(const Expression& e) {
     const Value left = value(e.children[0]);
     const Value right = value(e.children[1]);
     if (e.kind == ExpressionKind::sum) return sum_of({left, right}, {});
-    if (e.kind == ExpressionKind::difference) return sum_of({left, scaled(constant(-1), right)}, {});
+    if (e.kind == ExpressionKind::difference) {
+        // A number taken from a vector or pair is a point, whose mass is taken too.
+        const bool geometric = std::holds_alternative<NodeArgument>(left);
+        return sum_of({left, scaled(constant(-1), geometric ? Value(as_argument(right)) : right)}, {});
+    }
     const NodeId* a = std::get_if<NodeId>(&left);
     const NodeId* b = std::get_if<NodeId>(&right);
     if (e.kind == ExpressionKind::product) return a ? scaled(*a, right) : scaled(std::get<NodeId>(right), left);

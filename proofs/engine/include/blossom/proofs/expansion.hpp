@@ -10,12 +10,13 @@ namespace blossom::proofs {
 
 /// Expands nodes to rational functions of the symbols: symbol i is variable i.
 ///
-/// Blossoms are the engine's own construction, run on symbolic arguments. Each one is also
-/// computed from an independent definition, `polar_form` on coefficients, and the two must be the same
-/// polynomial, so that an error of the engine shows as an error here and never as a proof.
+/// Blossoms in one variable are the engine's own construction, run on symbolic arguments; over simplices they are
+/// the definition, `polar_form`.
 ///
-/// Errors: `division_by_zero` with the offset of the quotient; `limit_exceeded`; `internal` when engine and
-/// definition disagree.
+/// What a node comes to is given up when all that is made of it is there, and sums take their summands one
+/// after the other: of a sum over many values only a few are there at a time.
+///
+/// Errors: `division_by_zero` with the offset of the quotient; `limit_exceeded`.
 class Expander {
 public:
     Expander(const GroundBlock& block, const Limits& limits)
@@ -25,6 +26,18 @@ public:
     FractionField& field() { return field_; }
 
 private:
+    struct Frame {
+        NodeId node;
+        std::vector<NodeId> operands;
+        std::size_t next = 0;            ///< the operand that is needed next
+        std::optional<FractionSum> sum;  ///< of those before, in a sum
+    };
+
+    void count_uses();
+    Frame opened(NodeId node);
+    /// What a node has come to, for one of its uses.
+    Fraction use(NodeId node);
+    void give_up_use(NodeId node);
     Fraction expanded(const Node& node);
     Fraction application(const Application& application);
     FractionField::Common over_common_denominator(const NodeArgument& argument);
@@ -33,6 +46,8 @@ private:
     const Limits& limits_;
     FractionField field_;
     std::vector<std::optional<Fraction>> known_;
+    std::vector<std::size_t> uses_;  ///< that are still to come
+    std::vector<bool> was_known_;
 };
 
 }  // namespace blossom::proofs

@@ -11,11 +11,14 @@
 
 namespace blossom::proofs {
 
-/// A rational function: a polynomial over a product of factors of the field it belongs to. Each factor is
-/// kept by its number, with its exponent, in order; denominators are never multiplied out.
+/// A product of factors of a field: the number of each, in order, and its exponent.
+using Factors = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// A rational function: a polynomial over a product of factors of the field it belongs to; denominators are
+/// never multiplied out.
 struct Fraction {
     SparsePolynomial numerator;
-    std::vector<std::pair<std::size_t, std::size_t>> denominator;
+    Factors denominator;
 
     bool is_zero() const { return numerator.is_zero(); }
 };
@@ -23,13 +26,17 @@ struct Fraction {
 /// The field of rational functions of any number of variables over Q, with its arithmetic and the factors
 /// that have stood in a denominator: these are the conditions of what was computed.
 ///
+/// Fractions come out without a factor that stands in numerator and denominator, if their operands are such.
+/// Only what can cancel is tried: in a product the factors of one denominator in the other numerator, in a sum
+/// those that occur in two denominators equally often.
+///
 /// Every operation predicts its cost and counts it: `limit_exceeded` beyond `expansion_terms` terms of one
 /// polynomial or `expansion_work` term operations of all together.
 class FractionField {
 public:
     explicit FractionField(const Limits& limits) : limits_(limits) {}
 
-    /// Cost: a merge of all terms by halves.
+    /// Cost: that of `FractionSum`.
     Fraction sum(std::span<const Fraction> summands);
     Fraction product(const Fraction& a, const Fraction& b);
     Fraction power(const Fraction& base, std::size_t exponent);
@@ -52,7 +59,7 @@ public:
     /// numerators[i] / denominator are the fractions, over their least common denominator.
     struct Common {
         std::vector<SparsePolynomial> numerators;
-        std::vector<std::pair<std::size_t, std::size_t>> denominator;
+        Factors denominator;
     };
     Common over_common_denominator(std::span<const Fraction> fractions);
 
@@ -64,22 +71,47 @@ public:
     /// differences of variables, powers and known ones are found; what remains is one factor.
     struct Factorisation {
         Rational unit;
-        std::vector<std::pair<std::size_t, std::size_t>> factors;
+        Factors factors;
     };
     Factorisation factorise(const SparsePolynomial& polynomial);
     /// The polynomial divided by every one of these factors as often as it goes.
-    SparsePolynomial without(SparsePolynomial polynomial, const std::set<std::size_t>& factors);
+    SparsePolynomial stripped(SparsePolynomial polynomial, const std::set<std::size_t>& factors);
     const std::vector<SparsePolynomial>& factors() const { return factors_; }
 
 private:
-    void divide_out(SparsePolynomial& rest, const SparsePolynomial& factor, Factorisation& result);
+    /// Divides by a factor as often as it goes and `most` times at the most; how often it went.
+    std::size_t divide_out(SparsePolynomial& rest, const SparsePolynomial& factor, std::size_t most);
+    /// Takes from `factors` what divides the numerator, and divides that by it.
+    void cancel(SparsePolynomial& numerator, Factors& factors);
     std::size_t number_of(const SparsePolynomial& factor);
     void split_powers(const SparsePolynomial& rest, Factorisation& result);
+    SparsePolynomial multiplied(SparsePolynomial polynomial, const Factors& factors);
+    friend class FractionSum;
 
     Limits limits_;
     std::size_t work_ = 0;
     std::size_t calls_ = 0;
     std::vector<SparsePolynomial> factors_;
+};
+
+/// A sum of fractions as they come. Those over one denominator are added up by halves, for n of them the
+/// logarithm of n passes over their terms; then all are brought over the least common denominator.
+class FractionSum {
+public:
+    explicit FractionSum(FractionField& field) : field_(&field) {}
+
+    void add(Fraction summand);
+    Fraction result() &&;
+
+private:
+    struct Group {
+        Factors denominator;
+        std::vector<SparsePolynomial> partial_sums;  ///< number i of 2^i summands, or 0
+    };
+    SparsePolynomial sum_of(const SparsePolynomial& a, const SparsePolynomial& b);
+
+    FractionField* field_;
+    std::vector<Group> groups_;
 };
 
 }  // namespace blossom::proofs
