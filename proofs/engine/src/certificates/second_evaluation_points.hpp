@@ -250,7 +250,7 @@ typename Evaluation<Field>::Value Evaluation<Field>::abbreviation(const Node& no
     const std::string& family = reading_.name(let.name);
     if (clause == nullptr) {
         if (let.declaration) return declared_member(node, *let.declaration, indices);
-        if (counting_.needs_clause(node.target) || reading_.strict()) {
+        if (counting_.needs_clause(node.target, indices.size()) || reading_.strict()) {
             fail(ErrorCode::syntax, "no line \"let\" fits " + name_of_member(family, indices), node.offset);
         }
         if (let.kind == Kind::geometric) {

@@ -40,6 +40,10 @@ bool is_open_index(const Expression& index) {
     return index.kind == ExpressionKind::name && index.children.empty();
 }
 
+bool contains_name(const Expression& e) {
+    return e.kind == ExpressionKind::name || std::ranges::any_of(e.children, contains_name);
+}
+
 /// Two patterns that fit the same members: open indices have any names.
 bool same_patterns(const Expression& a, const Expression& b) {
     return std::ranges::equal(a.children, b.children, [](const Expression& x, const Expression& y) {
@@ -145,9 +149,10 @@ void Names::declare(const Statement& statement) {
     }
 }
 
-bool has_open_index(const std::vector<const Statement*>& clauses) {
-    return std::ranges::any_of(clauses, [](const Statement* clause) {
-        return std::ranges::any_of(clause->sides[0].children, is_open_index);
+bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t indices) {
+    return std::ranges::any_of(clauses, [&](const Statement* clause) {
+        const auto& patterns = clause->sides[0].children;
+        return patterns.size() == indices && std::ranges::any_of(patterns, contains_name);
     });
 }
 

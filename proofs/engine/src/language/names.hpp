@@ -47,7 +47,7 @@ private:
     std::map<std::string, std::vector<const Statement*>> clauses_;
 };
 
-/// Whether some clause stands for members with any index: one of its indices is a name.
-bool has_open_index(const std::vector<const Statement*>& clauses);
+/// Whether some clause with so many indices has a name among them, so that a member that it does not fit is a mistake.
+bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t indices);
 
 }  // namespace blossom::proofs
