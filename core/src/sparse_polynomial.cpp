@@ -461,6 +461,31 @@ std::vector<std::size_t> SparsePolynomial::degrees() const {
     return result;
 }
 
+std::optional<SparsePolynomial> product_within(const SparsePolynomial& a, const SparsePolynomial& b,
+                                               std::size_t most_terms) {
+    if (a.size() < b.size()) return product_within(b, a, most_terms);
+    if (b.is_zero()) return SparsePolynomial();
+    const Layout layout = product_layout(a, b);
+    const Aligned larger(a, layout);
+    const Aligned smaller(b, layout);
+    std::vector<Summand> summands;
+    add_products(larger, smaller, layout, 1, summands);
+    const std::size_t at_a_time = std::max<std::size_t>(1, most_terms / a.size());
+    return packed_monomials::with_width(
+        layout.words(), [&]<class Width>(const Width& width) -> std::optional<SparsePolynomial> {
+            Terms total;
+            for (std::size_t i = 0; i < summands.size(); i += at_a_time) {
+                const auto slice = std::span(summands).subspan(i, std::min(at_a_time, summands.size() - i));
+                Terms next = sum_of(width, slice);
+                total = i == 0 ? std::move(next)
+                               : merged(width, ConsumedStream<Width>(width, total), ConsumedStream<Width>(width, next));
+                if (total.size() > most_terms) return std::nullopt;
+            }
+            return SparseArithmetic::polynomial(std::move(total), layout,
+                                                a.coefficients().denominator() * b.coefficients().denominator());
+        });
+}
+
 Rational SparsePolynomial::operator()(std::span<const Rational> values) const {
     Rational sum;
     for (std::size_t i = 0; i < size(); ++i) {

@@ -39,6 +39,11 @@ Division divide(const SparsePolynomial& a, const SparsePolynomial& b,
 /// a / b where b divides a. Errors: `inexact_division` if it does not, `division_by_zero`.
 SparsePolynomial divide_exactly(const SparsePolynomial& a, const SparsePolynomial& b);
 
+/// Whether a factor in which the variable occurs may divide the polynomial twice. False is certain: the image
+/// modulo a prime, with numbers for the other variables, has none. True is wrong only where a discriminant
+/// happens to vanish there. Cost: one pass, and n^2 multiplications in words for degree n in the variable.
+bool may_have_repeated_factor(const SparsePolynomial& polynomial, std::size_t variable);
+
 /// The greatest common divisor, with leading coefficient 1 in lexicographic order; gcd(0, 0) = 0.
 /// By primitive remainder sequences, one variable after the other: for polynomials of moderate size.
 SparsePolynomial gcd(const SparsePolynomial& a, const SparsePolynomial& b);

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -69,6 +70,11 @@ private:
     std::vector<std::uint64_t> monomials_;  ///< term by term; greater in lexicographic order first
     RationalVector coefficients_;
 };
+
+/// a * b, or nothing where it or a partial sum of it has more than `most_terms` terms, which take no more memory
+/// than that.
+std::optional<SparsePolynomial> product_within(const SparsePolynomial& a, const SparsePolynomial& b,
+                                               std::size_t most_terms);
 
 /// The sum of all by halves: for n summands the logarithm of n passes over the terms. 0 for none.
 SparsePolynomial sum(std::span<const SparsePolynomial> summands);

@@ -52,9 +52,9 @@ SparsePolynomial FractionField::product(const SparsePolynomial& a, const SparseP
     std::size_t pairs = 0;
     if (__builtin_mul_overflow(a.size(), b.size(), &pairs)) pairs = limits_.expansion_work + 1;
     spend(0, pairs);
-    SparsePolynomial result = a * b;
-    spend(result.size(), 0);
-    return result;
+    auto result = product_within(a, b, limits_.expansion_terms);
+    if (!result) spend(limits_.expansion_terms + 1, 0);
+    return std::move(*result);
 }
 
 SparsePolynomial FractionField::multiplied(SparsePolynomial polynomial, const Factors& factors) {
@@ -192,12 +192,11 @@ void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& re
     // polynomials of moderate size, where the common divisor is cheap; a factor that is not split is still
     // one.
     constexpr std::size_t most_terms = 30;
-    constexpr std::size_t most_variables = 4;
-    std::size_t occurring = 0;
-    for (std::size_t i = 0; i < rest.variables(); ++i) occurring += rest.degree_in(i) > 0 ? 1U : 0U;
-    const bool cheap = rest.size() <= most_terms && occurring <= most_variables;
-    for (std::size_t i = 0; cheap && i < rest.variables(); ++i) {
-        if (rest.degree_in(i) < 2) continue;
+    for (std::size_t i = 0; rest.size() <= most_terms && i < rest.variables(); ++i) {
+        const std::size_t degree = rest.degree_in(i);
+        if (degree < 2) continue;
+        spend(0, rest.size() + degree * degree);
+        if (!may_have_repeated_factor(rest, i)) continue;
         const SparsePolynomial repeated = gcd(rest, blossom::derivative(rest, i));
         if (is_constant(repeated)) continue;
         for (const SparsePolynomial& part : {repeated, divide_exactly(rest, repeated)}) {
