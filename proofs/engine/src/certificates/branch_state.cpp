@@ -13,11 +13,13 @@ BranchState::BranchState(std::vector<PlainPolynomial> equations, const std::vect
 }
 
 std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const PlainPolynomial& relation) {
-    if (std::ranges::find(solved_, symbol) != solved_.end()) return "the symbol is solved for a second time";
+    const bool has_power = std::ranges::any_of(power_steps_, [&](const PowerStep& step) { return step.symbol == symbol; });
+    const bool again = std::ranges::find(solved_, symbol) != solved_.end();
+    if (again && !(has_power && degree == 1)) return "the symbol is solved for a second time";
     const PlainPolynomial usable = reduced(relation);
     budget_->spend(equations_.size());
     const bool follows = std::ranges::any_of(
-        equations_, [&](const PlainPolynomial& equation) { return is_zero_where(equation, usable, degree); });
+        equations_, [&](const PlainPolynomial& equation) { return is_zero_where(equation, usable, equation.degree(symbol)); });
     if (!follows) return "the relation is no hypothesis";
     const std::vector<PlainPolynomial> coefficients = coefficients_by(usable, symbol, *budget_);
     if (degree == 0 || coefficients.size() != degree + 1)

@@ -101,13 +101,15 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
 
 CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) {
     CaseOutcome outcome;
-    outcome.left = expander_(relation.left);
-    const Fraction right = expander_(relation.right);
-    decision.terms = outcome.left.numerator.size();
     const std::set<std::size_t> nonzero = add_conditions(relation, decision);
     for (const std::size_t factor : nonzero) outcome.conditions.push_back(expander_.field().factors()[factor]);
     Branch& root = elimination_.root(nonzero);
+    elimination_.grow(root);
     outcome.root = &root;
+    Expander& expand = expander_below(root);
+    outcome.left = expand(relation.left);
+    const Fraction right = expand(relation.right);
+    decision.terms = outcome.left.numerator.size();
     Walk way{relation, decision, outcome, expander_.field().difference(outcome.left, right).numerator,
              outcome.conditions};
     walk(root, way);
@@ -128,6 +130,14 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
     decision.holds_if.clear();
     decision.verdict = Verdict::proved;
     return outcome;
+}
+
+Expander& BlockCase::expander_below(const Branch& root) {
+    const auto known = expanders_.find(&root);
+    if (known != expanders_.end()) return known->second;
+    std::map<std::size_t, SparsePolynomial> replacements = elimination_.replacements(root);
+    if (replacements.empty()) return expander_;
+    return expanders_.try_emplace(&root, expander_, std::move(replacements)).first->second;
 }
 
 void BlockCase::walk(Branch& branch, Walk& way) {
@@ -156,14 +166,34 @@ void BlockCase::walk_below(Branch& branch, Walk& way) {
     way.pivots.pop_back();
     way.nonzero.pop_back();
     if (way.outcome.witness) return;
-    elimination_.grow(branch.branches[1]);
-    if (branch.branches[1].end == Branch::End::open) {
-        leave_open(branch.pivot, way);
-    } else {
-        way.pivots.push_back(condition_text(branch.pivot, "=="));
-        walk(branch.branches[1], way);
-        way.pivots.pop_back();
+    walk_where_pivot_vanishes(branch, way);
+}
+
+/// A case that does not fit, or that goes beyond a limit, is left open.
+void BlockCase::walk_where_pivot_vanishes(Branch& branch, Walk& way) {
+    const Walk before = way;
+    const CaseOutcome outcome = way.outcome;
+    const CaseDecision decision = way.decision;
+    try {
+        elimination_.grow(branch.branches[1]);
+        if (branch.branches[1].end != Branch::End::open) {
+            way.pivots.push_back(condition_text(branch.pivot, "=="));
+            walk(branch.branches[1], way);
+            way.pivots.pop_back();
+            return;
+        }
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::limit_exceeded || before.agreed == 0) throw;
+        way.difference = before.difference;
+        way.nonzero = before.nonzero;
+        way.steps = before.steps;
+        way.pivots = before.pivots;
+        way.agreed = before.agreed;
+        way.outcome = outcome;
+        way.decision = decision;
+        branch.branches[1] = Branch{.end = Branch::End::open};
     }
+    leave_open(branch.pivot, way);
 }
 
 void BlockCase::leave_open(const SparsePolynomial& pivot, Walk& way) {

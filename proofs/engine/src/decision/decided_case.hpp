@@ -2,6 +2,7 @@
 
 #include <blossom/proofs/prover.hpp>
 
+#include <map>
 #include <set>
 #include <vector>
 
@@ -32,10 +33,15 @@ public:
     Expander& expander() { return expander_; }
 
 private:
+    /// Expands where the first hypotheses have given polynomials for symbols: pyramids stay as small as they are without
+    /// hypotheses.
+    Expander& expander_below(const Branch& root);
+
     struct Walk;
 
     void walk(Branch& branch, Walk& way);
     void walk_below(Branch& branch, Walk& way);
+    void walk_where_pivot_vanishes(Branch& branch, Walk& way);
     void end_of_branch(Walk& way);
     void leave_open(const SparsePolynomial& pivot, Walk& way);
     std::set<std::size_t> add_conditions(const Relation& relation, CaseDecision& decision);
@@ -46,6 +52,7 @@ private:
     const GroundBlock& block_;
     Expander expander_;
     Elimination elimination_;
+    std::map<const Branch*, Expander> expanders_;
 };
 
 }  // namespace blossom::proofs

@@ -124,6 +124,27 @@ SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const 
     return without_factors(sum(summands), factors_of(leading));
 }
 
+std::map<std::size_t, SparsePolynomial> Elimination::replacements(const Branch& root) {
+    std::map<std::size_t, SparsePolynomial> result;
+    std::size_t count = 0;
+    while (count < root.steps.size()) {
+        const Substitution& step = root.steps[count];
+        if (step.degree != 1 || coefficients_in(step.relation, step.symbol)[1].total_degree() > 0) break;
+        ++count;
+    }
+    // What replaces a symbol may contain symbols that are replaced later.
+    while (count-- > 0) {
+        const Substitution& step = root.steps[count];
+        const std::vector<SparsePolynomial> powers = coefficients_in(step.relation, step.symbol);
+        SparsePolynomial value = powers[0] * SparsePolynomial(Rational(-1) / powers[1].coefficient(0));
+        for (const auto& [symbol, by] : result) {
+            if (value.degree_in(symbol) > 0) value = polynomial_value(coefficients_in(value, symbol), by);
+        }
+        result.emplace(step.symbol, std::move(value));
+    }
+    return result;
+}
+
 /// Leaves out what says nothing and factors that do not vanish. False if nothing satisfies the equations.
 bool Elimination::simplify(BranchState& state) {
     for (Equation& equation : state.equations)
@@ -152,24 +173,26 @@ bool Elimination::apply(BranchState& state, const Substitution& step) {
     return true;
 }
 
-std::optional<Elimination::Candidate> Elimination::linear_candidate(const BranchState& state, std::size_t equation,
-                                                                    bool coefficients) {
+std::optional<Elimination::Candidate> Elimination::linear_candidate(const BranchState& state,
+                                                                    std::size_t equation) {
     const SparsePolynomial& polynomial = state.equations[equation].polynomial;
+    const bool with_maps = has_coefficients(polynomial);
     std::optional<Candidate> best;
+    const auto rank = [](const Candidate& c) { return std::tuple(c.doubt, c.size, c.elsewhere); };
     for (std::size_t i = block_.symbols.size(); i-- > 0;) {
-        if (block_.symbols[i].is_coefficient != coefficients || state.solved.contains(i)) continue;
-        if (polynomial.degree_in(i) != 1) continue;
-        Candidate candidate{equation, {i, 1, polynomial}, {}};
+        if (state.solved.contains(i) || polynomial.degree_in(i) != 1) continue;
         const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
+        // Of an equation between values of maps a number is only taken that stands alone, such as a control point.
+        if (with_maps && !block_.symbols[i].is_coefficient && cofactor.total_degree() > 0) continue;
+        Candidate candidate{equation, {i, 1, polynomial}, {}};
         for (const std::size_t factor : factors_of(cofactor)) {
             if (state.nonzero.contains(factor)) continue;
             candidate.doubtful.push_back(factor);
             candidate.doubt += expander_.field().factors()[factor].size();
         }
         candidate.size = cofactor.size();
-        const auto rank = [](const Candidate& c) { return std::pair(c.doubt, c.size); };
+        for (const Equation& other : state.equations) candidate.elsewhere += other.polynomial.degree_in(i) > 0 ? 1U : 0U;
         if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
-        if (best->doubtful.empty() && best->size == 1) break;
     }
     return best;
 }
@@ -199,15 +222,13 @@ std::optional<Elimination::Candidate> Elimination::best_candidate(const BranchSt
     std::optional<Candidate> best;
     const auto rank = [&](const Candidate& c) {
         return std::tuple(!c.doubtful.empty(), has_coefficients(state.equations[c.equation].polynomial),
-                          c.step.degree, c.doubt, c.size);
+                          c.step.degree, c.doubt, c.size, c.elsewhere);
     };
     const auto consider = [&](std::optional<Candidate> candidate) {
         if (candidate && (!best || rank(*candidate) < rank(*best))) best = std::move(candidate);
     };
     for (std::size_t i = 0; i < state.equations.size(); ++i) {
-        const bool with_maps = has_coefficients(state.equations[i].polynomial);
-        std::optional<Candidate> found = linear_candidate(state, i, with_maps);
-        if (!found && with_maps) found = linear_candidate(state, i, false);
+        std::optional<Candidate> found = linear_candidate(state, i);
         if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
         consider(std::move(found));
     }

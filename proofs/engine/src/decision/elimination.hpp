@@ -69,6 +69,10 @@ public:
     /// What remains of a polynomial after one step, up to factors known not to vanish.
     SparsePolynomial reduced(const SparsePolynomial& polynomial, const Substitution& step);
 
+    /// Polynomials for the symbols that the first steps of a tree replace, as far as these have leading coefficients that
+    /// are numbers.
+    std::map<std::size_t, SparsePolynomial> replacements(const Branch& root);
+
     /// The factors of a polynomial, by number.
     std::set<std::size_t> factors_of(const SparsePolynomial& polynomial);
 
@@ -78,14 +82,15 @@ private:
         Substitution step;
         std::vector<std::size_t> doubtful;  ///< the factors of the leading coefficient that may vanish
         std::size_t doubt = 0;              ///< their terms
-        std::size_t size = 0;
+        std::size_t size = 0;               ///< terms of the leading coefficient
+        std::size_t elsewhere = 0;          ///< other equations in which the symbol occurs
     };
 
     bool simplify(BranchState& state);
     bool apply(BranchState& state, const Substitution& step);
     void split(Branch& branch, BranchState state, const Candidate& candidate);
     std::optional<Candidate> best_candidate(const BranchState& state);
-    std::optional<Candidate> linear_candidate(const BranchState& state, std::size_t equation, bool coefficients);
+    std::optional<Candidate> linear_candidate(const BranchState& state, std::size_t equation);
     std::optional<Candidate> monic_candidate(const BranchState& state, std::size_t equation);
     SparsePolynomial without_factors(SparsePolynomial polynomial, const std::set<std::size_t>& factors);
     bool has_coefficients(const SparsePolynomial& polynomial) const;

@@ -147,6 +147,7 @@ Fraction Expander::expanded(const Node& node) {
         case NodeKind::constant:
             return {node.value, {}};
         case NodeKind::symbol:
+            if (const auto found = replaced_.find(node.index); found != replaced_.end()) return {found->second, {}};
             return {SparsePolynomial::variable(node.index), {}};
         case NodeKind::sum:
             break;

@@ -183,6 +183,7 @@ Value Grounder::name(const Expression& e) {
         }
         if (e.name == "delta") return NodeArgument{{constant(1)}, constant(0)};
     }
+    if (!names_) refuse(quoted(full) + " is not known here: a range has parameters of lines above and integers", e.offset);
     const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
     if (bare && declared && declared->meaning == Meaning::map) {
         refuse(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " + e.name +

@@ -108,6 +108,7 @@ private:
     Kind element_of(const Expression& e);
     void comparison(const Expression& e);
     Kind value(const Expression& e);
+    const Dimensions& required_map(const Expression& e) const;
     void orders(const Expression& e, const Dimensions& dimensions);
     Kind blossom(const Expression& e);
     Kind derivative(const Expression& e);

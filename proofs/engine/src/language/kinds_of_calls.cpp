@@ -147,6 +147,17 @@ Kind Kinds::bspline(const Expression& e) {
     return {KindName::number, 0};
 }
 
+const Dimensions& Kinds::required_map(const Expression& e) const {
+    const auto local = scope_.find(e.name);
+    if (local != scope_.end() && !local->second.empty())
+        refuse_call(quoted(e.name) + " is " + to_text(local->second.back()) + " here, not a map", e.offset);
+    const Dimensions* dimensions = map_named(e.name);
+    if (dimensions) return *dimensions;
+    refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
+                    " degree n\"",
+                e.offset);
+}
+
 /// Of a map, or the image of an integer under a permutation.
 Kind Kinds::value(const Expression& e) {
     const auto& arguments = e.groups[0];
@@ -157,12 +168,7 @@ Kind Kinds::value(const Expression& e) {
         require_integer(arguments[0]);
         return {KindName::integer, 0};
     }
-    const Dimensions* dimensions = map_named(e.name);
-    if (!dimensions) {
-        refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
-                        " degree n\"",
-                    e.offset);
-    }
+    const Dimensions* dimensions = &required_map(e);
     const bool coordinates = dimensions->size() == 1 && dimensions->front() > 1 &&
                              arguments.size() == dimensions->front() && infer(arguments[0]).is_number();
     if (!coordinates && arguments.size() != dimensions->size()) {
@@ -203,12 +209,7 @@ void Kinds::orders(const Expression& e, const Dimensions& dimensions) {
 }
 
 Kind Kinds::blossom(const Expression& e) {
-    const Dimensions* dimensions = map_named(e.name);
-    if (!dimensions) {
-        refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
-                        " degree n\"",
-                    e.offset);
-    }
+    const Dimensions* dimensions = &required_map(e);
     if (e.groups.size() != dimensions->size()) {
         wrong_arity(e.groups.size(),
                     "directions of arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
@@ -243,7 +244,11 @@ void Kinds::family(const Expression& e, std::size_t dimension) {
     } else {
         require_set(e.groups[0][0]);
     }
-    for (const Expression& excluded : e.groups[1]) require_integer(excluded);
+    for (const Expression& excluded : e.groups[1]) {
+        if (excluded.kind == ExpressionKind::name && excluded.name == e.name && excluded.children.empty())
+            refuse_call("the index " + e.name + " of the family is compared with itself", excluded.offset);
+        require_integer(excluded);
+    }
     for (const Expression& set : e.groups[2]) require_set(set);
     Scope scope(*this);
     scope.add(e.name, {KindName::integer, 0});
