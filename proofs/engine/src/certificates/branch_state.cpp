@@ -56,6 +56,22 @@ bool BranchState::is_zero_where(const PlainPolynomial& equation, const PlainPoly
     return false;
 }
 
+bool BranchState::agrees() {
+    if (difference_.is_zero() || power_steps_.empty()) return difference_.is_zero();
+    std::size_t powers = 1;
+    for (const PowerStep& step : power_steps_) powers *= step.relation.degree(step.symbol);
+    PlainPolynomial all = difference_;
+    for (const PlainPolynomial& factor : nonzero_) {
+        const bool concerned = std::ranges::any_of(
+            power_steps_, [&](const PowerStep& step) { return factor.degree(step.symbol) > 0; });
+        if (concerned) all = with_low_powers(product(all, factor, *budget_));
+    }
+    PlainPolynomial power = all;
+    for (std::size_t k = 1; k < powers && !power.is_zero(); ++k)
+        power = with_low_powers(product(power, all, *budget_));
+    return power.is_zero();
+}
+
 void BranchState::require_nonzero(const PlainPolynomial& pivot) {
     add_nonzero(reduced(pivot));
     reduce_all(nullptr);
@@ -200,6 +216,10 @@ PlainPolynomial BranchState::reduced(PlainPolynomial a) {
 void BranchState::reduce_power_steps(const LinearStep& step) {
     std::vector<PowerStep> kept;
     for (PowerStep& power_step : power_steps_) {
+        if (power_step.relation.degree(step.symbol) == 0) {
+            kept.push_back(std::move(power_step));
+            continue;
+        }
         PlainPolynomial relation = stripped(replaced(power_step.relation, step));
         const std::vector<PlainPolynomial> coefficients =
             coefficients_by(relation, power_step.symbol, *budget_);

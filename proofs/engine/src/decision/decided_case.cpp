@@ -191,7 +191,8 @@ void BlockCase::walk_where_pivot_vanishes(Branch& branch, Walk& way) {
         way.agreed = before.agreed;
         way.outcome = outcome;
         way.decision = decision;
-        branch.branches[1] = Branch{.end = Branch::End::open};
+        branch.branches[1] = {};
+        branch.branches[1].end = Branch::End::open;
     }
     leave_open(branch.pivot, way);
 }
@@ -206,7 +207,7 @@ void BlockCase::leave_open(const SparsePolynomial& pivot, Walk& way) {
 
 void BlockCase::end_of_branch(Walk& way) {
     if (std::ranges::any_of(way.nonzero, [](const SparsePolynomial& p) { return p.is_zero(); })) return;
-    if (!way.difference.is_zero()) {
+    if (!elimination_.vanishes(way.difference, way.steps, way.nonzero)) {
         way.outcome.witness =
             find_counterexample(block_, way.relation, expander_, way.steps, way.difference, way.nonzero);
         return;

@@ -124,6 +124,32 @@ SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const 
     return without_factors(sum(summands), factors_of(leading));
 }
 
+bool Elimination::vanishes(const SparsePolynomial& polynomial, const std::vector<Substitution>& steps,
+                           const std::vector<SparsePolynomial>& nonzero) {
+    std::vector<Substitution> monic;
+    std::size_t degree = 1;
+    for (const Substitution& step : steps) {
+        if (step.degree < 2) continue;
+        monic.push_back(step);
+        degree *= step.degree;
+    }
+    if (polynomial.is_zero() || monic.empty()) return polynomial.is_zero();
+    const auto remainder = [&](SparsePolynomial product) {
+        for (const Substitution& step : steps) product = reduced(product, step);
+        return product;
+    };
+    SparsePolynomial product = polynomial;
+    for (const SparsePolynomial& factor : nonzero) {
+        const bool concerned = std::ranges::any_of(
+            monic, [&](const Substitution& step) { return factor.degree_in(step.symbol) > 0; });
+        if (concerned) product = remainder(expander_.field().product(product, factor));
+    }
+    SparsePolynomial power = product;
+    for (std::size_t k = 1; k < degree && !power.is_zero(); ++k)
+        power = remainder(expander_.field().product(power, product));
+    return power.is_zero();
+}
+
 std::map<std::size_t, SparsePolynomial> Elimination::replacements(const Branch& root) {
     std::map<std::size_t, SparsePolynomial> result;
     std::size_t count = 0;
@@ -156,7 +182,18 @@ bool Elimination::simplify(BranchState& state) {
 
 /// False if something that must not vanish does.
 bool Elimination::apply(BranchState& state, const Substitution& step) {
-    state.solved.insert(step.symbol);
+    if (step.degree > 1) {
+        state.monic.push_back(step);
+    } else {
+        state.solved.insert(step.symbol);
+        // A variable that was a root is known now: its relation is an equation again.
+        const auto known = std::ranges::find(state.monic, step.symbol, &Substitution::symbol);
+        if (known != state.monic.end()) {
+            state.equations.push_back({known->relation, block_.hypotheses.front().offset});
+            state.monic.erase(known);
+        }
+        for (Substitution& monic : state.monic) monic.relation = reduced(monic.relation, step);
+    }
     for (Equation& equation : state.equations) equation.polynomial = reduced(equation.polynomial, step);
     std::set<std::size_t> nonzero;
     for (const std::size_t factor : state.nonzero) {
@@ -204,7 +241,8 @@ std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchS
     std::optional<Candidate> best;
     for (std::size_t i = block_.symbols.size(); i-- > 0;) {
         const std::size_t degree = polynomial.degree_in(i);
-        if (degree < 2 || state.solved.contains(i) || (best && best->step.degree <= degree)) continue;
+        const bool is_root = std::ranges::find(state.monic, i, &Substitution::symbol) != state.monic.end();
+        if (degree < 2 || is_root || state.solved.contains(i) || (best && best->step.degree <= degree)) continue;
         const SparsePolynomial leading = coefficients_in(polynomial, i)[degree];
         if (leading.total_degree() > 0) continue;
         SparsePolynomial relation = polynomial * SparsePolynomial(Rational(1) / leading.coefficient(0));

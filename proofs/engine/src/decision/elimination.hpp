@@ -29,7 +29,8 @@ struct Equation {
 struct BranchState {
     std::vector<Equation> equations;   ///< still to be used
     std::set<std::size_t> nonzero;     ///< factors that do not vanish, by number
-    std::set<std::size_t> solved;      ///< symbols that have a step
+    std::set<std::size_t> solved;      ///< symbols that have a linear step
+    std::vector<Substitution> monic;   ///< steps of a higher degree, by now
     bool by_split = false;             ///< a pivot was required to vanish: what does not fit stays open
 };
 
@@ -72,6 +73,11 @@ public:
     /// Polynomials for the symbols that the first steps of a tree replace, as far as these have leading coefficients that
     /// are numbers.
     std::map<std::size_t, SparsePolynomial> replacements(const Branch& root);
+
+    /// Whether the polynomial is zero at all points of a branch where `nonzero` does not vanish: it, or its product with
+    /// these, has a power that the steps reduce to zero. Without steps of a higher degree it must be zero itself.
+    bool vanishes(const SparsePolynomial& polynomial, const std::vector<Substitution>& steps,
+                  const std::vector<SparsePolynomial>& nonzero);
 
     /// The factors of a polynomial, by number.
     std::set<std::size_t> factors_of(const SparsePolynomial& polynomial);

@@ -68,6 +68,21 @@ public:
         return rational;
     }
 
+    /// Whether some root leaves everything different from zero that must be, where one variable has no rational value:
+    /// the product of all has no power that the relation divides.
+    bool is_witness() const {
+        if (algebraic_.size() != 1) return true;
+        const std::size_t symbol = algebraic_.front();
+        const auto step = std::ranges::find(steps_, symbol, &Substitution::symbol);
+        const SparsePolynomial& relation = relations_[static_cast<std::size_t>(step - steps_.begin())];
+        const std::size_t degree = relation.degree_in(symbol);
+        SparsePolynomial product = 1;
+        for (const SparsePolynomial& factor : nonzero_) product *= factor;
+        SparsePolynomial power = 1;
+        for (std::size_t k = 0; k < degree; ++k) power = remainder(power * product, relation, symbol);
+        return !power.is_zero();
+    }
+
     const std::vector<Rational>& values() const { return values_; }
     const std::vector<std::size_t>& algebraic() const { return algebraic_; }
     const std::vector<SparsePolynomial>& relations() const { return relations_; }
@@ -123,6 +138,19 @@ private:
             }
         }
         return leave(symbol);
+    }
+
+    static SparsePolynomial remainder(SparsePolynomial polynomial, const SparsePolynomial& relation,
+                                      std::size_t symbol) {
+        const std::vector<SparsePolynomial> divisor = coefficients_in(relation, symbol);
+        const SparsePolynomial x = SparsePolynomial::variable(symbol);
+        while (!polynomial.is_zero() && polynomial.degree_in(symbol) + 1 >= divisor.size()) {
+            const std::size_t degree = polynomial.degree_in(symbol);
+            const SparsePolynomial factor = coefficients_in(polynomial, symbol)[degree] *
+                                            SparsePolynomial(Rational(1) / divisor.back().coefficient(0));
+            polynomial -= factor * pow(x, degree + 1 - divisor.size()) * relation;
+        }
+        return polynomial;
     }
 
     bool leave(std::size_t symbol) {
@@ -259,8 +287,14 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
     for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
         WitnessSearch next(block, steps, required);
         const bool rational = next.choose(attempt);
+        if (!rational && !next.is_witness()) continue;
         if (rational || !choice) choice.emplace(std::move(next));
         if (rational) break;
+    }
+    if (!choice) {
+        throw Error(ErrorCode::limit_exceeded,
+                    "the sides differ, but no small values of the variables show it where the hypotheses have roots", "",
+                    relation.offset);
     }
     std::vector<std::string> names;
     names.reserve(block.symbols.size());
