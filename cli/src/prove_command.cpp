@@ -284,8 +284,14 @@ void write_records(std::vector<Task>& tasks, const ProveCommand& command, const 
 }  // namespace
 
 Outcome check_certificate_file(const std::string& path, const Limits& limits, const Streams& streams) {
-    const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
-    const auto certificates = read_certificates(parse_json(text, limits), limits);
+    std::vector<proofs::second::Certificate> certificates;
+    try {
+        const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
+        certificates = read_certificates(parse_json(text, limits), limits);
+    } catch (const Error& error) {
+        const std::string place = error.field().empty() ? "" : " (at " + error.field() + ")";
+        throw UsageError(path + " is no certificate: " + error.message() + place);
+    }
     bool complete = !certificates.empty();
     std::size_t confirmed = 0;
     for (const proofs::second::Confirmed& line : proofs::second::confirmed_theorems(certificates, limits)) {

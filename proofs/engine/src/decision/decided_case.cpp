@@ -44,6 +44,12 @@ std::string BlockCase::condition_text(const SparsePolynomial& factor, std::strin
     return sides[0] + " " + std::string(sign) + " " + sides[1];
 }
 
+/// What vanishes where a power does.
+NodeId BlockCase::base_of(NodeId node) const {
+    while (block_.nodes[node].kind == NodeKind::power) node = block_.nodes[node].operands[0];
+    return node;
+}
+
 bool BlockCase::has_coefficients(std::size_t factor) {
     const SparsePolynomial& polynomial = expander_.field().factors()[factor];
     for (std::size_t i = 0; i < block_.symbols.size(); ++i) {
@@ -88,7 +94,7 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
     for (const Relation* one : relations) {
         for (const NodeId divisor : divisors_below(block_, {one->left, one->right})) {
             take(elimination_.factors_of(expander_(divisor).numerator), one->quantified,
-                 [&] { return node_text(block_, divisor) + " != 0"; });
+                 [&] { return node_text(block_, base_of(divisor)) + " != 0"; });
         }
     }
     for (const Relation& one : block_.assumptions) {
@@ -214,6 +220,7 @@ void BlockCase::end_of_branch(Walk& way) {
     }
     if (way.agreed++ > 0) return;
     way.outcome.steps = way.steps;
+    if (!way.steps.empty()) way.outcome.point = some_point(block_, way.steps, way.nonzero);
     way.decision.holds_if = way.pivots;
 }
 

@@ -17,7 +17,8 @@ struct CaseOutcome {
     std::vector<SparsePolynomial> conditions;  ///< what must not vanish, pivots that were left open included
     const Branch* root = nullptr;              ///< grown wherever the claim was decided
     std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds
-    std::optional<Witness> witness;   ///< where the claim fails
+    std::vector<std::pair<std::string, Rational>> point;  ///< one there, where all values are rational
+    std::optional<Witness> witness;                       ///< where the claim fails
 };
 
 /// The first road: expands and decides the claims of a block for one choice of its parameters.
@@ -46,6 +47,7 @@ private:
     void leave_open(const SparsePolynomial& pivot, Walk& way);
     std::set<std::size_t> add_conditions(const Relation& relation, CaseDecision& decision);
     bool has_coefficients(std::size_t factor);
+    NodeId base_of(NodeId node) const;
     std::string condition_text(const SparsePolynomial& factor, std::string_view sign) const;
     std::vector<std::string> names() const;
 

@@ -78,7 +78,7 @@ Elimination::Elimination(const GroundBlock& block, Expander& expander) : block_(
 
 bool Elimination::has_coefficients(const SparsePolynomial& polynomial) const {
     for (std::size_t i = 0; i < block_.symbols.size(); ++i) {
-        if (block_.symbols[i].is_coefficient && polynomial.degree_in(i) > 0) return true;
+        if (block_.symbols[i].is_map_value() && polynomial.degree_in(i) > 0) return true;
     }
     return false;
 }
@@ -220,7 +220,7 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
         if (state.solved.contains(i) || polynomial.degree_in(i) != 1) continue;
         const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
         // Of an equation between values of maps a number is only taken that stands alone, such as a control point.
-        if (with_maps && !block_.symbols[i].is_coefficient && cofactor.total_degree() > 0) continue;
+        if (with_maps && !block_.symbols[i].is_map_value() && cofactor.total_degree() > 0) continue;
         Candidate candidate{equation, {i, 1, polynomial}, {}};
         for (const std::size_t factor : factors_of(cofactor)) {
             if (state.nonzero.contains(factor)) continue;

@@ -13,7 +13,7 @@ namespace {
 class BlockDecision {
 public:
     BlockDecision(const Block& block, const Limits& limits, const DecisionOptions& options)
-        : block_(block), limits_(limits), options_(options), opinion_(block, limits) {
+        : block_(block), limits_(limits), options_(options), opinion_(block, unfit(block, limits), limits) {
         for (std::size_t i = 0; i < block.statements.size(); ++i) {
             const Statement& statement = block.statements[i];
             if (statement.kind != StatementKind::claim && statement.kind != StatementKind::refute) continue;
@@ -40,6 +40,16 @@ public:
     }
 
 private:
+    /// Whatever else is wrong with the block is the error of every line.
+    static std::set<std::size_t> unfit(const Block& block, const Limits& limits) {
+        try {
+            const std::vector<Parameters> choices = parameter_choices(block, limits);
+            return choices.empty() ? std::set<std::size_t>{} : unfit_claims(block, choices.front(), limits);
+        } catch (const Error&) {
+            return {};
+        }
+    }
+
     static void add_error(Decision& decision, const Parameters& parameters, const Error& error) {
         CaseDecision failed;
         failed.parameters = parameters;
@@ -71,13 +81,13 @@ private:
         }
         for (const Relation& relation : grounded->claims) {
             const auto decision = std::ranges::find(decisions_, relation.statement, &Decision::statement);
-            const auto line = static_cast<std::size_t>(decision - decisions_.begin());
             CaseDecision decided;
             decided.parameters = parameters;
             decided.parameters.insert(decided.parameters.end(), relation.parameters.begin(),
                                       relation.parameters.end());
             try {
-                decide_claim(*grounded, *block_case, relation, {line, decided.parameters}, decided);
+                decide_claim(*grounded, *block_case, relation, opinion_.case_of(relation.statement, decided.parameters),
+                             decided);
             } catch (const Error& error) {
                 record(decided, error, relation.offset);
             }
@@ -93,7 +103,7 @@ private:
             settle(opinion_.on_refutation(which, *outcome.witness), "refuted", relation.offset, decided);
             return;
         }
-        const second::Certificate certificate = certificate_of(block_, grounded, which, outcome);
+        const second::Certificate certificate = certificate_of(block_, opinion_.text(), grounded, which, outcome);
         settle(opinion_.on_proof(grounded, which, outcome, certificate), "proved", relation.offset, decided);
         if (options_.on_proof && decided.verdict == Verdict::proved) {
             options_.on_proof(

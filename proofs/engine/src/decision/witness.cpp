@@ -36,10 +36,10 @@ Rational small_integer(std::size_t number) {
 std::vector<std::size_t> order_of_symbols(const GroundBlock& block, std::span<const Substitution> steps) {
     std::vector<std::size_t> order;
     for (std::size_t i = block.symbols.size(); i-- > 0;) {
-        if (block.symbols[i].is_coefficient) order.push_back(i);
+        if (block.symbols[i].is_map_value()) order.push_back(i);
     }
     for (std::size_t i = 0; i < block.symbols.size(); ++i) {
-        if (!block.symbols[i].is_coefficient) order.push_back(i);
+        if (!block.symbols[i].is_map_value()) order.push_back(i);
     }
     for (const Substitution& step : steps) std::erase(order, step.symbol);
     return order;
@@ -276,6 +276,18 @@ std::string side_text(Expander& expander, NodeId side, const WitnessSearch& choi
 }
 
 }  // namespace
+
+std::vector<std::pair<std::string, Rational>> some_point(const GroundBlock& block,
+                                                         std::span<const Substitution> steps,
+                                                         const std::vector<SparsePolynomial>& nonzero) {
+    WitnessSearch search(block, steps, nonzero);
+    std::vector<std::pair<std::string, Rational>> point;
+    if (!search.choose(0)) return point;
+    for (std::size_t i = 0; i < block.symbols.size(); ++i) {
+        if (!block.symbols[i].is_bound) point.emplace_back(block.symbols[i].name, search.values()[i]);
+    }
+    return point;
+}
 
 Witness find_counterexample(const GroundBlock& block, const Relation& relation, Expander& expander,
                             std::span<const Substitution> steps, const SparsePolynomial& difference,

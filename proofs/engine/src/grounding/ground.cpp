@@ -56,6 +56,8 @@ void add_claims(Grounder& grounder, const Statement& statement, std::size_t numb
                        "the number of cases of one line, up to");
         Relation relation;
         try {
+            const auto unfit = grounder.unfit().find(&statement);
+            if (unfit != grounder.unfit().end()) throw Error(unfit->second);
             relation = grounder.relation(statement);
         } catch (const Error& error) {
             relation.offset = statement.offset;
@@ -126,6 +128,17 @@ std::vector<Parameters> parameter_choices(const Block& block, const Limits& limi
         choices.push_back(choice);
     });
     return choices;
+}
+
+std::set<std::size_t> unfit_claims(const Block& block, const Parameters& parameters, const Limits& limits) {
+    Grounder grounder(limits);
+    for (const auto& [name, value] : parameters) grounder.bind(name, value);
+    grounder.begin(block);
+    std::set<std::size_t> numbers;
+    for (std::size_t i = 0; i < block.statements.size(); ++i) {
+        if (grounder.unfit().contains(&block.statements[i])) numbers.insert(i);
+    }
+    return numbers;
 }
 
 GroundBlock ground(const Block& block, const Parameters& parameters, const Limits& limits) {

@@ -58,6 +58,8 @@ public:
     /// abbreviations see wherever they are used.
     void begin(const Block& block);
 
+    /// The lines `claim` and `refute` whose kinds do not fit, by their numbers in the block.
+    const std::map<const Statement*, Error>& unfit() const { return kinds_->unfit(); }
     void declare_map(const Statement& statement);
     void declare_polynomial(const Statement& statement);
     void declare_raised(const Statement& statement);
@@ -153,6 +155,8 @@ private:
     NodeId raise(NodeId base, std::size_t exponent, std::size_t offset);
     NodeId push(Node node, std::size_t offset = 0);
     const Rational* constant_value(NodeId id) const;
+    /// Whether a mass is 1, where need be after expansion.
+    bool is_one(NodeId id) const;
     NodeArgument as_argument(const Value& value);
 
     void add_map(GroundMap map);

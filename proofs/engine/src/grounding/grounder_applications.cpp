@@ -123,10 +123,8 @@ NodeId Grounder::derivative_of(const Expression& e, Application result) {
     if (!differentiates) return value_of(e, {.map = result.map, .offset = result.offset});
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
         const NodeArgument point = place_of(e, map, i);
-        const Rational* mass = constant_value(point.mass);
-        const bool is_point = mass && *mass == Rational(1);
         const std::size_t order = by_directions ? e.children.size() : count(e.children[i]);
-        if (order > 0 && !is_point) refuse("a derivative is taken at a number or at a point, of mass 1", e.offset);
+        if (order > 0 && !is_one(point.mass)) refuse("a derivative is taken at a number or at a point, of mass 1", e.offset);
         std::vector<NodeArgument> directions;
         if (by_directions) {
             for (const Expression& direction : e.children)

@@ -185,11 +185,6 @@ Value Grounder::name(const Expression& e) {
     }
     if (!names_) refuse(quoted(full) + " is not known here: a range has parameters of lines above and integers", e.offset);
     const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
-    if (bare && declared && declared->meaning == Meaning::map) {
-        refuse(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " + e.name +
-                   "[...]",
-               e.offset);
-    }
     if (bare ? declared && declared->meaning == Meaning::let : names_->clauses(e.name) != nullptr)
         return let_value(full, e);
     if (!bare && declared && text_->strict && !is_declared_member(*declared, e))

@@ -146,12 +146,13 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
     std::vector<std::vector<NodeId>> frame;
     for (const Expression& point : statement.frame) {
         const NodeArgument corner = argument(point, direction.dimension);
-        const Rational* mass = constant_value(corner.mass);
-        if (!mass || *mass != Rational(1)) refuse("a point of the frame has mass 1", point.offset);
+        if (!is_one(corner.mass)) refuse("a point of the frame has mass 1", point.offset);
         frame.push_back(corner.coordinates);
         frame.back().push_back(corner.mass);
     }
     const NodeId whole = determinant(frame);
+    const Rational* value = constant_value(whole);
+    if (value && value->is_zero()) refuse("the points of the frame are affinely dependent", statement.frame[0].offset);
     // The barycentric coordinate of P_j is the determinant with the argument in its place, linear in the argument:
     // cofactors of the frame.
     for (std::size_t j = 0; j <= direction.dimension; ++j) {
@@ -170,7 +171,10 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
         for (const std::size_t i : index)
             name.children.push_back({ExpressionKind::number, statement.offset, std::to_string(i), {}, {}});
         const NodeId scale = constant(Rational(multinomial(exponents, direction.degree)));
-        map.coefficients.push_back(multiply({scale, scalar(name)}));
+        const NodeId control_point = scalar(name);
+        const Node& node = block_.nodes[control_point];
+        if (node.kind == NodeKind::symbol) block_.symbols[node.index].is_control_point = true;
+        map.coefficients.push_back(multiply({scale, control_point}));
     }
 }
 

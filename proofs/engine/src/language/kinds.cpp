@@ -165,6 +165,14 @@ void Kinds::check(const Statement& statement) {
             if (!map_named(statement.names[0]))
                 refuse_kind("there is no map " + quoted(statement.names[0]), statement.offset);
             break;
+        case StatementKind::claim:
+        case StatementKind::refute:
+            try {
+                check_relation(statement);
+            } catch (const Error& error) {
+                unfit_.emplace(&statement, error);
+            }
+            break;
         default:
             check_relation(statement);
     }
@@ -265,6 +273,10 @@ Kind Kinds::name(const Expression& e) {
     if (local != scope_.end() && !local->second.empty()) return local->second.back();
     if (e.name == "delta") return {KindName::vector, 1};
     const Declared* known = names_.bare(e.name);
+    if (known && known->meaning == Meaning::map) {
+        refuse_kind(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " + e.name + "[...]",
+                    e.offset);
+    }
     if (known) return known->meaning == Meaning::let ? bare_lets_[e.name] : declared(*known);
     if (block_.strict) refuse_kind(quoted(e.name) + " is not declared; in a strict text every name is", e.offset);
     return number_kind;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/proofs/syntax.hpp>
+#include <blossom/rational/error.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -48,13 +49,15 @@ using Dimensions = std::vector<std::size_t>;
 /// anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its clauses.
 ///
 /// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that nothing
-/// declares; `wrong_arity`. Cost: the size of the block, times the depth of abbreviations that refer to each other.
+/// declares; `wrong_arity`. Those of a line `claim` or `refute` are kept, as that line's own. Cost: the size of the block, times the depth of abbreviations that refer to each other.
 class Kinds {
 public:
     /// `count` gives the value of a dimension.
     Kinds(const Block& block, const Names& names, std::function<std::size_t(const Expression&)> count);
 
     Kind of(const Expression& e) const;
+    /// The errors of lines `claim` and `refute`, which leave the others alone.
+    const std::map<const Statement*, Error>& unfit() const { return unfit_; }
     /// That of the clauses of an abbreviation with indices.
     Kind of_family(const std::string& name) const;
 
@@ -129,6 +132,7 @@ private:
     std::map<std::string, std::vector<Kind>> scope_;         ///< of bare names that hide others, the innermost last
     std::map<std::string, std::vector<Kind>> family_scope_;  ///< the same of families
     std::map<const Expression*, Kind> known_;
+    std::map<const Statement*, Error> unfit_;
 };
 
 }  // namespace blossom::proofs

@@ -85,6 +85,10 @@ struct Symbol {
     std::string name;
     bool is_coefficient = false;
     bool is_bound = false;
+    bool is_control_point = false;  ///< of a map that is given by its net
+
+    /// Whether the values of a map are linear in it.
+    bool is_map_value() const { return is_coefficient || is_control_point; }
 };
 
 struct Relation {
@@ -118,6 +122,10 @@ std::set<NodeId> divisors_below(const GroundBlock& block, const std::vector<Node
 /// Every choice of the integer parameters of a block, in order: the first parameter varies slowest.
 /// Errors: `limit_exceeded` beyond `limits.expansion_terms` of them; those of the bounds.
 std::vector<Parameters> parameter_choices(const Block& block, const Limits& limits);
+
+/// The lines `claim` and `refute`, by their numbers in the block, whose kinds do not fit. Errors: those of the
+/// declarations and other lines.
+std::set<std::size_t> unfit_claims(const Block& block, const Parameters& parameters, const Limits& limits);
 
 /// The block at one choice. Cost: the size of the result. Errors, each with its offset: `syntax` for names
 /// that are not known and what does not fit together; `wrong_arity`; `limit_exceeded`.
