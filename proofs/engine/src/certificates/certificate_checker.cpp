@@ -1,8 +1,8 @@
 #include "certificate_checker.hpp"
 
 #include "branch_state.hpp"
-#include "second_evaluation.hpp"
-#include "symbolic_field.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
+#include "certificates/symbolic/symbolic_field.hpp"
 
 #include <blossom/rational/number_text.hpp>
 

@@ -91,7 +91,10 @@ std::set<std::size_t> Elimination::factors_of(const SparsePolynomial& polynomial
 
 Branch& Elimination::root(const std::set<std::size_t>& nonzero) {
     const auto [entry, fresh] = known_.try_emplace(nonzero);
-    if (fresh) entry->second.state = {equations_, nonzero, {}};
+    if (fresh) {
+        entry->second.state.equations = equations_;
+        entry->second.state.nonzero = nonzero;
+    }
     return entry->second;
 }
 

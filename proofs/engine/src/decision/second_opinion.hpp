@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "certificates/certificate_checker.hpp"
-#include "certificates/point_comparison.hpp"
-#include "certificates/second_reading.hpp"
+#include "certificates/points/point_comparison.hpp"
+#include "certificates/reading/second_reading.hpp"
 #include "decided_case.hpp"
 
 namespace blossom::proofs {

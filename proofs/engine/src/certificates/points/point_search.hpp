@@ -2,7 +2,7 @@
 
 #include "point_algebra.hpp"
 #include "point_polynomial.hpp"
-#include "second_reading.hpp"
+#include "certificates/reading/second_reading.hpp"
 
 #include <cstddef>
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "second_counting.hpp"
 #include "second_maps.hpp"
-#include "second_reading.hpp"
+#include "certificates/reading/second_reading.hpp"
 
 #include <blossom/rational/error.hpp>
 
