@@ -77,6 +77,8 @@ public:
                        " does not vanish";
             }
         }
+        // The claim is made where the conditions do not vanish.
+        nonzero_.insert(nonzero_.end(), conditions_.begin(), conditions_.end());
         BranchState state(equations_, nonzero_, difference_, field_.budget());
         std::string problem = problem_in(certificate_.root, state, "");
         if (problem.empty() && !agrees_somewhere_) problem = "no branch is left in which the sides agree";

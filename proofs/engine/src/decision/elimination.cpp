@@ -219,8 +219,9 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
     const bool with_maps = has_coefficients(polynomial);
     std::optional<Candidate> best;
     const auto rank = [](const Candidate& c) { return std::tuple(c.doubt, c.size, c.elsewhere); };
-    for (std::size_t i = block_.symbols.size(); i-- > 0;) {
-        if (state.solved.contains(i) || polynomial.degree_in(i) != 1) continue;
+    const std::vector<std::size_t> degrees = polynomial.degrees();
+    for (std::size_t i = degrees.size(); i-- > 0;) {
+        if (degrees[i] != 1 || state.solved.contains(i)) continue;
         const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
         // Of an equation between values of maps a number is only taken that stands alone, such as a control point.
         if (with_maps && !block_.symbols[i].is_map_value() && cofactor.total_degree() > 0) continue;
@@ -258,20 +259,26 @@ std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchS
 }
 
 /// The best equation and variable to go on with: relations between numbers first, since they may occur in the
-/// coefficients of others; then what is linear with a leading coefficient known not to vanish.
+/// coefficients of others; then what is linear with a leading coefficient known not to vanish. The first one whose
+/// leading coefficient is a number will do.
 std::optional<Elimination::Candidate> Elimination::best_candidate(const BranchState& state) {
     std::optional<Candidate> best;
-    const auto rank = [&](const Candidate& c) {
-        return std::tuple(!c.doubtful.empty(), has_coefficients(state.equations[c.equation].polynomial),
-                          c.step.degree, c.doubt, c.size, c.elsewhere);
+    const auto rank = [](const Candidate& c) {
+        return std::tuple(!c.doubtful.empty(), c.step.degree, c.doubt, c.size, c.elsewhere);
     };
     const auto consider = [&](std::optional<Candidate> candidate) {
         if (candidate && (!best || rank(*candidate) < rank(*best))) best = std::move(candidate);
     };
-    for (std::size_t i = 0; i < state.equations.size(); ++i) {
-        std::optional<Candidate> found = linear_candidate(state, i);
-        if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
-        consider(std::move(found));
+    for (const bool with_maps : {false, true}) {
+        for (std::size_t i = 0; i < state.equations.size(); ++i) {
+            if (has_coefficients(state.equations[i].polynomial) != with_maps) continue;
+            std::optional<Candidate> found = linear_candidate(state, i);
+            const bool simple = found && found->doubtful.empty() && found->size == 1;
+            if (simple) return found;
+            if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
+            consider(std::move(found));
+        }
+        if (best && best->doubtful.empty()) return best;
     }
     return best;
 }

@@ -51,7 +51,7 @@ second::Branch named(const Branch& branch, const std::vector<Symbol>& symbols) {
 
 second::Certificate certificate_of(const Block& block, const std::string& text, const GroundBlock& grounded,
                                    const second::Case& which, const CaseOutcome& outcome) {
-    second::Certificate certificate{block.id, block.title, text, which, {}, named(*outcome.root, grounded.symbols)};
+    second::Certificate certificate{block.id, block.title, text, which, {}, named(outcome.root, grounded.symbols)};
     for (const SparsePolynomial& condition : outcome.conditions)
         certificate.conditions.push_back(named(condition, grounded.symbols));
     return certificate;

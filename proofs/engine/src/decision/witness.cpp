@@ -344,6 +344,10 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
             result.roots.push_back(to_text(choice->relations()[i], names) + " == 0");
     }
     if (!choice->algebraic().empty()) {
+        for (std::size_t i = 0; i < block.symbols.size(); ++i) {
+            if (block.symbols[i].is_coefficient && !is_algebraic(i))
+                result.variables.emplace_back(names[i], choice->values()[i]);
+        }
         result.left = side_text(expander, relation.left, *choice, names);
         result.right = side_text(expander, relation.right, *choice, names);
         return witness;

@@ -44,13 +44,6 @@ bool contains_name(const Expression& e) {
     return e.kind == ExpressionKind::name || std::ranges::any_of(e.children, contains_name);
 }
 
-/// Two patterns that fit the same members: open indices have any names.
-bool same_patterns(const Expression& a, const Expression& b) {
-    return std::ranges::equal(a.children, b.children, [](const Expression& x, const Expression& y) {
-        return (is_open_index(x) && is_open_index(y)) || x == y;
-    });
-}
-
 }  // namespace
 
 Names::Names(const Block& block) {
@@ -113,8 +106,14 @@ void Names::declare_let(const Statement& statement) {
         return;
     }
     auto& clauses = clauses_[name.name];
+    // Two names of indices fit the same members, unless one of them is a parameter.
+    const auto is_any = [&](const Expression& index) {
+        const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
+        return is_open_index(index) && !(known && known->meaning == Meaning::parameter);
+    };
+    const auto same = [&](const Expression& x, const Expression& y) { return (is_any(x) && is_any(y)) || x == y; };
     for (const Statement* known : clauses) {
-        if (same_patterns(known->sides[0], name))
+        if (std::ranges::equal(known->sides[0].children, name.children, same))
             refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
     }
     clauses.push_back(&statement);
