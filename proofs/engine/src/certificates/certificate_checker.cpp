@@ -86,8 +86,9 @@ public:
     }
 
 private:
-    /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That the steps
-    /// follow from the hypotheses is seen later, and a difference that rests on others is worth nothing.
+    /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That
+    /// the steps follow from the hypotheses is seen later, and a difference that rests on others is worth
+    /// nothing.
     void expand_sides(const Reading& reading) {
         const std::vector<Step>& steps = certificate_.root.steps;
         std::size_t count = 0;
@@ -257,7 +258,8 @@ struct CertificateChecker::Text {
     Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
         for (Case& which : reading.cases()) {
             keys.insert(key_of(which));
-            if (reading.claims()[which.line].kind == Statement::Kind::claim) claimed.push_back(std::move(which));
+            if (reading.claims()[which.line].kind == Statement::Kind::claim)
+                claimed.push_back(std::move(which));
         }
     }
 

@@ -65,13 +65,14 @@ bool BlockCase::has_coefficients(std::size_t factor) {
     return false;
 }
 
-/// Every factor of every divisor in the claim, the hypotheses and the assumptions: it may have cancelled, but where it
-/// vanishes they are not defined. What holds "for all" values of a variable says nothing of single values. A divisor
-/// made of values of maps is shown as it stands in the statement, others by their factors.
+/// Every factor of every divisor in the claim, the hypotheses and the assumptions: it may have cancelled, but
+/// where it vanishes they are not defined. What holds "for all" values of a variable says nothing of single
+/// values. A divisor made of values of maps is shown as it stands in the statement, others by their factors.
 std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDecision& decision) {
     std::set<std::size_t> nonzero;
     const auto add = [&](Condition condition) {
-        if (std::ranges::find(decision.conditions, condition.text, &Condition::text) == decision.conditions.end())
+        if (std::ranges::find(decision.conditions, condition.text, &Condition::text) ==
+            decision.conditions.end())
             decision.conditions.push_back(std::move(condition));
     };
     const auto take = [&](std::set<std::size_t> factors, const std::vector<std::size_t>& quantified,
@@ -101,7 +102,8 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
     for (const Relation* one : relations) {
         for (const NodeId divisor : divisors_below(block_, {one->left, one->right})) {
             if (expander_(divisor).is_zero())
-                throw Error(ErrorCode::division_by_zero, "the denominator is zero", "", place_of_divisor(divisor));
+                throw Error(ErrorCode::division_by_zero, "the denominator is zero", "",
+                            place_of_divisor(divisor));
             take(elimination_.factors_of(expander_(divisor).numerator), one->quantified,
                  [&] { return node_text(block_, base_of(divisor)) + " != 0"; });
         }
@@ -117,7 +119,8 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
 CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) {
     CaseOutcome outcome;
     const std::set<std::size_t> nonzero = add_conditions(relation, decision);
-    for (const std::size_t factor : nonzero) outcome.conditions.push_back(expander_.field().factors()[factor]);
+    for (const std::size_t factor : nonzero)
+        outcome.conditions.push_back(expander_.field().factors()[factor]);
     Branch& root = elimination_.root(nonzero);
     elimination_.grow(root);
     Expander& expand = expander_below(root);
@@ -131,8 +134,8 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
     } catch (const Error& error) {
         if (error.code() != ErrorCode::limit_exceeded || way.agreed == 0) throw;
         throw Error(error.code(),
-                    "it holds in the first case of the hypotheses, but of the other cases " + error.message(), "",
-                    error.offset());
+                    "it holds in the first case of the hypotheses, but of the other cases " + error.message(),
+                    "", error.offset());
     }
     if (outcome.witness) {
         decision.verdict = Verdict::refuted;
@@ -141,13 +144,13 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
     }
     decision.holds_if.clear();
     if (way.agreed == 0) {
-        throw Error(ErrorCode::syntax,
-                    !decision.open.empty()
-                        ? "the hypotheses leave only cases that are open: " + decision.open.front()
-                    : decision.conditions.empty()
-                        ? "the hypotheses contradict each other: they leave no case"
-                        : "the hypotheses leave no case in which no divisor vanishes and every assumption holds",
-                    "", relation.offset);
+        throw Error(
+            ErrorCode::syntax,
+            !decision.open.empty() ? "the hypotheses leave only cases that are open: " + decision.open.front()
+            : decision.conditions.empty()
+                ? "the hypotheses contradict each other: they leave no case"
+                : "the hypotheses leave no case in which no divisor vanishes and every assumption holds",
+            "", relation.offset);
     }
     decision.verdict = Verdict::proved;
     return outcome;
@@ -179,7 +182,8 @@ Branch BlockCase::walk(Branch& branch, Walk& way) {
     return walked;
 }
 
-/// A branch with a counterexample ends the walk, and where the sides are the same already nothing is left to split.
+/// A branch with a counterexample ends the walk, and where the sides are the same already nothing is left to
+/// split.
 Branch BlockCase::walk_below(Branch& branch, Walk& way) {
     Branch walked;
     walked.end = branch.end;

@@ -16,8 +16,8 @@ namespace blossom::proofs {
 struct CaseOutcome {
     Fraction left;
     std::vector<SparsePolynomial> conditions;  ///< what must not vanish, pivots that were left open included
-    Branch root;                      ///< how the claim was decided, branch by branch
-    std::vector<Substitution> steps;  ///< on the way to a branch where the claim holds
+    Branch root;                               ///< how the claim was decided, branch by branch
+    std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds
     std::vector<std::pair<std::string, Rational>> point;  ///< one there, where all values are rational
     std::optional<Witness> witness;                       ///< where the claim fails
 };
@@ -28,15 +28,15 @@ public:
     BlockCase(const GroundBlock& block, const Limits& limits)
         : block_(block), expander_(block, limits), elimination_(block, expander_) {}
 
-    /// Decides a claim; the conditions, open pivots and terms go to `decision`. Errors: `syntax` with a place where the
-    /// hypotheses leave no case; those of the expansion.
+    /// Decides a claim; the conditions, open pivots and terms go to `decision`. Errors: `syntax` with a place
+    /// where the hypotheses leave no case; those of the expansion.
     CaseOutcome decide(const Relation& relation, CaseDecision& decision);
 
     Expander& expander() { return expander_; }
 
 private:
-    /// Expands where the first hypotheses have given polynomials for symbols: pyramids stay as small as they are without
-    /// hypotheses.
+    /// Expands where the first hypotheses have given polynomials for symbols: pyramids stay as small as they
+    /// are without hypotheses.
     Expander& expander_below(const Branch& root);
 
     struct Walk;

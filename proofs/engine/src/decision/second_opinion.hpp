@@ -14,11 +14,12 @@
 
 namespace blossom::proofs {
 
-/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the hypotheses,
-/// and the check of certificates. An answer says how it disagrees, or nothing.
+/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the
+/// hypotheses, and the check of certificates. An answer says how it disagrees, or nothing.
 class SecondOpinion {
 public:
-    /// Lines `claim` and `refute` that `unfit` lists are left out of the text: what means nothing is not read twice.
+    /// Lines `claim` and `refute` that `unfit` lists are left out of the text: what means nothing is not read
+    /// twice.
     SecondOpinion(const Block& block, const std::set<std::size_t>& unfit, const Limits& limits);
 
     /// Whether the text has exactly these cases of these lines, in any order.

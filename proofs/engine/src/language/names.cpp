@@ -60,8 +60,9 @@ const Declared* Names::family(const std::string& name) const {
     if (found != families_.end()) return &found->second;
     if (clauses_.contains(name)) return nullptr;
     const Declared* declared = bare(name);
-    const bool spreads = declared && (declared->meaning == Meaning::number ||
-                                      declared->meaning == Meaning::point || declared->meaning == Meaning::vector);
+    const bool spreads =
+        declared && (declared->meaning == Meaning::number || declared->meaning == Meaning::point ||
+                     declared->meaning == Meaning::vector);
     return spreads ? declared : nullptr;
 }
 
@@ -90,7 +91,8 @@ void Names::declare_member(const Expression& name_or_run, Meaning meaning, const
     const bool agrees = family.meaning == meaning &&
                         (family.statements.empty() || family.statements[0]->dimension == statement.dimension);
     if (!agrees) {
-        refuse_name("the members of " + name.name + "_i are declared already, as something else", name.offset);
+        refuse_name("the members of " + name.name + "_i are declared already, as something else",
+                    name.offset);
     }
     if (std::ranges::any_of(family.members, [&](const Expression* known) { return *known == name_or_run; }))
         refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
@@ -111,7 +113,9 @@ void Names::declare_let(const Statement& statement) {
         const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
         return is_open_index(index) && !(known && known->meaning == Meaning::parameter);
     };
-    const auto same = [&](const Expression& x, const Expression& y) { return (is_any(x) && is_any(y)) || x == y; };
+    const auto same = [&](const Expression& x, const Expression& y) {
+        return (is_any(x) && is_any(y)) || x == y;
+    };
     for (const Statement* known : clauses) {
         if (std::ranges::equal(known->sides[0].children, name.children, same))
             refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
@@ -126,7 +130,8 @@ void Names::declare(const Statement& statement) {
             declare_bare(statement.ranges[0].name, meaning, statement, statement.ranges[0].offset);
             break;
         case StatementKind::map:
-            for (const std::string& name : statement.names) declare_bare(name, meaning, statement, statement.offset);
+            for (const std::string& name : statement.names)
+                declare_bare(name, meaning, statement, statement.offset);
             break;
         case StatementKind::polynomial:
             declare_bare(statement.names[0], meaning, statement, statement.offset);
