@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "latex_words.hpp"
 #include "layout.hpp"
 #include "letters.hpp"
 #include "overloaded.hpp"
@@ -116,21 +117,23 @@ private:
                R"(}\par\nopagebreak\smallskip\noindent)";
     }
 
-    std::string words(const Text& text) const {
-        std::string result;
-        for (const Text::Part& part : text.parts()) {
-            result += std::visit(
-                Overloaded{[](const std::string& words) { return latex_text(words); },
-                           [&](const Formula& formula) { return "$" + to_latex(formula, notation_) + "$"; }},
-                part);
-        }
-        return result;
-    }
+    std::string words(const Text& text) const { return latex_words(text, notation_); }
 
     const Notation& notation_;
 };
 
 }  // namespace
+
+std::string latex_words(const Text& text, const Notation& notation) {
+    std::string result;
+    for (const Text::Part& part : text.parts()) {
+        result += std::visit(
+            Overloaded{[](const std::string& words) { return latex_text(words); },
+                       [&](const Formula& formula) { return "$" + to_latex(formula, notation) + "$"; }},
+            part);
+    }
+    return result;
+}
 
 std::string latex_preamble() {
     return "\\usepackage[T1]{fontenc}\n"

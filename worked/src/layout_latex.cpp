@@ -46,18 +46,23 @@ std::string latex_of(const Layout& layout) {
         case Kind::apply:
             return "";
         case Kind::comma:
-            return ", ";
+            return layout.text + " ";
         case Kind::fraction:
             // Numbers are small, also in a display; what has signs in it is not.
             return (are_numbers(parts) ? "\\tfrac" : "\\frac") + braced(parts[0]) + braced(parts[1]);
         case Kind::superscript:
-            return braced(parts[0]) + "^" + braced(parts[1]);
+            // Both scripts of a name stand above each other.
+            return (parts[0].kind == Kind::subscript ? latex_of(parts[0]) : braced(parts[0])) + "^" + braced(parts[1]);
         case Kind::subscript:
             return braced(parts[0]) + "_" + braced(parts[1]);
         case Kind::fenced:
             return fenced_latex(layout);
         case Kind::under:
-            return "\\sum_" + braced(parts[1]) + " ";
+            return latex_sign(parts[0].text) + "_" + braced(parts[1]) + (parts.size() == 3 ? "^" + braced(parts[2]) : "") +
+                   " ";
+        case Kind::cases:
+            return "\\begin{cases} " + latex_of(parts[0]) + " & \\text{if } " + latex_of(parts[1]) + " \\\\ " +
+                   latex_of(parts[2]) + " & \\text{otherwise} \\end{cases}";
         case Kind::stack:
             return "\\tbinom" + braced(parts[0]) + braced(parts[1]);
         case Kind::row:

@@ -1,0 +1,113 @@
+#include <blossom/worked/general_statement.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+#include "latex_words.hpp"
+#include "layout.hpp"
+#include "letters.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+using Kind = Layout::Kind;
+
+/// About how many letters of a formula fit on a line of an article.
+constexpr double line_letters = 64;
+
+const Notation notation{BlossomStyle::brackets, false};
+
+/// About how many letters wide the formula is drawn.
+double width_of(const Layout& layout) {
+    std::vector<double> widths;
+    for (const Layout& part : layout.parts) widths.push_back(width_of(part));
+    constexpr double script = 0.7;
+    switch (layout.kind) {
+        case Kind::row:
+            return std::accumulate(widths.begin(), widths.end(), 0.0);
+        case Kind::number:
+        case Kind::identifier:
+        case Kind::words:
+            return static_cast<double>(columns(letter(layout.text).unicode));
+        case Kind::relation:
+        case Kind::binary:
+            return 3;
+        case Kind::sign:
+            return 1.5;
+        case Kind::apply:
+        case Kind::times:
+            return 0;
+        case Kind::comma:
+            return 1;
+        case Kind::fraction:
+        case Kind::stack:
+            return *std::ranges::max_element(widths) + 1;
+        case Kind::superscript:
+        case Kind::subscript:
+            return widths[0] + script * widths[1];
+        case Kind::fenced:
+            return widths[0] + 2;
+        case Kind::under:
+            return std::max(2.5, script * *std::max_element(widths.begin() + 1, widths.end()));
+        case Kind::cases:
+            return std::max(widths[0], widths[2]) + widths[1] + 8;
+    }
+    return 0;
+}
+
+/// On one line where it fits; otherwise a line for each side, and more where a side is too long.
+std::string display(const Formula& formula) {
+    std::string one_line;
+    std::string lines;
+    double whole = 0;
+    double line = 0;
+    for (const Piece& piece : pieces_of(formula, notation)) {
+        const double width = width_of(piece.layout);
+        const std::string text = latex_of(piece.layout);
+        if (lines.empty()) {
+            lines = "  &";
+        } else if (piece.begins_side || line + width > line_letters) {
+            lines += piece.begins_side ? " \\\\\n  &\\quad" : " \\\\\n  &\\qquad";
+            line = 4;
+            // What stands in front makes the sign one between two parts.
+            lines += " {}";
+        }
+        one_line += text;
+        lines += text;
+        whole += width;
+        line += width;
+    }
+    return whole <= line_letters ? "\\[\n  " + one_line + "\n\\]\n" : "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
+}
+
+std::string sentence(const Text& text) { return latex_words(text, notation); }
+
+/// A title as the beginning of a paragraph, which ends with a stop.
+std::string heading(const proofs::Block& block) {
+    std::string title = block.title.empty() ? block.id : block.title;
+    if (title.empty()) return "\\noindent\n";
+    if (title.find_last_of(".!?") != title.size() - 1) title += ".";
+    return "\\noindent\\textbf{" + latex_text(title) + "}\n";
+}
+
+}  // namespace
+
+std::string render_latex_theorem(const proofs::Block& block, const std::vector<proofs::Decision>& decisions) {
+    const Text declarations = declarations_in_words(block);
+    std::string text = heading(block);
+    if (!declarations.empty()) text += sentence(declarations) + "\n";
+    std::string opening = declarations.empty() ? "" : "Then";
+    for (const proofs::Decision& decision : decisions) {
+        const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement], opening);
+        if (!claim.before.empty()) text += latex_text(claim.before) + "\n";
+        text += display(claim.claim);
+        if (!claim.after.empty()) text += sentence(claim.after) + "\n";
+        text += "\\emph{" + sentence(verdict_in_words(block, decision)) + "}\n";
+        if (const auto* found = decision.counterexample()) text += sentence(counterexample_in_words(*found)) + "\n";
+        opening = "Moreover,";
+    }
+    return text + "\\par\n";
+}
+
+}  // namespace blossom::worked

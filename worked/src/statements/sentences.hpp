@@ -1,0 +1,17 @@
+#pragma once
+
+#include <blossom/worked/document.hpp>
+
+#include <string>
+#include <vector>
+
+namespace blossom::worked {
+
+/// Appends "x", "x and y", "x, y and z".
+void append_list(Text& text, const std::vector<Text>& entries);
+void append_list(Text& text, const std::vector<Formula>& formulas);
+
+/// Appends all parts of another text.
+void append_text(Text& text, const Text& more);
+
+}  // namespace blossom::worked
