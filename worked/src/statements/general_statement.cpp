@@ -1,9 +1,7 @@
 #include <blossom/proofs/case_groups.hpp>
-#include <blossom/proofs/parser.hpp>
 #include <blossom/worked/general_statement.hpp>
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -27,18 +25,31 @@ std::vector<Formula> symbols_of(const std::vector<std::string>& names) {
 class Declarations {
 public:
     explicit Declarations(const proofs::Block& block) : formulas_(block) {
-        for (const Statement& line : block.statements) append(line);
+        for (const Statement& line : block.statements) {
+            append(line);
+            last_ = line.kind;
+        }
     }
 
-    Text text;
+    Text text() && {
+        if (!text_.empty()) say(".");
+        return std::move(text_);
+    }
 
 private:
     template <class... Parts>
     void say(const Parts&... parts) {
-        (append_text(text, Text(parts)), ...);
+        (append_text(text_, Text(parts)), ...);
     }
 
-    void begin(const std::string& words) { say(std::string(text.empty() ? "" : " ") + words); }
+    /// The stop of a sentence is written when the next begins.
+    void begin(const std::string& words) { say((text_.empty() ? "" : ". ") + words); }
+
+    /// Continues the sentence where the line before was of the same kind.
+    void begin(StatementKind kind, const std::string& words, const std::string& more) {
+        if (last_ == kind) return say(more);
+        begin(words);
+    }
 
     void append(const Statement& line) {
         switch (line.kind) {
@@ -61,8 +72,8 @@ private:
                 say(symbol(line.names[1]), " be ", symbol(line.names[0]), " as a polynomial of formal ");
                 return degrees(line);
             case StatementKind::let:
-                begin("Let ");
-                return say(equation({formulas_(line.sides[0]), formulas_(line.sides[1])}), ".");
+                begin(line.kind, "Let ", " and ");
+                return say(equation({formulas_(line.sides[0]), formulas_(line.sides[1])}));
             case StatementKind::assume:
             case StatementKind::given:
                 return hypothesis(line);
@@ -72,18 +83,16 @@ private:
     }
 
     void degrees(const Statement& line) {
-        say(line.expressions.size() == 1 ? "degree " : "degrees ", list_of(formulas_.list(line.expressions)), ".");
+        say(line.expressions.size() == 1 ? "degree " : "degrees ", list_of(formulas_.list(line.expressions)));
     }
 
     void map(const Statement& line) {
-        const bool one = line.names.size() == 1;
         begin("Let ");
-        append_list(text, symbols_of(line.names));
-        say(one ? " be a polynomial" : " be polynomials");
-        if (!line.dimension.empty()) say(" on an affine space of dimension ", formulas_(line.dimension[0]));
-        if (line.expressions.size() > 1) say(" in ", number(line.expressions.size()), " variables");
-        say(", of formal ");
+        append_list(text_, symbols_of(line.names));
+        say(line.names.size() == 1 ? " be a polynomial of formal " : " be polynomials of formal ");
         degrees(line);
+        if (line.expressions.size() > 1) say(" in ", number(line.expressions.size()), " variables");
+        if (!line.dimension.empty()) say(" on an affine space of dimension ", formulas_(line.dimension[0]));
         if (!line.net.empty()) net(line);
     }
 
@@ -100,11 +109,10 @@ private:
                 repeated(points[k], curve && k == 0 ? sum({n, product({number(-1), symbol("i")})}) : indices.back()));
         }
         const std::vector<Formula> subscripts = curve ? std::vector{symbol("i")} : indices;
-        say(" Its control points over ");
-        append_list(text, points);
+        say(". Its control points over ");
+        append_list(text_, points);
         say(" are ", equation({blossom_of(line.names[0], arguments), index(symbol(line.net), list_of(subscripts))}));
-        say(", for ", curve ? equation({symbol("i"), list_of({number(0), symbol("…"), n})}) : equation({sum(indices), n}),
-            ".");
+        say(", for ", curve ? equation({symbol("i"), list_of({number(0), symbol("…"), n})}) : equation({sum(indices), n}));
     }
 
     void points(const Statement& line, const std::string& one, const std::string& several, const std::string& of) {
@@ -114,16 +122,15 @@ private:
         if (run) {
             say(list_of(names));
         } else {
-            append_list(text, names);
+            append_list(text_, names);
         }
         say(" be " + (names.size() == 1 ? one : several));
         if (!of.empty()) say(" " + of, formulas_(line.dimension[0]));
-        say(".");
     }
 
     void hypothesis(const Statement& line) {
         const std::string sign = line.kind == StatementKind::assume ? "≠" : "=";
-        begin("Suppose that ");
+        begin(line.kind, "Suppose that ", ", and that ");
         say(relation(sign, {formulas_(line.sides[0]), formulas_(line.sides[1])}));
         std::vector<Text> scope;
         for (const proofs::Range& range : line.ranges) scope.emplace_back(formulas_.range(range));
@@ -133,23 +140,13 @@ private:
             scope.push_back(std::move(all));
         }
         if (!scope.empty()) say(" for ");
-        append_list(text, scope);
-        say(".");
+        append_list(text_, scope);
     }
 
     StatementFormulas formulas_;
+    Text text_;
+    std::optional<StatementKind> last_;
 };
-
-/// The two sides of a relation and its sign in a text of the prover.
-std::optional<std::pair<std::string, std::size_t>> relation_in(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, const char*>, 3> relations{
-        {{" != ", "≠"}, {" == ", "="}, {" = ", "="}}};
-    for (const auto& [written, sign] : relations) {
-        const std::size_t at = text.find(written);
-        if (at != std::string_view::npos) return std::pair(std::string(sign), at);
-    }
-    return std::nullopt;
-}
 
 }  // namespace
 
@@ -157,19 +154,7 @@ Formula formula_of(const proofs::Block& block, const proofs::Expression& express
     return StatementFormulas(block)(expression);
 }
 
-Formula formula_of_text(std::string_view text) {
-    if (const auto found = relation_in(text)) {
-        const auto& [sign, at] = *found;
-        const std::size_t end = text.find(' ', at + 1) + 1;
-        return relation(sign, {formula_of_text(text.substr(0, at)), formula_of_text(text.substr(end))});
-    }
-    const proofs::Document document = proofs::parse("claim " + std::string(text) + " == 0");
-    if (!document.errors.empty()) return words(std::string(text));
-    const proofs::Block& block = document.blocks.front();
-    return formula_of(block, block.statements.front().sides.front());
-}
-
-Text declarations_in_words(const proofs::Block& block) { return Declarations(block).text; }
+Text declarations_in_words(const proofs::Block& block) { return Declarations(block).text(); }
 
 ClaimInWords claim_in_words(const proofs::Block& block, const Statement& line, const std::string& opening) {
     StatementFormulas formulas(block);

@@ -3,6 +3,7 @@
 #include <blossom/worked/general_statement.hpp>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "statements/sentences.hpp"
@@ -111,14 +112,15 @@ private:
 
     void append_notes() {
         std::set<std::string> open;
-        std::set<std::vector<std::string>> holds;
+        std::map<std::vector<std::string>, proofs::Cases> holds;
         for (const proofs::CaseDecision& one : decision_.cases) {
             open.insert(one.open.begin(), one.open.end());
-            if (!one.holds_if.empty()) holds.insert(one.holds_if);
+            if (!one.holds_if.empty()) holds[one.holds_if].push_back(&one);
         }
-        for (const std::vector<std::string>& conditions : holds) {
+        for (const auto& [conditions, cases] : holds) {
             text_.append(std::string(" It holds if "));
             append_list(text_, formulas_of(conditions));
+            if (cases.size() < decision_.cases.size()) append_for(cases);
             text_.append(std::string("."));
         }
         for (const std::string& equation : open) {
