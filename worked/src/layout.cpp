@@ -103,9 +103,9 @@ private:
             case FormulaKind::relation:
                 return Binding::relation;
             case FormulaKind::sum:
-            case FormulaKind::cases:
                 return Binding::sum;
             case FormulaKind::summation:
+            case FormulaKind::cases:
                 return Binding::summation;
             case FormulaKind::product:
                 // What stands behind the sign of a sum would belong to it.

@@ -72,7 +72,7 @@ private:
                 say(symbol(line.names[1]), " be ", symbol(line.names[0]), " as a polynomial of formal ");
                 return degrees(line);
             case StatementKind::let:
-                begin(line.kind, "Let ", " and ");
+                begin(line.kind, "Let ", ", ");
                 return say(equation({formulas_(line.sides[0]), formulas_(line.sides[1])}));
             case StatementKind::assume:
             case StatementKind::given:
@@ -118,12 +118,7 @@ private:
     void points(const Statement& line, const std::string& one, const std::string& several, const std::string& of) {
         const std::vector<Formula> names = formulas_.list(line.expressions);
         begin("Let ");
-        const bool run = std::ranges::any_of(names, [](const Formula& name) { return name == symbol("…"); });
-        if (run) {
-            say(list_of(names));
-        } else {
-            append_list(text_, names);
-        }
+        append_list(text_, names);
         say(" be " + (names.size() == 1 ? one : several));
         if (!of.empty()) say(" " + of, formulas_(line.dimension[0]));
     }
@@ -136,7 +131,7 @@ private:
         for (const proofs::Range& range : line.ranges) scope.emplace_back(formulas_.range(range));
         if (!line.quantified.empty()) {
             Text all("all ");
-            all.append(list_of(formulas_.list(line.quantified)));
+            append_list(all, formulas_.list(line.quantified));
             scope.push_back(std::move(all));
         }
         if (!scope.empty()) say(" for ");

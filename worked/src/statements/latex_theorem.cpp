@@ -83,20 +83,36 @@ std::string display(const Formula& formula) {
 
 std::string sentence(const Text& text) { return latex_words(text, notation); }
 
+/// The same, with long formulas on lines of their own.
+std::string sentences(const Text& text) {
+    constexpr double most_inline = 32;
+    std::string result;
+    for (const Text::Part& part : text.parts()) {
+        const auto* formula = std::get_if<Formula>(&part);
+        if (formula && width_of(layout_of(*formula, notation)) > most_inline) {
+            result += "\n" + display(*formula);
+        } else {
+            result += sentence({part});
+        }
+    }
+    return result;
+}
+
 /// A title as the beginning of a paragraph, which ends with a stop.
 std::string heading(const proofs::Block& block) {
     std::string title = block.title.empty() ? block.id : block.title;
-    if (title.empty()) return "\\noindent\n";
+    if (title.empty()) return "";
     if (title.find_last_of(".!?") != title.size() - 1) title += ".";
-    return "\\noindent\\textbf{" + latex_text(title) + "}\n";
+    return "\\textbf{" + latex_text(title) + "}\n";
 }
 
 }  // namespace
 
 std::string render_latex_theorem(const proofs::Block& block, const std::vector<proofs::Decision>& decisions) {
     const Text declarations = declarations_in_words(block);
-    std::string text = heading(block);
-    if (!declarations.empty()) text += sentence(declarations) + "\n";
+    // Formulas within words break nowhere: the spaces between them give way.
+    std::string text = "{\\emergencystretch=3em\\noindent\n" + heading(block);
+    if (!declarations.empty()) text += sentences(declarations) + "\n";
     std::string opening = declarations.empty() ? "" : "Then";
     for (const proofs::Decision& decision : decisions) {
         const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement], opening);
@@ -107,7 +123,7 @@ std::string render_latex_theorem(const proofs::Block& block, const std::vector<p
         if (const auto* found = decision.counterexample()) text += sentence(counterexample_in_words(*found)) + "\n";
         opening = "Moreover,";
     }
-    return text + "\\par\n";
+    return text + "\\par}\n";
 }
 
 }  // namespace blossom::worked

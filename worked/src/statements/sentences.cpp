@@ -1,5 +1,7 @@
 #include "statements/sentences.hpp"
 
+#include <algorithm>
+
 namespace blossom::worked {
 
 void append_text(Text& text, const Text& more) {
@@ -14,6 +16,7 @@ void append_list(Text& text, const std::vector<Text>& entries) {
 }
 
 void append_list(Text& text, const std::vector<Formula>& formulas) {
+    if (std::ranges::find(formulas, symbol("…")) != formulas.end()) return text.append(list_of(formulas));
     append_list(text, std::vector<Text>(formulas.begin(), formulas.end()));
 }
 

@@ -130,7 +130,7 @@ Formula StatementFormulas::determinant(const Expression& e) {
 Formula StatementFormulas::bspline(const std::vector<Expression>& children) {
     const Formula span = (*this)(children[3]);
     const Formula knots = symbol(children[2].name);
-    const Formula next = sum({span, number(1)});
+    const Formula next = span.kind == FormulaKind::number ? number(span.value + Rational(1)) : sum({span, number(1)});
     return application(power(index(symbol("N"), list_of({(*this)(children[0]), (*this)(children[1])})),
                              interval_of(index(knots, span), index(knots, next))),
                        {(*this)(children[4])});

@@ -39,14 +39,16 @@ Text tuples_words(const proofs::Cases& cases) {
     constexpr std::size_t most = 8;
     std::vector<Formula> names;
     for (const auto& [name, value] : cases.front()->parameters) names.push_back(symbol(name));
-    std::vector<Formula> tuples;
+    std::vector<Text> tuples;
     for (std::size_t i = 0; i < std::min(cases.size(), most); ++i) {
         std::vector<Formula> values;
         for (const auto& [name, value] : cases[i]->parameters) values.push_back(number(value));
-        tuples.push_back(tuple(std::move(values)));
+        Formula one = tuple(std::move(values));
+        tuples.emplace_back(i > 0 ? std::move(one) : equation({tuple(names), std::move(one)}));
     }
-    Text text(equation({tuple(std::move(names)), list_of(std::move(tuples))}));
-    if (cases.size() > most) text.append(" and " + std::to_string(cases.size() - most) + " more");
+    if (cases.size() > most) tuples.emplace_back(std::to_string(cases.size() - most) + " more");
+    Text text;
+    append_list(text, tuples);
     return text;
 }
 
