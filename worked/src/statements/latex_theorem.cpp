@@ -56,8 +56,8 @@ double width_of(const Layout& layout) {
     return 0;
 }
 
-/// On one line where it fits; otherwise a line for each side, and more where a side is too long.
-std::string display(const Formula& formula) {
+/// On one line where it fits; otherwise a line for each side, and more where a side is too long. `ending` stands behind it.
+std::string display(const Formula& formula, const std::string& ending) {
     std::string one_line;
     std::string lines;
     double whole = 0;
@@ -78,23 +78,36 @@ std::string display(const Formula& formula) {
         whole += width;
         line += width;
     }
-    return whole <= line_letters ? "\\[\n  " + one_line + "\n\\]\n" : "\\begin{align*}\n" + lines + "\n\\end{align*}\n";
+    if (whole <= line_letters) return "\\[\n  " + one_line + ending + "\n\\]\n";
+    return "\\begin{align*}\n" + lines + ending + "\n\\end{align*}\n";
 }
 
 std::string sentence(const Text& text) { return latex_words(text, notation); }
 
-/// The same, with long formulas on lines of their own.
+/// The same, with long formulas on lines of their own; what ends them stands there too.
 std::string sentences(const Text& text) {
     constexpr double most_inline = 32;
     std::string result;
-    for (const Text::Part& part : text.parts()) {
-        const auto* formula = std::get_if<Formula>(&part);
-        if (formula && width_of(layout_of(*formula, notation)) > most_inline) {
-            result += "\n" + display(*formula);
-        } else {
-            result += sentence({part});
+    std::size_t begun = 0;  ///< the bytes of the next words that stand behind a formula already
+    const std::vector<Text::Part>& parts = text.parts();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (const auto* words = std::get_if<std::string>(&parts[i])) {
+            result += latex_text(std::string_view(*words).substr(begun));
+            begun = 0;
+            continue;
         }
+        const Formula& formula = std::get<Formula>(parts[i]);
+        if (width_of(layout_of(formula, notation)) <= most_inline) {
+            result += sentence(formula);
+            continue;
+        }
+        const auto* next = i + 1 < parts.size() ? std::get_if<std::string>(&parts[i + 1]) : nullptr;
+        begun = next ? std::min(next->find_first_not_of(".,"), next->size()) : 0;
+        if (result.ends_with(' ')) result.pop_back();
+        result += "\n" + display(formula, next ? next->substr(0, begun) : "");
+        if (next && next->substr(begun).starts_with(' ')) ++begun;
     }
+    if (result.ends_with('\n')) result.pop_back();
     return result;
 }
 
@@ -117,7 +130,7 @@ std::string render_latex_theorem(const proofs::Block& block, const std::vector<p
     for (const proofs::Decision& decision : decisions) {
         const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement], opening);
         if (!claim.before.empty()) text += latex_text(claim.before) + "\n";
-        text += display(claim.claim);
+        text += display(claim.claim, claim.after.empty() ? "." : "");
         if (!claim.after.empty()) text += sentence(claim.after) + "\n";
         text += "\\emph{" + sentence(verdict_in_words(block, decision)) + "}\n";
         if (const auto* found = decision.counterexample()) text += sentence(counterexample_in_words(*found)) + "\n";
