@@ -49,7 +49,7 @@ private:
             case NodeKind::application:
                 return application(block_.applications[node.index]);
             case NodeKind::derivative:
-                throw Error(ErrorCode::unsupported_operation, "the derivative of an expression has no plain value");
+                throw Error(ErrorCode::wrong_kind, "the derivative of an expression has no plain value");
         }
         return result;
     }
