@@ -1,4 +1,3 @@
-#include <blossom/rational/deadline.hpp>
 
 #include <string>
 
