@@ -38,8 +38,8 @@ std::string runs_text(const std::set<long long>& values) {
 std::string ranges_text(const proofs::Block& block, const Decision& decision) {
     std::vector<std::string> ranges;
     const auto add = [&](const proofs::Range& range) {
-        ranges.push_back(
-            fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first), proofs::to_text(range.last)));
+        ranges.push_back(fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first),
+                                     proofs::to_text(range.last)));
     };
     for (const proofs::Statement& statement : block.statements) {
         if (statement.kind == proofs::StatementKind::parameter) add(statement.ranges.front());
@@ -85,7 +85,8 @@ std::vector<const CaseDecision*> cases_with(const Decision& decision, Verdict ve
     return found;
 }
 
-/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different things.
+/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different
+/// things.
 std::string conditions_text(const proofs::Block& block, const Decision& decision) {
     std::map<std::vector<std::string>, std::vector<const CaseDecision*>> groups;
     for (const CaseDecision* one : cases_with(decision, Verdict::proved)) {
@@ -105,7 +106,8 @@ std::string conditions_text(const proofs::Block& block, const Decision& decision
             break;
         }
         const std::string where = groups.size() == 1 ? "" : parameters_of(block, decision, cases);
-        parts.push_back(fmt::format("{}{}", fmt::join(needed, ", "), where.empty() ? "" : " (" + where + ")"));
+        parts.push_back(
+            fmt::format("{}{}", fmt::join(needed, ", "), where.empty() ? "" : " (" + where + ")"));
     }
     return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -118,7 +120,7 @@ std::string verdicts_text(const proofs::Block& block, const Decision& decision) 
         if (verdict == worst && !text.empty()) continue;
         const std::string cases = cases_text(block, decision, verdict);
         if (cases.empty()) continue;
-        const std::string word = verdict == worst              ? ""
+        const std::string word = verdict == worst ? ""
                                  : verdict == Verdict::proved && worst == Verdict::refuted
                                      ? "holds "
                                      : std::string(proofs::verdict_name(verdict)) + " ";
@@ -143,7 +145,8 @@ std::string notes(const Decision& decision) {
         for (const std::string& open : one.open) {
             lines.insert(fmt::format("    a pivot was assumed not to vanish: the case {} is open\n", open));
         }
-        if (!one.holds_if.empty()) lines.insert(fmt::format("    it holds if {}\n", fmt::join(one.holds_if, ", ")));
+        if (!one.holds_if.empty())
+            lines.insert(fmt::format("    it holds if {}\n", fmt::join(one.holds_if, ", ")));
     }
     return fmt::format("{}", fmt::join(lines, ""));
 }
@@ -158,7 +161,8 @@ std::string cases_text(const proofs::Block& block, const Decision& decision, Ver
 std::string readable(const proofs::Block& block, const Decision& decision, const std::string& title,
                      const Style& style) {
     const std::string verdict = fmt::format("{:<9}", proofs::verdict_name(decision.verdict()));
-    const std::string conditions = decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
+    const std::string conditions =
+        decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
     std::string text;
     if (!conditions.empty()) text = fmt::format("if {}:\n  ", conditions);
     text += decision.as_expected() ? style.good(verdict) : style.bad(verdict);
@@ -166,8 +170,8 @@ std::string readable(const proofs::Block& block, const Decision& decision, const
     const std::string verdicts = verdicts_text(block, decision);
     if (!verdicts.empty()) text += "  " + verdicts;
     if (decision.verdict() == Verdict::proved) {
-        text += fmt::format("  ({} {}, {} terms)", decision.cases.size(), decision.cases.size() == 1 ? "case" : "cases",
-                            decision.terms());
+        text += fmt::format("  ({} {}, {} terms)", decision.cases.size(),
+                            decision.cases.size() == 1 ? "case" : "cases", decision.terms());
     }
     text += style.bad(std::string(complaint(decision))) + "\n" + notes(decision);
     if (const proofs::Counterexample* found = decision.counterexample()) text += readable(*found);

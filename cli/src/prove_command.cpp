@@ -140,8 +140,7 @@ std::string lemma_name(const Task& task, const proofs::ProvedCase& proved) {
 /// Decides one task, with the records that are asked for.
 void decide(Task& task, const ProveCommand& command) {
     const auto record = [&](const proofs::ProvedCase& proved) {
-        if (!command.certificate.empty())
-            task.certificates.push_back(proved.certificate);
+        if (!command.certificate.empty()) task.certificates.push_back(proved.certificate);
         if (command.coq.empty()) return;
         const std::string name = fmt::format("{}_line_{}_{}", lemma_name(task, proved),
                                              task.text->line(proved.relation.offset), task.lemmas.size());
@@ -191,7 +190,8 @@ void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
 std::string warnings_text(const Task& task) {
     std::string text;
     for (const proofs::Warning& warning : task.warnings)
-        text += "warning: " + task.text->diagnostic(Error(ErrorCode::syntax, warning.message, "", warning.offset));
+        text += "warning: " +
+                task.text->diagnostic(Error(ErrorCode::syntax, warning.message, "", warning.offset));
     return text;
 }
 
@@ -237,10 +237,11 @@ Outcome format_all(const std::vector<Text>& texts, const Streams& streams) {
 
 /// One line of JSON a claim.
 Json line_of(const Task& task, const proofs::Decision& decision) {
-    Json line = Json::Object{{"id", task.block->id},
-                             {"file", task.text->name},
-                             {"line", task.text->line(decision.offset)},
-                             {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
+    Json line =
+        Json::Object{{"id", task.block->id},
+                     {"file", task.text->name},
+                     {"line", task.text->line(decision.offset)},
+                     {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
     const Json result = to_json(*task.block, decision);
     for (const auto& [name, value] : *result.object()) line[name] = value;
     Json::Array warnings;
@@ -297,9 +298,10 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
     for (const proofs::second::Confirmed& line : proofs::second::confirmed_theorems(certificates, limits)) {
         complete = complete && line.confirmed;
         confirmed += line.confirmed ? 1 : 0;
-        streams.output(fmt::format("{:<9} {}, line {}: {} of {} cases\n", line.confirmed ? "confirmed" : "open",
-                                   line.id.empty() ? "a statement without a name" : line.id, line.line + 1, line.proved,
-                                   line.cases));
+        streams.output(fmt::format("{:<9} {}, line {}: {} of {} cases\n",
+                                   line.confirmed ? "confirmed" : "open",
+                                   line.id.empty() ? "a statement without a name" : line.id, line.line + 1,
+                                   line.proved, line.cases));
         if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
     }
     streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));

@@ -44,10 +44,12 @@ Residues image_in(const SparsePolynomial& polynomial, std::size_t variable) {
     Residues image(polynomial.degree_in(variable) + 1);
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         const Integer residue = polynomial.coefficients().numerators()[i] % Integer(prime);
-        std::uint64_t term = static_cast<std::uint64_t>(residue.word() + static_cast<std::int64_t>(prime)) % prime;
+        std::uint64_t term =
+            static_cast<std::uint64_t>(residue.word() + static_cast<std::int64_t>(prime)) % prime;
         for (std::size_t j = 0; j < polynomial.variables(); ++j) {
             const std::size_t exponent = polynomial.exponent(i, j);
-            if (j != variable && exponent != 0) term = term * power_of(1'000'003 * (j + 1) + j * j, exponent) % prime;
+            if (j != variable && exponent != 0)
+                term = term * power_of(1'000'003 * (j + 1) + j * j, exponent) % prime;
         }
         std::uint64_t& entry = image[polynomial.exponent(i, variable)];
         entry = (entry + term) % prime;
@@ -110,15 +112,18 @@ SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t vari
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         const std::size_t power = polynomial.exponent(i, variable);
         if (power == 0) continue;
-        const auto from = SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
+        const auto from =
+            SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
         terms.monomials.insert(terms.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));
-        packed_monomials::set_exponent(std::span(terms.monomials).last(words), variable, layout.bits, power - 1);
+        packed_monomials::set_exponent(std::span(terms.monomials).last(words), variable, layout.bits,
+                                       power - 1);
         terms.coefficients.push_back(polynomial.coefficients().numerators()[i] * Integer(power));
     }
     return SparseArithmetic::polynomial(std::move(terms), layout, polynomial.coefficients().denominator());
 }
 
-std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial, std::size_t variable) {
+std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial,
+                                                     std::size_t variable) {
     if (polynomial.is_zero()) return {};
     if (variable >= polynomial.variables()) return {polynomial};
     // The terms with one power of the variable stay in order without it.
@@ -127,7 +132,8 @@ std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& pol
     std::vector<SparseArithmetic::Terms> terms(polynomial.degree_in(variable) + 1);
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         SparseArithmetic::Terms& to = terms[polynomial.exponent(i, variable)];
-        const auto from = SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
+        const auto from =
+            SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
         to.monomials.insert(to.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));
         packed_monomials::set_exponent(std::span(to.monomials).last(words), variable, layout.bits, 0);
         to.coefficients.push_back(polynomial.coefficients().numerators()[i]);

@@ -18,7 +18,8 @@ SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t vari
 
 /// The coefficients by powers of one variable, lowest first and none for zero: polynomials in the others.
 /// Cost: one pass.
-std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial, std::size_t variable);
+std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial,
+                                                     std::size_t variable);
 
 /// What became of a / b.
 struct Division {
@@ -26,13 +27,13 @@ struct Division {
     std::size_t work = 0;                      ///< term operations
 };
 
-/// a / b if b divides a. That it does not is seen at the first term of the quotient that cannot be one: because
-/// of its exponents, which the degrees of a and b bound, or because it is not an integer where b is primitive.
-/// Gives up beyond `most_work` term operations.
+/// a / b if b divides a. That it does not is seen at the first term of the quotient that cannot be one:
+/// because of its exponents, which the degrees of a and b bound, or because it is not an integer where b is
+/// primitive. Gives up beyond `most_work` term operations.
 ///
-/// Cost: for a divisor of two terms one pass over a and the quotient; for one of k terms k log(k) operations a
-/// term of the quotient. Errors: `division_by_zero`.
-/// Source: Monagan and Pearce, Sparse polynomial division using a heap, 2011.
+/// Cost: for a divisor of two terms one pass over a and the quotient; for one of k terms k log(k) operations
+/// a term of the quotient. Errors: `division_by_zero`. Source: Monagan and Pearce, Sparse polynomial division
+/// using a heap, 2011.
 Division divide(const SparsePolynomial& a, const SparsePolynomial& b,
                 std::size_t most_work = std::size_t(-1));
 

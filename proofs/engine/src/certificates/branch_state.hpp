@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plain_polynomial.hpp"
+#include "certificates/symbolic/plain_polynomial.hpp"
 
 #include <cstddef>
 #include <string>

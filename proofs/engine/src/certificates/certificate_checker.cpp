@@ -1,8 +1,8 @@
 #include "certificate_checker.hpp"
 
 #include "branch_state.hpp"
-#include "second_evaluation.hpp"
-#include "symbolic_field.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
+#include "certificates/symbolic/symbolic_field.hpp"
 
 #include <blossom/rational/number_text.hpp>
 
@@ -77,6 +77,8 @@ public:
                        " does not vanish";
             }
         }
+        // The claim is made where the conditions do not vanish.
+        nonzero_.insert(nonzero_.end(), conditions_.begin(), conditions_.end());
         BranchState state(equations_, nonzero_, difference_, field_.budget());
         std::string problem = problem_in(certificate_.root, state, "");
         if (problem.empty() && !agrees_somewhere_) problem = "no branch is left in which the sides agree";
@@ -84,8 +86,9 @@ public:
     }
 
 private:
-    /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That the steps
-    /// follow from the hypotheses is seen later, and a difference that rests on others is worth nothing.
+    /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That
+    /// the steps follow from the hypotheses is seen later, and a difference that rests on others is worth
+    /// nothing.
     void expand_sides(const Reading& reading) {
         const std::vector<Step>& steps = certificate_.root.steps;
         std::size_t count = 0;
@@ -255,7 +258,8 @@ struct CertificateChecker::Text {
     Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
         for (Case& which : reading.cases()) {
             keys.insert(key_of(which));
-            if (reading.claims()[which.line].kind == Statement::Kind::claim) claimed.push_back(std::move(which));
+            if (reading.claims()[which.line].kind == Statement::Kind::claim)
+                claimed.push_back(std::move(which));
         }
     }
 

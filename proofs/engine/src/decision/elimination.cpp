@@ -71,7 +71,8 @@ Elimination::Elimination(const GroundBlock& block, Expander& expander) : block_(
     for (const Relation& hypothesis : block_.hypotheses) {
         const Fraction difference =
             expander_.field().difference(expander_(hypothesis.left), expander_(hypothesis.right));
-        for (SparsePolynomial& equation : coefficients_by_monomials(difference.numerator, hypothesis.quantified))
+        for (SparsePolynomial& equation :
+             coefficients_by_monomials(difference.numerator, hypothesis.quantified))
             equations_.push_back({std::move(equation), hypothesis.offset});
     }
 }
@@ -85,23 +86,28 @@ bool Elimination::has_coefficients(const SparsePolynomial& polynomial) const {
 
 std::set<std::size_t> Elimination::factors_of(const SparsePolynomial& polynomial) {
     std::set<std::size_t> result;
-    for (const auto& [factor, exponent] : expander_.field().factorise(polynomial).factors) result.insert(factor);
+    for (const auto& [factor, exponent] : expander_.field().factorise(polynomial).factors)
+        result.insert(factor);
     return result;
 }
 
 Branch& Elimination::root(const std::set<std::size_t>& nonzero) {
     const auto [entry, fresh] = known_.try_emplace(nonzero);
-    if (fresh) entry->second.state = {equations_, nonzero, {}};
+    if (fresh) {
+        entry->second.state.equations = equations_;
+        entry->second.state.nonzero = nonzero;
+    }
     return entry->second;
 }
 
-SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
+SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial,
+                                              const std::set<std::size_t>& factors) {
     if (polynomial.is_zero() || factors.empty() || polynomial.total_degree() == 0) return polynomial;
     return expander_.field().stripped(std::move(polynomial), factors);
 }
 
-/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what the
-/// relation says, times the leading coefficient of the relation.
+/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what
+/// the relation says, times the leading coefficient of the relation.
 SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const Substitution& step) {
     if (polynomial.degree_in(step.symbol) < step.degree) return polynomial;
     FractionField& field = expander_.field();
@@ -216,10 +222,12 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
     const bool with_maps = has_coefficients(polynomial);
     std::optional<Candidate> best;
     const auto rank = [](const Candidate& c) { return std::tuple(c.doubt, c.size, c.elsewhere); };
-    for (std::size_t i = block_.symbols.size(); i-- > 0;) {
-        if (state.solved.contains(i) || polynomial.degree_in(i) != 1) continue;
+    const std::vector<std::size_t> degrees = polynomial.degrees();
+    for (std::size_t i = degrees.size(); i-- > 0;) {
+        if (degrees[i] != 1 || state.solved.contains(i)) continue;
         const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
-        // Of an equation between values of maps a number is only taken that stands alone, such as a control point.
+        // Of an equation between values of maps a number is only taken that stands alone, such as a control
+        // point.
         if (with_maps && !block_.symbols[i].is_map_value() && cofactor.total_degree() > 0) continue;
         Candidate candidate{equation, {i, 1, polynomial}, {}};
         for (const std::size_t factor : factors_of(cofactor)) {
@@ -228,21 +236,24 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
             candidate.doubt += expander_.field().factors()[factor].size();
         }
         candidate.size = cofactor.size();
-        for (const Equation& other : state.equations) candidate.elsewhere += other.polynomial.degree_in(i) > 0 ? 1U : 0U;
+        for (const Equation& other : state.equations)
+            candidate.elsewhere += other.polynomial.degree_in(i) > 0 ? 1U : 0U;
         if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
     }
     return best;
 }
 
-/// An equation that has the power of a variable alone, as w^2 == 1/2 or c^2 + s^2 == 1. Repeated factors are left
-/// out: what is zero on the others is zero.
-std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchState& state, std::size_t equation) {
+/// An equation that has the power of a variable alone, as w^2 == 1/2 or c^2 + s^2 == 1. Repeated factors are
+/// left out: what is zero on the others is zero.
+std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchState& state,
+                                                                   std::size_t equation) {
     const SparsePolynomial& polynomial = state.equations[equation].polynomial;
     std::optional<Candidate> best;
     for (std::size_t i = block_.symbols.size(); i-- > 0;) {
         const std::size_t degree = polynomial.degree_in(i);
         const bool is_root = std::ranges::find(state.monic, i, &Substitution::symbol) != state.monic.end();
-        if (degree < 2 || is_root || state.solved.contains(i) || (best && best->step.degree <= degree)) continue;
+        if (degree < 2 || is_root || state.solved.contains(i) || (best && best->step.degree <= degree))
+            continue;
         const SparsePolynomial leading = coefficients_in(polynomial, i)[degree];
         if (leading.total_degree() > 0) continue;
         SparsePolynomial relation = polynomial * SparsePolynomial(Rational(1) / leading.coefficient(0));
@@ -255,20 +266,26 @@ std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchS
 }
 
 /// The best equation and variable to go on with: relations between numbers first, since they may occur in the
-/// coefficients of others; then what is linear with a leading coefficient known not to vanish.
+/// coefficients of others; then what is linear with a leading coefficient known not to vanish. The first one
+/// whose leading coefficient is a number will do.
 std::optional<Elimination::Candidate> Elimination::best_candidate(const BranchState& state) {
     std::optional<Candidate> best;
-    const auto rank = [&](const Candidate& c) {
-        return std::tuple(!c.doubtful.empty(), has_coefficients(state.equations[c.equation].polynomial),
-                          c.step.degree, c.doubt, c.size, c.elsewhere);
+    const auto rank = [](const Candidate& c) {
+        return std::tuple(!c.doubtful.empty(), c.step.degree, c.doubt, c.size, c.elsewhere);
     };
     const auto consider = [&](std::optional<Candidate> candidate) {
         if (candidate && (!best || rank(*candidate) < rank(*best))) best = std::move(candidate);
     };
-    for (std::size_t i = 0; i < state.equations.size(); ++i) {
-        std::optional<Candidate> found = linear_candidate(state, i);
-        if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
-        consider(std::move(found));
+    for (const bool with_maps : {false, true}) {
+        for (std::size_t i = 0; i < state.equations.size(); ++i) {
+            if (has_coefficients(state.equations[i].polynomial) != with_maps) continue;
+            std::optional<Candidate> found = linear_candidate(state, i);
+            const bool simple = found && found->doubtful.empty() && found->size == 1;
+            if (simple) return found;
+            if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
+            consider(std::move(found));
+        }
+        if (best && best->doubtful.empty()) return best;
     }
     return best;
 }
@@ -296,7 +313,8 @@ void Elimination::grow(Branch& branch) {
         if (!candidate) {
             if (!state.by_split) {
                 throw Error(ErrorCode::syntax,
-                            "this hypothesis is linear neither in the values of the maps nor in a variable, and has no "
+                            "this hypothesis is linear neither in the values of the maps nor in a variable, "
+                            "and has no "
                             "power of a variable alone",
                             "", state.equations.front().offset);
             }

@@ -33,7 +33,8 @@ public:
         for (Decision& decision : decisions_) {
             if (!decision.cases.empty()) continue;
             add_error(decision, {},
-                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "", decision.offset));
+                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "",
+                            decision.offset));
         }
         compare_cases();
         return std::move(decisions_);
@@ -59,6 +60,7 @@ private:
 
     static void record(CaseDecision& decision, const Error& error, std::size_t offset) {
         decision.verdict = Verdict::undecided;
+        decision.counterexample.reset();
         decision.error = error.offset() ? error : Error(error.code(), error.message(), "", offset);
     }
 
@@ -86,8 +88,8 @@ private:
             decided.parameters.insert(decided.parameters.end(), relation.parameters.begin(),
                                       relation.parameters.end());
             try {
-                decide_claim(*grounded, *block_case, relation, opinion_.case_of(relation.statement, decided.parameters),
-                             decided);
+                decide_claim(*grounded, *block_case, relation,
+                             opinion_.case_of(relation.statement, decided.parameters), decided);
             } catch (const Error& error) {
                 record(decided, error, relation.offset);
             }
@@ -103,7 +105,8 @@ private:
             settle(opinion_.on_refutation(which, *outcome.witness), "refuted", relation.offset, decided);
             return;
         }
-        const second::Certificate certificate = certificate_of(block_, opinion_.text(), grounded, which, outcome);
+        const second::Certificate certificate =
+            certificate_of(block_, opinion_.text(), grounded, which, outcome);
         settle(opinion_.on_proof(grounded, which, outcome, certificate), "proved", relation.offset, decided);
         if (options_.on_proof && decided.verdict == Verdict::proved) {
             options_.on_proof(
@@ -112,15 +115,16 @@ private:
     }
 
     /// A verdict stands when the second road says nothing against it.
-    static void settle(const std::optional<std::string>& objection, std::string_view verdict, std::size_t offset,
-                       CaseDecision& decided) {
+    static void settle(const std::optional<std::string>& objection, std::string_view verdict,
+                       std::size_t offset, CaseDecision& decided) {
         if (!objection) return;
         decided.verdict = Verdict::disagreement;
         decided.counterexample.reset();
-        decided.error = Error(ErrorCode::internal,
-                              "the two roads disagree, which is an error of the program: the expansion says \"" +
-                                  std::string(verdict) + "\", but " + *objection,
-                              "", offset);
+        decided.error =
+            Error(ErrorCode::internal,
+                  "the two roads disagree, which is an error of the program: the expansion says \"" +
+                      std::string(verdict) + "\", but " + *objection,
+                  "", offset);
     }
 
     /// A verdict on a range is one on all its cases, as both readers list them.
@@ -196,7 +200,8 @@ std::vector<Condition> Decision::conditions() const {
 }
 
 const Counterexample* Decision::counterexample() const {
-    const auto found = std::ranges::find_if(cases, [](const CaseDecision& c) { return c.counterexample.has_value(); });
+    const auto found =
+        std::ranges::find_if(cases, [](const CaseDecision& c) { return c.counterexample.has_value(); });
     return found == cases.end() ? nullptr : &*found->counterexample;
 }
 

@@ -51,7 +51,8 @@ second::Branch named(const Branch& branch, const std::vector<Symbol>& symbols) {
 
 second::Certificate certificate_of(const Block& block, const std::string& text, const GroundBlock& grounded,
                                    const second::Case& which, const CaseOutcome& outcome) {
-    second::Certificate certificate{block.id, block.title, text, which, {}, named(*outcome.root, grounded.symbols)};
+    second::Certificate certificate{block.id, block.title, text,
+                                    which,    {},          named(outcome.root, grounded.symbols)};
     for (const SparsePolynomial& condition : outcome.conditions)
         certificate.conditions.push_back(named(condition, grounded.symbols));
     return certificate;
@@ -69,8 +70,9 @@ SecondOpinion::SecondOpinion(const Block& block, const std::set<std::size_t>& un
         const std::size_t first = statement.offset - block.offset;
         const std::size_t last =
             i + 1 < block.statements.size() ? block.statements[i + 1].offset - block.offset : text_.size();
-        std::replace_if(text_.begin() + static_cast<std::ptrdiff_t>(first),
-                        text_.begin() + static_cast<std::ptrdiff_t>(last), [](char c) { return c != '\n'; }, ' ');
+        std::replace_if(
+            text_.begin() + static_cast<std::ptrdiff_t>(first),
+            text_.begin() + static_cast<std::ptrdiff_t>(last), [](char c) { return c != '\n'; }, ' ');
     }
     try {
         reading_.emplace(text_, limits);
@@ -115,7 +117,8 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
         second::compare(*reading_, which, hint, points_of_comparison, seed_of_points);
     if (compared.result == second::Comparison::Result::no_point) {
         throw Error(ErrorCode::limit_exceeded,
-                    "no point was found that satisfies the hypotheses, so that the text read anew could not be evaluated: " +
+                    "no point was found that satisfies the hypotheses, so that the text read anew could not "
+                    "be evaluated: " +
                         compared.note);
     }
     if (compared.result != second::Comparison::Result::agree) {

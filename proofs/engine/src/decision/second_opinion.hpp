@@ -8,17 +8,18 @@
 #include <vector>
 
 #include "certificates/certificate_checker.hpp"
-#include "certificates/point_comparison.hpp"
-#include "certificates/second_reading.hpp"
+#include "certificates/points/point_comparison.hpp"
+#include "certificates/reading/second_reading.hpp"
 #include "decided_case.hpp"
 
 namespace blossom::proofs {
 
-/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the hypotheses,
-/// and the check of certificates. An answer says how it disagrees, or nothing.
+/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the
+/// hypotheses, and the check of certificates. An answer says how it disagrees, or nothing.
 class SecondOpinion {
 public:
-    /// Lines `claim` and `refute` that `unfit` lists are left out of the text: what means nothing is not read twice.
+    /// Lines `claim` and `refute` that `unfit` lists are left out of the text: what means nothing is not read
+    /// twice.
     SecondOpinion(const Block& block, const std::set<std::size_t>& unfit, const Limits& limits);
 
     /// Whether the text has exactly these cases of these lines, in any order.

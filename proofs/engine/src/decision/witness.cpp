@@ -48,13 +48,14 @@ std::vector<std::size_t> order_of_symbols(const GroundBlock& block, std::span<co
 /// Chooses values for the symbols of one branch.
 class WitnessSearch {
 public:
-    WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps, std::vector<SparsePolynomial> nonzero)
+    WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps,
+                  std::vector<SparsePolynomial> nonzero)
         : block_(block), steps_(steps), nonzero_(std::move(nonzero)), values_(block.symbols.size()) {
         for (const Substitution& step : steps) relations_.push_back(step.relation);
     }
 
-    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that roots may
-    /// become rational. False if one that has a root has no rational one.
+    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that
+    /// roots may become rational. False if one that has a root has no rational one.
     bool choose(std::size_t attempt) {
         const auto touches_root = [&](std::size_t symbol) {
             return std::ranges::any_of(steps_, [&](const Substitution& step) {
@@ -68,8 +69,8 @@ public:
         return rational;
     }
 
-    /// Whether some root leaves everything different from zero that must be, where one variable has no rational value:
-    /// the product of all has no power that the relation divides.
+    /// Whether some root leaves everything different from zero that must be, where one variable has no
+    /// rational value: the product of all has no power that the relation divides.
     bool is_witness() const {
         if (algebraic_.size() != 1) return true;
         const std::size_t symbol = algebraic_.front();
@@ -304,9 +305,10 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
         if (rational) break;
     }
     if (!choice) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the sides differ, but no small values of the variables show it where the hypotheses have roots", "",
-                    relation.offset);
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "the sides differ, but no small values of the variables show it where the hypotheses have roots",
+            "", relation.offset);
     }
     std::vector<std::string> names;
     names.reserve(block.symbols.size());
@@ -344,6 +346,10 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
             result.roots.push_back(to_text(choice->relations()[i], names) + " == 0");
     }
     if (!choice->algebraic().empty()) {
+        for (std::size_t i = 0; i < block.symbols.size(); ++i) {
+            if (block.symbols[i].is_coefficient && !is_algebraic(i))
+                result.variables.emplace_back(names[i], choice->values()[i]);
+        }
         result.left = side_text(expander, relation.left, *choice, names);
         result.right = side_text(expander, relation.right, *choice, names);
         return witness;
@@ -356,7 +362,8 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
                     "", relation.offset);
     }
     for (const std::size_t map : maps) {
-        if (block.maps[map].barycentric.empty()) result.maps.push_back(written_out(block.maps[map], evaluate));
+        if (block.maps[map].barycentric.empty())
+            result.maps.push_back(written_out(block.maps[map], evaluate));
     }
     std::set<std::string> listed;
     for (const NodeId id : nodes_below(block, {relation.left, relation.right})) {

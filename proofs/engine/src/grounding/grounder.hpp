@@ -52,7 +52,6 @@ public:
         std::optional<Value> hidden_variable_;
     };
 
-
     void bind(const std::string& name, Bound value) { bound_[name] = std::move(value); }
     /// Reads the declarations and infers all kinds; what is bound now are the parameters of the block, which
     /// abbreviations see wherever they are used.
@@ -76,8 +75,8 @@ public:
 
 private:
     using Bindings = std::map<std::string, Bound>;
-    /// Variables of a `poly` or of `for all` for as long as it lives. Abbreviations see them, so that what is known of
-    /// abbreviations is set aside; maps that are declared already do not.
+    /// Variables of a `poly` or of `for all` for as long as it lives. Abbreviations see them, so that what is
+    /// known of abbreviations is set aside; maps that are declared already do not.
     class Variables {
     public:
         explicit Variables(Grounder& grounder);

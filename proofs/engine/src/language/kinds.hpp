@@ -45,11 +45,13 @@ std::string to_text(const Kind& kind);
 /// The directions of a map: how many, and the dimension of each.
 using Dimensions = std::vector<std::size_t>;
 
-/// The kinds of all expressions of a block for one choice of its parameters, inferred from the declarations before
-/// anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its clauses.
+/// The kinds of all expressions of a block for one choice of its parameters, inferred from the declarations
+/// before anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its
+/// clauses.
 ///
-/// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that nothing
-/// declares; `wrong_arity`. Those of a line `claim` or `refute` are kept, as that line's own. Cost: the size of the block, times the depth of abbreviations that refer to each other.
+/// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that
+/// nothing declares; `wrong_arity`. Those of a line `claim` or `refute` are kept, as that line's own. Cost:
+/// the size of the block, times the depth of abbreviations that refer to each other.
 class Kinds {
 public:
     /// `count` gives the value of a dimension.
@@ -129,7 +131,7 @@ private:
     std::map<std::string, Dimensions> maps_;
     std::map<std::string, Kind> bare_lets_;
     std::map<std::string, Kind> family_lets_;
-    std::map<std::string, std::vector<Kind>> scope_;         ///< of bare names that hide others, the innermost last
+    std::map<std::string, std::vector<Kind>> scope_;  ///< of bare names that hide others, the innermost last
     std::map<std::string, std::vector<Kind>> family_scope_;  ///< the same of families
     std::map<const Expression*, Kind> known_;
     std::map<const Statement*, Error> unfit_;

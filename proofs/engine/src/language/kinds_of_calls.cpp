@@ -100,7 +100,8 @@ Kind Kinds::over(const Expression& e) {
     if (e.name == "prod" && kind.is_geometric())
         refuse_call("points and vectors cannot be multiplied", e.children.back().offset);
     if (!kind.is_number() && !kind.is_geometric() && kind.name != KindName::unknown)
-        refuse_call(to_text(kind) + " found, expected a number, point, vector or pair", e.children.back().offset);
+        refuse_call(to_text(kind) + " found, expected a number, point, vector or pair",
+                    e.children.back().offset);
     if (e.name == "sum" && kind.name == KindName::point) return {KindName::pair, kind.dimension};
     return kind;
 }
@@ -130,7 +131,8 @@ Kind Kinds::choice(const Expression& e) {
     if (a == b || b.name == KindName::unknown) return a;
     if (a.name == KindName::unknown) return b;
     if (a.is_number() && b.is_number()) return {KindName::number, 0};
-    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension) return {KindName::pair, a.dimension};
+    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension)
+        return {KindName::pair, a.dimension};
     refuse_call("the two choices are " + to_text(a) + " and " + to_text(b), e.offset);
 }
 
@@ -141,8 +143,7 @@ Kind Kinds::bspline(const Expression& e) {
         refuse_call("the third argument of bspline is the name of the knots", knots.offset);
     Expression knot = knots;
     knot.children.push_back({ExpressionKind::number, knots.offset, "0", {}, {}});
-    if (!member(knot).is_number())
-        refuse_call("the knots of bspline are numbers", knots.offset);
+    if (!member(knot).is_number()) refuse_call("the knots of bspline are numbers", knots.offset);
     require_number(e.children[4]);
     return {KindName::number, 0};
 }
@@ -162,7 +163,8 @@ const Dimensions& Kinds::required_map(const Expression& e) const {
 Kind Kinds::value(const Expression& e) {
     const auto& arguments = e.groups[0];
     const auto local = scope_.find(e.name);
-    if (local != scope_.end() && !local->second.empty() && local->second.back().name == KindName::permutation) {
+    if (local != scope_.end() && !local->second.empty() &&
+        local->second.back().name == KindName::permutation) {
         if (arguments.size() != 1 || !e.children.empty())
             wrong_arity(arguments.size(), "arguments found, a permutation takes one", e.offset);
         require_integer(arguments[0]);
@@ -173,7 +175,8 @@ Kind Kinds::value(const Expression& e) {
                              arguments.size() == dimensions->front() && infer(arguments[0]).is_number();
     if (!coordinates && arguments.size() != dimensions->size()) {
         wrong_arity(arguments.size(),
-                    "arguments found, " + e.name + " expects " + std::to_string(dimensions->size()), e.offset);
+                    "arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
+                    e.offset);
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (coordinates) {
@@ -194,16 +197,18 @@ void Kinds::orders(const Expression& e, const Dimensions& dimensions) {
             const Kind kind = infer(direction);
             if (kind != Kind{KindName::vector, dimensions[0]}) {
                 refuse_call(to_text(kind) + " found, expected " +
-                                to_text(Kind{KindName::vector, dimensions[0]}) + ", the direction of a derivative",
+                                to_text(Kind{KindName::vector, dimensions[0]}) +
+                                ", the direction of a derivative",
                             direction.offset);
             }
         }
         return;
     }
     if (e.children.size() != dimensions.size()) {
-        wrong_arity(e.children.size(),
-                    "orders of a derivative found, " + e.name + " expects " + std::to_string(dimensions.size()),
-                    e.offset);
+        wrong_arity(
+            e.children.size(),
+            "orders of a derivative found, " + e.name + " expects " + std::to_string(dimensions.size()),
+            e.offset);
     }
     for (const Expression& order : e.children) require_integer(order);
 }
@@ -211,9 +216,10 @@ void Kinds::orders(const Expression& e, const Dimensions& dimensions) {
 Kind Kinds::blossom(const Expression& e) {
     const Dimensions* dimensions = &required_map(e);
     if (e.groups.size() != dimensions->size()) {
-        wrong_arity(e.groups.size(),
-                    "directions of arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
-                    e.offset);
+        wrong_arity(
+            e.groups.size(),
+            "directions of arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
+            e.offset);
     }
     for (std::size_t i = 0; i < e.groups.size(); ++i) {
         for (const Expression& given : e.groups[i]) member_of_blossom(given, (*dimensions)[i]);
@@ -260,7 +266,8 @@ void Kinds::argument(const Expression& e, std::size_t dimension) {
     if (kind.name == KindName::unknown) return;
     const bool fits = kind.is_number() ? dimension == 1 : kind.is_geometric() && kind.dimension == dimension;
     if (fits) return;
-    refuse_call(to_text(kind) + " found, expected an argument of dimension " + std::to_string(dimension), e.offset);
+    refuse_call(to_text(kind) + " found, expected an argument of dimension " + std::to_string(dimension),
+                e.offset);
 }
 
 Kind Kinds::derivative(const Expression& e) {

@@ -44,13 +44,6 @@ bool contains_name(const Expression& e) {
     return e.kind == ExpressionKind::name || std::ranges::any_of(e.children, contains_name);
 }
 
-/// Two patterns that fit the same members: open indices have any names.
-bool same_patterns(const Expression& a, const Expression& b) {
-    return std::ranges::equal(a.children, b.children, [](const Expression& x, const Expression& y) {
-        return (is_open_index(x) && is_open_index(y)) || x == y;
-    });
-}
-
 }  // namespace
 
 Names::Names(const Block& block) {
@@ -67,8 +60,9 @@ const Declared* Names::family(const std::string& name) const {
     if (found != families_.end()) return &found->second;
     if (clauses_.contains(name)) return nullptr;
     const Declared* declared = bare(name);
-    const bool spreads = declared && (declared->meaning == Meaning::number ||
-                                      declared->meaning == Meaning::point || declared->meaning == Meaning::vector);
+    const bool spreads =
+        declared && (declared->meaning == Meaning::number || declared->meaning == Meaning::point ||
+                     declared->meaning == Meaning::vector);
     return spreads ? declared : nullptr;
 }
 
@@ -97,7 +91,8 @@ void Names::declare_member(const Expression& name_or_run, Meaning meaning, const
     const bool agrees = family.meaning == meaning &&
                         (family.statements.empty() || family.statements[0]->dimension == statement.dimension);
     if (!agrees) {
-        refuse_name("the members of " + name.name + "_i are declared already, as something else", name.offset);
+        refuse_name("the members of " + name.name + "_i are declared already, as something else",
+                    name.offset);
     }
     if (std::ranges::any_of(family.members, [&](const Expression* known) { return *known == name_or_run; }))
         refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
@@ -113,8 +108,16 @@ void Names::declare_let(const Statement& statement) {
         return;
     }
     auto& clauses = clauses_[name.name];
+    // Two names of indices fit the same members, unless one of them is a parameter.
+    const auto is_any = [&](const Expression& index) {
+        const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
+        return is_open_index(index) && !(known && known->meaning == Meaning::parameter);
+    };
+    const auto same = [&](const Expression& x, const Expression& y) {
+        return (is_any(x) && is_any(y)) || x == y;
+    };
     for (const Statement* known : clauses) {
-        if (same_patterns(known->sides[0], name))
+        if (std::ranges::equal(known->sides[0].children, name.children, same))
             refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
     }
     clauses.push_back(&statement);
@@ -127,7 +130,8 @@ void Names::declare(const Statement& statement) {
             declare_bare(statement.ranges[0].name, meaning, statement, statement.ranges[0].offset);
             break;
         case StatementKind::map:
-            for (const std::string& name : statement.names) declare_bare(name, meaning, statement, statement.offset);
+            for (const std::string& name : statement.names)
+                declare_bare(name, meaning, statement, statement.offset);
             break;
         case StatementKind::polynomial:
             declare_bare(statement.names[0], meaning, statement, statement.offset);

@@ -1,6 +1,6 @@
 #include "point_search.hpp"
 
-#include "second_evaluation.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
 
 #include <blossom/rational/error.hpp>
 
@@ -15,7 +15,8 @@ constexpr std::size_t length_of_series = 12;
 
 }  // namespace
 
-// Equations that are linear in a symbol come first: what is solved by a root takes a symbol that they may need.
+// Equations that are linear in a symbol come first: what is solved by a root takes a symbol that they may
+// need.
 std::optional<PointSearch::Equation> PointSearch::unsolved(std::vector<Equation> equations) {
     while (!equations.empty()) {
         const auto solves = [&](bool only_linear) {

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "certificates/reading/second_reading.hpp"
 #include "point_algebra.hpp"
 #include "point_polynomial.hpp"
-#include "second_reading.hpp"
 
 #include <cstddef>
 #include <optional>

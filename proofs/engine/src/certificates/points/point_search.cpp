@@ -1,6 +1,6 @@
 #include "point_search.hpp"
 
-#include "second_evaluation.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
 
 #include <blossom/rational/error.hpp>
 

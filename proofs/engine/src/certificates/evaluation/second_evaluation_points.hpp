@@ -101,7 +101,8 @@ typename Evaluation<Field>::Geometric Evaluation<Field>::geometric_terms(const N
     std::size_t i = 1;
     for (; !is_geometric(node.children[i]); ++i) {
         const Element next = number(node.children[i], scope);
-        number_in_front = node.flags[i] ? difference(number_in_front, next) : field_.sum(number_in_front, next);
+        number_in_front =
+            node.flags[i] ? difference(number_in_front, next) : field_.sum(number_in_front, next);
     }
     Geometric total = point_of_number(std::move(number_in_front));
     for (; i < node.children.size(); ++i)

@@ -34,7 +34,9 @@ bool Counting::needs_clause(std::uint32_t abbreviation, std::size_t indices) con
         return node.form == Form::name || std::ranges::any_of(node.children, has_name);
     };
     return std::ranges::any_of(reading_.abbreviations()[abbreviation].clauses, [&](const Clause& clause) {
-        const auto names_any = [&](const std::optional<NodeId>& pattern) { return !pattern || has_name(*pattern); };
+        const auto names_any = [&](const std::optional<NodeId>& pattern) {
+            return !pattern || has_name(*pattern);
+        };
         return clause.patterns.size() == indices && std::ranges::any_of(clause.patterns, names_any);
     });
 }
