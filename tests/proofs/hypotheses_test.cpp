@@ -53,7 +53,7 @@ TEST_CASE("a claim that holds where a pivot does not vanish says so") {
 TEST_CASE("a branch that cannot be decided stays open, as a condition, and is told") {
     const auto decisions = decided("given a*x == b\ngiven a*y^3*z^2 + a*y^2*z^3 == b*x*y^2*z\nclaim a*x == b");
     CHECK(decisions.at(0).verdict() != proofs::Verdict::disagreement);
-    CHECK(verdicts("given a*x^2 + x*y^2*b + 1 == x^2*y^2\nclaim 1 == 1").find("linear neither") != std::string::npos);
+    CHECK(verdicts("given x^2*y^2 + x*y^3 + x^3*y == 1\nclaim 1 == 1").find("linear neither") != std::string::npos);
 }
 
 TEST_CASE("roots of numbers") {
