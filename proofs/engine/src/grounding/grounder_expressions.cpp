@@ -190,8 +190,8 @@ Value Grounder::name(const Expression& e) {
     const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
     if (bare ? declared && declared->meaning == Meaning::let : names_->clauses(e.name) != nullptr)
         return let_value(full, e);
-    if (!bare && declared && text_->strict && !is_declared_member(*declared, e))
-        refuse(full + " is not among the declared members of " + e.name + "_i", e.offset);
+    if (!bare && text_->strict && !(declared && is_declared_member(*declared, e)))
+        refuse(full + " is not declared; in a strict text every name is", e.offset);
     return variable(full, declared, e.offset);
 }
 
