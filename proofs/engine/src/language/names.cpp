@@ -73,7 +73,7 @@ const std::vector<const Statement*>* Names::clauses(const std::string& name) con
 
 void Names::declare_bare(const std::string& name, Meaning meaning, const Statement& statement,
                          std::size_t offset) {
-    const bool reserved = name == "delta" || is_function(name) || (name == "D" && meaning == Meaning::map);
+    const bool reserved = name == "delta" || name == "all" || is_function(name) || (name == "D" && meaning == Meaning::map);
     if (reserved) {
         refuse_name(quoted(name) + " is a word of the language and cannot be declared", offset);
     }
