@@ -252,7 +252,8 @@ Subcommand add_check_certificate(CLI::App& app) {
     command->footer(
         "Example:\n"
         "  $ blossom check-certificate proofs.json\n"
-        "  12 proofs confirmed, 0 problems");
+        "  confirmed fj-eq20, line 1: 8 of 8 cases\n"
+        "  1 claims confirmed in all cases");
     const auto action = [=](const Streams& streams) {
         return check_certificate_file(result_of(*file), limits.read(), streams);
     };

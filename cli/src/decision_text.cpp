@@ -77,7 +77,8 @@ std::string conditions_text(const proofs::Block& block, const Decision& decision
             break;
         }
         const std::string where = groups.size() == 1 ? "" : parameters_of(block, decision, cases);
-        parts.push_back(fmt::format("{}{}", fmt::join(needed, ", "), where.empty() ? "" : " (" + where + ")"));
+        parts.push_back(
+            fmt::format("{}{}", fmt::join(needed, ", "), where.empty() ? "" : " (" + where + ")"));
     }
     return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -90,7 +91,7 @@ std::string verdicts_text(const proofs::Block& block, const Decision& decision) 
         if (verdict == worst && !text.empty()) continue;
         const std::string cases = cases_text(block, decision, verdict);
         if (cases.empty()) continue;
-        const std::string word = verdict == worst              ? ""
+        const std::string word = verdict == worst ? ""
                                  : verdict == Verdict::proved && worst == Verdict::refuted
                                      ? "holds "
                                      : std::string(proofs::verdict_name(verdict)) + " ";
@@ -115,7 +116,8 @@ std::string notes(const Decision& decision) {
         for (const std::string& open : one.open) {
             lines.insert(fmt::format("    a pivot was assumed not to vanish: the case {} is open\n", open));
         }
-        if (!one.holds_if.empty()) lines.insert(fmt::format("    it holds if {}\n", fmt::join(one.holds_if, ", ")));
+        if (!one.holds_if.empty())
+            lines.insert(fmt::format("    it holds if {}\n", fmt::join(one.holds_if, ", ")));
     }
     return fmt::format("{}", fmt::join(lines, ""));
 }
@@ -130,7 +132,8 @@ std::string cases_text(const proofs::Block& block, const Decision& decision, Ver
 std::string readable(const proofs::Block& block, const Decision& decision, const std::string& title,
                      const Style& style) {
     const std::string verdict = fmt::format("{:<9}", proofs::verdict_name(decision.verdict()));
-    const std::string conditions = decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
+    const std::string conditions =
+        decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
     std::string text;
     if (!conditions.empty()) text = fmt::format("if {}:\n  ", conditions);
     text += decision.as_expected() ? style.good(verdict) : style.bad(verdict);
@@ -138,8 +141,8 @@ std::string readable(const proofs::Block& block, const Decision& decision, const
     const std::string verdicts = verdicts_text(block, decision);
     if (!verdicts.empty()) text += "  " + verdicts;
     if (decision.verdict() == Verdict::proved) {
-        text += fmt::format("  ({} {}, {} terms)", decision.cases.size(), decision.cases.size() == 1 ? "case" : "cases",
-                            decision.terms());
+        text += fmt::format("  ({} {}, {} terms)", decision.cases.size(),
+                            decision.cases.size() == 1 ? "case" : "cases", decision.terms());
     }
     text += style.bad(std::string(complaint(decision))) + "\n" + notes(decision);
     if (const proofs::Counterexample* found = decision.counterexample()) text += readable(*found);

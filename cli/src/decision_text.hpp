@@ -10,8 +10,8 @@
 
 namespace blossom::cli {
 
-/// The verdict on one line `claim` or `refute` by cases, called `title`, with conditions in front, and below it the
-/// counterexample and what was left open. The error, if there is one, is left to the caller.
+/// The verdict on one line `claim` or `refute` by cases, called `title`, with conditions in front, and below
+/// it the counterexample and what was left open. The error, if there is one, is left to the caller.
 std::string readable(const proofs::Block& block, const proofs::Decision& decision, const std::string& title,
                      const Style& style);
 
@@ -19,8 +19,8 @@ std::string readable(const proofs::Block& block, const proofs::Decision& decisio
 /// values.
 std::string readable(const proofs::Counterexample& counterexample);
 
-/// "n = 0..6", "d = 1, 3", "(n, k) = (1, 0), (2, 1)": the parameters of the cases with this verdict; for all of several
-/// parameters their ranges. Empty without parameters.
+/// "n = 0..6", "d = 1, 3", "(n, k) = (1, 0), (2, 1)": the parameters of the cases with this verdict; for all
+/// of several parameters their ranges. Empty without parameters.
 std::string cases_text(const proofs::Block& block, const proofs::Decision& decision, proofs::Verdict verdict);
 
 }  // namespace blossom::cli

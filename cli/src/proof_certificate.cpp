@@ -35,11 +35,11 @@ Json polynomial_json(const NamedPolynomial& polynomial) {
 Json branch_json(const Branch& branch) {
     Json::Array steps;
     for (const Step& step : branch.steps) {
-        steps.emplace_back(Json::Object{{"symbol", step.symbol},
-                                        {"degree", step.degree},
-                                        {"relation", polynomial_json(step.relation)}});
+        steps.emplace_back(Json::Object{
+            {"symbol", step.symbol}, {"degree", step.degree}, {"relation", polynomial_json(step.relation)}});
     }
-    Json result = Json::Object{{"steps", std::move(steps)}, {"end", ends[static_cast<std::size_t>(branch.end)]}};
+    Json result =
+        Json::Object{{"steps", std::move(steps)}, {"end", ends[static_cast<std::size_t>(branch.end)]}};
     if (branch.end != Branch::End::split) return result;
     Json::Array branches;
     for (const Branch& below : branch.branches) branches.emplace_back(branch_json(below));
@@ -50,9 +50,11 @@ Json branch_json(const Branch& branch) {
 
 Json certificate_json(const Certificate& certificate) {
     Json::Object parameters;
-    for (const auto& [name, value] : certificate.which.parameters) parameters.emplace_back(name, integer(value));
+    for (const auto& [name, value] : certificate.which.parameters)
+        parameters.emplace_back(name, integer(value));
     Json::Array conditions;
-    for (const NamedPolynomial& condition : certificate.conditions) conditions.emplace_back(polynomial_json(condition));
+    for (const NamedPolynomial& condition : certificate.conditions)
+        conditions.emplace_back(polynomial_json(condition));
     return Json::Object{{"id", certificate.id},
                         {"title", certificate.title},
                         {"text", certificate.text},
@@ -73,8 +75,10 @@ public:
         result.id = fields.required("id", read_text);
         result.title = fields.required("title", read_text);
         result.text = fields.required("text", read_text);
-        result.which.line = fields.required("line", [&](const Json& line) { return read_index(line, limits_); });
-        result.which.parameters = fields.required("parameters", [&](const Json& list) { return parameters(list); });
+        result.which.line =
+            fields.required("line", [&](const Json& line) { return read_index(line, limits_); });
+        result.which.parameters =
+            fields.required("parameters", [&](const Json& list) { return parameters(list); });
         result.conditions = fields.required("conditions", [&](const Json& list) {
             return read_list(list, [&](const Json& one) { return polynomial(one); });
         });
@@ -90,7 +94,9 @@ private:
         for (const auto& [name, value] : *json.object()) {
             const Rational number = within(name, [&] { return read_number(value, limits_); });
             const auto word = number.is_integer() ? number.numerator().to_int64() : std::nullopt;
-            if (!word) throw Error(ErrorCode::wrong_kind, "a parameter is an integer of 64 bits", pointer_token(name));
+            if (!word)
+                throw Error(ErrorCode::wrong_kind, "a parameter is an integer of 64 bits",
+                            pointer_token(name));
             list.emplace_back(name, *word);
         }
         return list;
@@ -118,7 +124,8 @@ private:
         Fields fields(json);
         Step result;
         result.symbol = fields.required("symbol", read_text);
-        result.degree = fields.required("degree", [&](const Json& degree) { return read_count(degree, limits_); });
+        result.degree =
+            fields.required("degree", [&](const Json& degree) { return read_count(degree, limits_); });
         result.relation = fields.required("relation", [&](const Json& one) { return polynomial(one); });
         fields.finish();
         return result;
@@ -127,8 +134,9 @@ private:
     Branch branch(const Json& json) const {
         Fields fields(json);
         Branch result;
-        result.steps = fields.required(
-            "steps", [&](const Json& steps) { return read_list(steps, [&](const Json& one) { return step(one); }); });
+        result.steps = fields.required("steps", [&](const Json& steps) {
+            return read_list(steps, [&](const Json& one) { return step(one); });
+        });
         result.end = static_cast<Branch::End>(fields.required(
             "end", [&](const Json& end) { return read_alternative(end, ends, "an end of a branch"); }));
         if (result.end == Branch::End::split) {
@@ -158,8 +166,8 @@ std::vector<Certificate> read_certificates(const Json& json, const Limits& limit
         fields.required("certificate", [&](const Json& number) { return read_count(number, limits); });
     if (written != version) {
         throw Error(ErrorCode::wrong_kind,
-                    "this certificate has version " + std::to_string(written) + "; this program reads version " +
-                        std::to_string(version),
+                    "this certificate has version " + std::to_string(written) +
+                        "; this program reads version " + std::to_string(version),
                     "/certificate");
     }
     const CertificateReader reader(limits);

@@ -11,8 +11,9 @@
 
 namespace blossom::cli {
 
-/// {"certificate": 2, "proofs": [{"id", "title", "text", "line", "parameters", "conditions", "proof"}, ...]}: of each
-/// proved case the text of its block, the line, what must not vanish, and the steps of the elimination.
+/// {"certificate": 2, "proofs": [{"id", "title", "text", "line", "parameters", "conditions", "proof"}, ...]}:
+/// of each proved case the text of its block, the line, what must not vanish, and the steps of the
+/// elimination.
 Json certificates_json(std::span<const proofs::second::Certificate> certificates);
 
 /// Errors: `missing_field`, `wrong_kind` and the like, each with its place, for what is no certificate.

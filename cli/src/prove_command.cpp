@@ -55,8 +55,7 @@ std::string lemma_name(const ProofTask& task, const proofs::ProvedCase& proved) 
 /// Decides one task, with the records that are asked for.
 void decide(ProofTask& task, const ProveCommand& command) {
     const auto record = [&](const proofs::ProvedCase& proved) {
-        if (!command.certificate.empty())
-            task.certificates.push_back(proved.certificate);
+        if (!command.certificate.empty()) task.certificates.push_back(proved.certificate);
         if (command.coq.empty()) return;
         const std::string name = fmt::format("{}_line_{}_{}", lemma_name(task, proved),
                                              task.text->line(proved.relation.offset), task.lemmas.size());
@@ -106,7 +105,8 @@ void run_tasks(std::vector<ProofTask>& tasks, const ProveCommand& command,
 std::string warnings_text(const ProofTask& task) {
     std::string text;
     for (const proofs::Warning& warning : task.warnings)
-        text += "warning: " + task.text->diagnostic(Error(ErrorCode::syntax, warning.message, "", warning.offset));
+        text += "warning: " +
+                task.text->diagnostic(Error(ErrorCode::syntax, warning.message, "", warning.offset));
     return text;
 }
 
@@ -170,16 +170,23 @@ Json line_of(const ProofTask& task, const proofs::Decision& decision) {
 }  // namespace
 
 Outcome check_certificate_file(const std::string& path, const Limits& limits, const Streams& streams) {
-    const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
-    const auto certificates = read_certificates(parse_json(text, limits), limits);
+    std::vector<proofs::second::Certificate> certificates;
+    try {
+        const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
+        certificates = read_certificates(parse_json(text, limits), limits);
+    } catch (const Error& error) {
+        const std::string place = error.field().empty() ? "" : " (at " + error.field() + ")";
+        throw UsageError(path + " is no certificate: " + error.message() + place);
+    }
     bool complete = !certificates.empty();
     std::size_t confirmed = 0;
     for (const proofs::second::Confirmed& line : proofs::second::confirmed_theorems(certificates, limits)) {
         complete = complete && line.confirmed;
         confirmed += line.confirmed ? 1 : 0;
-        streams.output(fmt::format("{:<9} {}, line {}: {} of {} cases\n", line.confirmed ? "confirmed" : "open",
-                                   line.id.empty() ? "a statement without a name" : line.id, line.line + 1, line.proved,
-                                   line.cases));
+        streams.output(fmt::format("{:<9} {}, line {}: {} of {} cases\n",
+                                   line.confirmed ? "confirmed" : "open",
+                                   line.id.empty() ? "a statement without a name" : line.id, line.line + 1,
+                                   line.proved, line.cases));
         if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
     }
     streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));

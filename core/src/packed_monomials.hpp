@@ -20,9 +20,7 @@ constexpr std::size_t greatest_exponent = 0x7fff;
 
 /// The lowest bit of every exponent.
 constexpr std::uint64_t ones(std::size_t bits) {
-    return bits == 4   ? 0x1111'1111'1111'1111
-           : bits == 8 ? 0x0101'0101'0101'0101
-                       : 0x0001'0001'0001'0001;
+    return bits == 4 ? 0x1111'1111'1111'1111 : bits == 8 ? 0x0101'0101'0101'0101 : 0x0001'0001'0001'0001;
 }
 constexpr std::uint64_t guards(std::size_t bits) { return ones(bits) << (bits - 1); }
 

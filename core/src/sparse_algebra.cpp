@@ -2,6 +2,7 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "sparse_arithmetic.hpp"
@@ -24,6 +25,37 @@ SparsePolynomial monic(const SparsePolynomial& polynomial) {
 /// Coefficients by powers of one variable, lowest first, none for zero: elements of R[x] with R in the other
 /// variables.
 using Coefficients = std::vector<SparsePolynomial>;
+
+constexpr std::uint64_t prime = 2147483647;
+using Residues = std::vector<std::uint64_t>;
+
+std::uint64_t power_of(std::uint64_t base, std::uint64_t exponent) {
+    std::uint64_t result = 1;
+    base %= prime;
+    for (; exponent != 0; exponent >>= 1) {
+        if (exponent & 1) result = result * base % prime;
+        base = base * base % prime;
+    }
+    return result;
+}
+
+/// The integer coefficients by powers of one variable modulo the prime, with numbers for the other ones.
+Residues image_in(const SparsePolynomial& polynomial, std::size_t variable) {
+    Residues image(polynomial.degree_in(variable) + 1);
+    for (std::size_t i = 0; i < polynomial.size(); ++i) {
+        const Integer residue = polynomial.coefficients().numerators()[i] % Integer(prime);
+        std::uint64_t term =
+            static_cast<std::uint64_t>(residue.word() + static_cast<std::int64_t>(prime)) % prime;
+        for (std::size_t j = 0; j < polynomial.variables(); ++j) {
+            const std::size_t exponent = polynomial.exponent(i, j);
+            if (j != variable && exponent != 0)
+                term = term * power_of(1'000'003 * (j + 1) + j * j, exponent) % prime;
+        }
+        std::uint64_t& entry = image[polynomial.exponent(i, variable)];
+        entry = (entry + term) % prime;
+    }
+    return image;
+}
 
 SparsePolynomial assembled(const Coefficients& coefficients, std::size_t variable) {
     return polynomial_value(coefficients, SparsePolynomial::variable(variable));
@@ -80,15 +112,18 @@ SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t vari
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         const std::size_t power = polynomial.exponent(i, variable);
         if (power == 0) continue;
-        const auto from = SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
+        const auto from =
+            SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
         terms.monomials.insert(terms.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));
-        packed_monomials::set_exponent(std::span(terms.monomials).last(words), variable, layout.bits, power - 1);
+        packed_monomials::set_exponent(std::span(terms.monomials).last(words), variable, layout.bits,
+                                       power - 1);
         terms.coefficients.push_back(polynomial.coefficients().numerators()[i] * Integer(power));
     }
     return SparseArithmetic::polynomial(std::move(terms), layout, polynomial.coefficients().denominator());
 }
 
-std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial, std::size_t variable) {
+std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& polynomial,
+                                                     std::size_t variable) {
     if (polynomial.is_zero()) return {};
     if (variable >= polynomial.variables()) return {polynomial};
     // The terms with one power of the variable stay in order without it.
@@ -97,7 +132,8 @@ std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& pol
     std::vector<SparseArithmetic::Terms> terms(polynomial.degree_in(variable) + 1);
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         SparseArithmetic::Terms& to = terms[polynomial.exponent(i, variable)];
-        const auto from = SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
+        const auto from =
+            SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
         to.monomials.insert(to.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));
         packed_monomials::set_exponent(std::span(to.monomials).last(words), variable, layout.bits, 0);
         to.coefficients.push_back(polynomial.coefficients().numerators()[i]);
@@ -109,6 +145,28 @@ std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& pol
             SparseArithmetic::polynomial(std::move(power), layout, polynomial.coefficients().denominator()));
     }
     return coefficients;
+}
+
+bool may_have_repeated_factor(const SparsePolynomial& polynomial, std::size_t variable) {
+    Residues image = image_in(polynomial, variable);
+    const std::size_t degree = polynomial.degree_in(variable);
+    if (degree < 2 || image[degree] == 0) return degree >= 2;
+    Residues slope(degree);
+    for (std::size_t k = 1; k <= degree; ++k) slope[k - 1] = image[k] * (k % prime) % prime;
+    // Euclid's algorithm, leading coefficients last.
+    while (true) {
+        while (!slope.empty() && slope.back() == 0) slope.pop_back();
+        if (slope.empty()) return image.size() > 1;
+        const std::uint64_t inverse = power_of(slope.back(), prime - 2);
+        while (image.size() >= slope.size()) {
+            const std::uint64_t factor = prime - image.back() * inverse % prime;
+            const std::size_t shift = image.size() - slope.size();
+            for (std::size_t k = 0; k < slope.size(); ++k)
+                image[shift + k] = (image[shift + k] + factor * slope[k]) % prime;
+            image.pop_back();
+        }
+        std::swap(image, slope);
+    }
 }
 
 SparsePolynomial gcd(const SparsePolynomial& a, const SparsePolynomial& b) {

@@ -72,7 +72,7 @@ private:
     Width width_;
     const Aligned& divisor_;
     const Terms& quotient_;
-    std::vector<std::size_t> next_;    ///< the term of the quotient that each term is multiplied with
+    std::vector<std::size_t> next_;  ///< the term of the quotient that each term is multiplied with
     std::vector<std::uint64_t> products_;
     std::vector<std::size_t> heap_;
     std::vector<std::size_t> waiting_;
@@ -137,16 +137,16 @@ Division divide(const SparsePolynomial& a, const SparsePolynomial& b, std::size_
         return {std::nullopt, 1};
     }
     Monomial greatest = SparseArithmetic::degrees(a);
-    const Monomial below = packed_monomials::greatest_exponents({divisor.monomials(), b.size() * words}, words,
-                                                                layout.bits);
+    const Monomial below =
+        packed_monomials::greatest_exponents({divisor.monomials(), b.size() * words}, words, layout.bits);
     Division result{std::nullopt, a.size() + b.size()};
     if (!divides(below, greatest, layout.bits)) return result;
     for (std::size_t i = 0; i < words; ++i) greatest[i] -= below[i];
 
     const Integer content_of_b = content(b);
     auto quotient = packed_monomials::with_width(words, [&](const auto& width) {
-        return quotient_of_numerators(width, dividend, divisor, content_of_b, greatest, layout.bits, most_work,
-                                      result.work);
+        return quotient_of_numerators(width, dividend, divisor, content_of_b, greatest, layout.bits,
+                                      most_work, result.work);
     });
     if (!quotient) return result;
     const Integer& scale = b.coefficients().denominator();

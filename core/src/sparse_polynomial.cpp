@@ -187,8 +187,8 @@ Layout product_layout(const SparsePolynomial& a, const SparsePolynomial& b) {
     Layout layout = SparseArithmetic::common_layout(SparseArithmetic::layout(a), SparseArithmetic::layout(b));
     const auto degrees = [&](const SparsePolynomial& polynomial) {
         const Layout own = SparseArithmetic::layout(polynomial);
-        Monomial result = packed_monomials::rewritten(SparseArithmetic::degrees(polynomial), own.words(), own.bits,
-                                                      layout.words(), layout.bits);
+        Monomial result = packed_monomials::rewritten(SparseArithmetic::degrees(polynomial), own.words(),
+                                                      own.bits, layout.words(), layout.bits);
         result.resize(layout.words());
         return result;
     };
@@ -212,7 +212,8 @@ void add_products(const Aligned& a, const Aligned& b, const Layout& layout, cons
                   std::vector<Summand>& summands) {
     for (std::size_t i = 0; i < b.size(); ++i) {
         const std::uint64_t* monomial = b.monomials() + i * layout.words();
-        const bool one = std::all_of(monomial, monomial + layout.words(), [](std::uint64_t w) { return w == 0; });
+        const bool one =
+            std::all_of(monomial, monomial + layout.words(), [](std::uint64_t w) { return w == 0; });
         summands.push_back({&a, one ? nullptr : monomial, b.coefficients()[i] * scale});
     }
 }
@@ -262,12 +263,13 @@ std::size_t terms_after_independent_ones(const SparsePolynomial& polynomial) {
 }
 
 /// Powers 0..n of integer terms, times denominators left out, where all terms but the last are independent.
-/// With x the first variable, which no other term has, (c m + z)^k = sum_j C(k, j) c^j m^j z^(k-j) comes out in
-/// order block by block.
+/// With x the first variable, which no other term has, (c m + z)^k = sum_j C(k, j) c^j m^j z^(k-j) comes out
+/// in order block by block.
 std::vector<Terms> independent_powers(const Aligned& base, std::size_t words, std::size_t n, bool all) {
     std::vector<Terms> powers(n + 1);
     const auto term_power = [&](std::size_t term, std::size_t k, Terms& to) {
-        for (std::size_t i = 0; i < words; ++i) to.monomials.push_back(base.monomials()[term * words + i] * k);
+        for (std::size_t i = 0; i < words; ++i)
+            to.monomials.push_back(base.monomials()[term * words + i] * k);
     };
     const std::size_t last = base.size() - 1;
     Integer coefficient = 1;
@@ -292,7 +294,8 @@ std::vector<Terms> independent_powers(const Aligned& base, std::size_t words, st
                 const Terms& rest = powers[k - j];
                 const Integer scale = binomials[k][j] * term_powers[j];
                 for (std::size_t i = 0; i < rest.monomials.size(); ++i) {
-                    next[k].monomials.push_back(rest.monomials[i] + base.monomials()[term * words + i % words] * j);
+                    next[k].monomials.push_back(rest.monomials[i] +
+                                                base.monomials()[term * words + i % words] * j);
                 }
                 for (const Integer& entry : rest.coefficients) next[k].coefficients.push_back(entry * scale);
             }
@@ -341,12 +344,14 @@ void SparseArithmetic::shrink(SparsePolynomial& polynomial) {
     const std::size_t words = polynomial.words_;
     if (words == 0) return;
     const std::size_t bits = polynomial.bits_;
-    const std::uint64_t large = packed_monomials::guards(bits) - (packed_monomials::ones(bits) << (bits / 2 - 1));
+    const std::uint64_t large =
+        packed_monomials::guards(bits) - (packed_monomials::ones(bits) << (bits / 2 - 1));
     const std::size_t last = (polynomial.variables_ - 1) * bits % 64;
     const std::uint64_t last_variable = (~std::uint64_t{0} >> (64 - bits)) << (64 - bits - last);
     bool needs_bits = bits == packed_monomials::least_bits;
     bool needs_variables = false;
-    for (std::size_t i = 0; i < polynomial.monomials_.size() && !(needs_bits && needs_variables); i += words) {
+    for (std::size_t i = 0; i < polynomial.monomials_.size() && !(needs_bits && needs_variables);
+         i += words) {
         needs_variables = needs_variables || (polynomial.monomials_[i + words - 1] & last_variable) != 0;
         for (std::size_t j = 0; j < words && !needs_bits; ++j)
             needs_bits = (polynomial.monomials_[i + j] & large) != 0;
@@ -461,6 +466,32 @@ std::vector<std::size_t> SparsePolynomial::degrees() const {
     return result;
 }
 
+std::optional<SparsePolynomial> product_within(const SparsePolynomial& a, const SparsePolynomial& b,
+                                               std::size_t most_terms) {
+    if (a.size() < b.size()) return product_within(b, a, most_terms);
+    if (b.is_zero()) return SparsePolynomial();
+    const Layout layout = product_layout(a, b);
+    const Aligned larger(a, layout);
+    const Aligned smaller(b, layout);
+    std::vector<Summand> summands;
+    add_products(larger, smaller, layout, 1, summands);
+    const std::size_t at_a_time = std::max<std::size_t>(1, most_terms / a.size());
+    return packed_monomials::with_width(
+        layout.words(), [&]<class Width>(const Width& width) -> std::optional<SparsePolynomial> {
+            Terms total;
+            for (std::size_t i = 0; i < summands.size(); i += at_a_time) {
+                const auto slice = std::span(summands).subspan(i, std::min(at_a_time, summands.size() - i));
+                Terms next = sum_of(width, slice);
+                total = i == 0 ? std::move(next)
+                               : merged(width, ConsumedStream<Width>(width, total),
+                                        ConsumedStream<Width>(width, next));
+                if (total.size() > most_terms) return std::nullopt;
+            }
+            return SparseArithmetic::polynomial(
+                std::move(total), layout, a.coefficients().denominator() * b.coefficients().denominator());
+        });
+}
+
 Rational SparsePolynomial::operator()(std::span<const Rational> values) const {
     Rational sum;
     for (std::size_t i = 0; i < size(); ++i) {
@@ -503,8 +534,8 @@ SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const Sparse
         const Aligned& larger = aligned.emplace_back(a_larger ? a[i] : b[i], layout);
         const Aligned& smaller = aligned.emplace_back(a_larger ? b[i] : a[i], layout);
         add_products(larger, smaller, layout,
-                     divide_exactly(denominator, a[i].coefficients().denominator() *
-                                                     b[i].coefficients().denominator()),
+                     divide_exactly(denominator,
+                                    a[i].coefficients().denominator() * b[i].coefficients().denominator()),
                      summands);
     }
     return sum_of(summands, layout, std::move(denominator));

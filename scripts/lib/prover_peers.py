@@ -52,7 +52,7 @@ def row(file):
     script = f"n = {degree};\n" + (folder / f"{name}.gp").read_text()
     ours, theirs = [], []
     for _ in range(rounds):
-        ours.append(measured([program, "prove", str(file)], r"^proved "))
+        ours.append(measured([program, "prove", str(file)], r"^ *proved "))
         theirs.append(measured(["gp", "-q", "-f"], r"^1$", script))
     (our_time, our_memory), (their_time, their_memory) = (
         (statistics.median(t for t, _ in runs), max(m for _, m in runs)) for runs in (ours, theirs)

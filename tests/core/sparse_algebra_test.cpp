@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "support/catch.hpp"
+#include "support/random.hpp"
 
 using namespace blossom;
+using blossom::testing::Random;
 
 namespace {
 
@@ -60,6 +62,65 @@ TEST_CASE("exact division undoes multiplication and refuses a remainder") {
     CHECK(code_of([&] { return divide_exactly(f * g + 1, g); }) == ErrorCode::inexact_division);
     CHECK(code_of([&] { return divide_exactly(read("x"), read("z")); }) == ErrorCode::inexact_division);
     CHECK(code_of([&] { return divide_exactly(f, SparsePolynomial()); }) == ErrorCode::division_by_zero);
+}
+
+TEST_CASE("division by few and many terms is undone by multiplication, and a remainder is seen") {
+    Random random(71);
+    std::size_t refused = 0;
+    for (int i = 0; i < 400; ++i) {
+        const auto polynomial = [&](std::size_t terms, std::size_t greatest) {
+            SparsePolynomial result;
+            while (result.size() < terms) {
+                std::vector<std::size_t> exponents(6);
+                for (std::size_t& exponent : exponents) exponent = random.one_in(2) ? 0 : random.below(greatest);
+                result += SparsePolynomial::term(
+                    Rational(Integer(random.between(1, 9)), Integer(random.between(1, 4))), exponents);
+            }
+            return result;
+        };
+        // Exponents of all three widths.
+        const std::size_t greatest = i % 3 == 0 ? 3 : i % 3 == 1 ? 40 : 4000;
+        const SparsePolynomial f = polynomial(1 + random.below(8), greatest);
+        const SparsePolynomial g = polynomial(1 + random.below(5), greatest);
+        const SparsePolynomial r = polynomial(1, greatest);
+        const Division division = divide(f * g, g);
+        REQUIRE(division.quotient);
+        CHECK(*division.quotient == f);
+        const Division other = divide(f * g + r, g);
+        if (other.quotient) {
+            CHECK(*other.quotient * g == f * g + r);
+        } else {
+            ++refused;
+        }
+        const auto coefficients = coefficients_by_powers(f, 2);
+        CHECK(coefficients.size() == f.degree_in(2) + 1);
+        CHECK(polynomial_value(coefficients, SparsePolynomial::variable(2)) == f);
+    }
+    CHECK(refused > 200);
+    CHECK(coefficients_by_powers(SparsePolynomial(), 1).empty());
+}
+
+TEST_CASE("what has no repeated factor is seen from an image") {
+    const SparsePolynomial f = read("x^2*y - 1/3 z + 2");
+    const SparsePolynomial g = read("y^2*z + x - 5");
+    for (std::size_t variable = 0; variable < 3; ++variable) {
+        CHECK_FALSE(may_have_repeated_factor(f * g, variable));
+        CHECK(may_have_repeated_factor(f * f * g, variable));
+    }
+    CHECK_FALSE(may_have_repeated_factor(read("(y+1)^2 (x^3 - z)"), 0));
+    CHECK(may_have_repeated_factor(read("(y+1)^2 (x^3 - z)"), 1));
+    CHECK_FALSE(may_have_repeated_factor(read("7"), 0));
+    CHECK_FALSE(may_have_repeated_factor(read("x^1000 - y"), 0));
+}
+
+TEST_CASE("a division that is too much work is given up") {
+    // A quotient of this would have 1000 terms before it shows that there is none.
+    const SparsePolynomial f = read("x^1000 + y^1000*z");
+    const SparsePolynomial g = read("x - y");
+    CHECK_FALSE(divide(f, g).quotient);
+    CHECK(divide(f, g).work > 1000);
+    CHECK(divide(f, g, 100).work < 110);
+    CHECK(divide(read("x^1000 - y^1000"), g).quotient->size() == 1000);
 }
 
 TEST_CASE("the gcd of sparse polynomials is monic and contains every common factor") {

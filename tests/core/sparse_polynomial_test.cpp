@@ -1,4 +1,5 @@
 #include <blossom/core/sparse_polynomial.hpp>
+#include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -120,6 +121,10 @@ TEST_CASE("sparse polynomials are a commutative ring in 1 to 12 variables", "[sp
         CHECK((a * SparsePolynomial()).is_zero());
         CHECK(a * (b + c) == a * b + a * c);
         CHECK((a + b) * (a - b) == a * a - b * b);
+        const auto product = product_within(a, b, 36);
+        REQUIRE(product);
+        CHECK(*product == a * b);
+        if (!product->is_zero()) CHECK_FALSE(product_within(a, b, product->size() - 1));
         check_canonical(a + b);
         check_canonical(a * b);
         check_canonical((a + b) - b);
@@ -213,4 +218,50 @@ TEST_CASE("exponents beyond 32767 are refused wherever they arise", "[sparse_pol
         // A neighbour in the same word stays as it was.
         CHECK((greatest * SparsePolynomial::variable(variable + 1)).exponent(0, variable) == 32767);
     }
+}
+
+TEST_CASE("exponents take the bits that they need", "[sparse_polynomial]") {
+    const SparsePolynomial x = SparsePolynomial::variable(0);
+    const SparsePolynomial far = SparsePolynomial::variable(20);
+    for (const std::size_t n : {7u, 8u, 127u, 128u, 300u}) {
+        SparsePolynomial power = 1;
+        for (std::size_t i = 0; i < n; ++i) power *= x + far;
+        CAPTURE(n);
+        CHECK(power == pow(x + far, n));
+        CHECK(power.degree_in(20) == n);
+        CHECK(power.degrees().size() == 21);
+        CHECK(power.degrees()[0] == n);
+        CHECK(power.total_degree() == n);
+        check_canonical(power);
+        // What is left has small exponents again.
+        const SparsePolynomial high = pow(x, n) * far;
+        CHECK((high + x + 1) - high == x + 1);
+        check_canonical((high + far) - high);
+    }
+    const std::vector<std::size_t> most(5, 32767);
+    CHECK(SparsePolynomial::term(1, most).degree(0) == 5 * 32767);
+    CHECK(failure_code([&] { SparsePolynomial::term(1, most)* x; }) == ErrorCode::limit_exceeded);
+}
+
+TEST_CASE("powers of independent terms are those by products", "[sparse_polynomial]") {
+    Random random(127);
+    std::size_t independent = 0;
+    for (int i = 0; i < 300; ++i) {
+        const SparsePolynomial base = sparse_polynomial(random, 5, 6, Size::small);
+        const std::size_t n = random.below(6);
+        const auto all = powers(base, n);
+        REQUIRE(all.size() == n + 1);
+        SparsePolynomial product = 1;
+        for (std::size_t k = 0; k <= n; ++k) {
+            CAPTURE(base, k);
+            CHECK(all[k] == product);
+            CHECK(pow(base, k) == product);
+            product *= base;
+        }
+        if (base.size() > 2 && has_independent_terms(base)) {
+            ++independent;
+            CHECK(Integer(all[n].size()) == binomial(n + base.size() - 1, n));
+        }
+    }
+    CHECK(independent > 30);
 }

@@ -26,14 +26,44 @@ inline std::vector<proofs::Decision> decided(std::string_view text, const Limits
 }
 
 /// "proved", "refuted", or the diagnostic of what could not be decided; of several lines with blanks between.
+/// A line that is refuted in one case and has an error in another is refuted.
 inline std::string verdicts(std::string_view text, const Limits& limits = {}) {
     std::string result;
     for (const proofs::Decision& decision : decided(text, limits)) {
         if (!result.empty()) result += " ";
-        result += decision.error ? proofs::diagnostic("text", text, *decision.error)
-                                 : std::string(proofs::verdict_name(decision.verdict));
+        const bool decided = decision.verdict() == proofs::Verdict::proved ||
+                             decision.verdict() == proofs::Verdict::refuted;
+        if (!decided) REQUIRE(decision.error());
+        result += decided ? std::string(proofs::verdict_name(decision.verdict()))
+                          : proofs::diagnostic("text", text, *decision.error());
     }
     return result;
+}
+
+/// "a != b, w != 0": what a line needs, whether a line of the block says so or not.
+inline std::string conditions(const proofs::Decision& decision) {
+    std::string result;
+    for (const proofs::Condition& condition : decision.conditions())
+        result += (result.empty() ? "" : ", ") + condition.text;
+    return result;
+}
+
+/// The verdicts of all cases of the only line, a letter each: proved, refuted, undecided, disagreement.
+inline std::string by_case(const proofs::Decision& decision) {
+    std::string result;
+    for (const proofs::CaseDecision& one : decision.cases) result += proofs::verdict_name(one.verdict).front();
+    return result;
+}
+
+/// "3:7 message": where the only line is found wrong, and how.
+inline std::string complaint(std::string_view text) {
+    const auto decisions = decided(text);
+    REQUIRE(decisions.size() == 1);
+    REQUIRE(decisions[0].error());
+    const Error& error = *decisions[0].error();
+    REQUIRE(error.offset());
+    const proofs::Place place = proofs::place_of(text, *error.offset());
+    return std::to_string(place.line) + ":" + std::to_string(place.column) + " " + error.message();
 }
 
 }  // namespace blossom::testing

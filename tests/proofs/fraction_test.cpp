@@ -95,3 +95,24 @@ TEST_CASE("work and terms are counted against their limits") {
     CHECK_THROWS_AS(tired.power(x, 20), Error);
     CHECK_THROWS_AS(tired.quotient(x, {}), Error);
 }
+
+TEST_CASE("a sum has no factor left in numerator and denominator") {
+    FractionField field{Limits{}};
+    const auto x = [](std::size_t i) { return SparsePolynomial::variable(i); };
+    const auto f = [&](const SparsePolynomial& a, const SparsePolynomial& b) {
+        return field.quotient({a, {}}, {b, {}});
+    };
+    // 1/((x-y)(x-z)) + 1/((y-x)(y-z)) + 1/((z-x)(z-y)) = 0, and two of them are 1/((x-z)(z-y)).
+    const Fraction a = f(1, (x(0) - x(1)) * (x(0) - x(2)));
+    const Fraction b = f(1, (x(1) - x(0)) * (x(1) - x(2)));
+    const Fraction c = f(1, (x(2) - x(0)) * (x(2) - x(1)));
+    const Fraction two = sum_of(field, a, b);
+    CHECK(two.denominator.size() == 2);
+    CHECK(two.numerator.variables() == 0);
+    CHECK(sum_of(field, two, c).is_zero());
+    // Over one denominator, and where a factor occurs twice in one of them.
+    CHECK(sum_of(field, f(x(0), x(0) - x(1)), f(-x(1), x(0) - x(1))).denominator.empty());
+    const Fraction square = sum_of(field, f(1, (x(0) - x(1)) * (x(0) - x(1))), f(1, x(0) - x(1)));
+    CHECK(square.denominator == Factors{{field.factorise(x(0) - x(1)).factors[0].first, 2}});
+    CHECK(field.product(square, f(x(0) - x(1), 1)).denominator.front().second == 1);
+}

@@ -2,7 +2,9 @@
 
 #include <blossom/proofs/ground.hpp>
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/error.hpp>
 
+#include <algorithm>
 #include <map>
 #include <vector>
 
@@ -46,26 +48,39 @@ private:
                 return pow((*this)(node.operands[0]), node.index);
             case NodeKind::application:
                 return application(block_.applications[node.index]);
+            case NodeKind::derivative:
+                throw Error(ErrorCode::wrong_kind, "the derivative of an expression has no plain value");
         }
         return result;
     }
 
+    Argument argument(const proofs::NodeArgument& given) {
+        Argument result;
+        for (const auto coordinate : given.coordinates) result.push_back((*this)(coordinate));
+        result.push_back((*this)(given.mass));
+        return result;
+    }
+
     Rational application(const proofs::Application& application) {
+        using Form = proofs::Application::Form;
         const proofs::GroundMap& map = block_.maps[application.map];
+        std::vector<Argument> chosen;
+        const bool by_powers = std::ranges::all_of(map.directions, [](const auto& direction) { return direction.dimension == 1; });
+        if (application.form == Form::derivative && by_powers && map.barycentric.empty()) {
+            for (const auto& place : application.places) chosen.push_back(argument(place));
+            return form(map, chosen, application.orders);
+        }
         std::vector<std::vector<Argument>> arguments;
         for (const auto& list : application.arguments) {
             arguments.emplace_back();
-            for (const auto& given : list) {
-                Argument argument;
-                for (const auto coordinate : given.coordinates) argument.push_back((*this)(coordinate));
-                argument.push_back((*this)(given.mass));
-                arguments.back().push_back(std::move(argument));
-            }
+            for (const auto& given : list) arguments.back().push_back(argument(given));
         }
-        std::vector<Argument> chosen(arguments.size());
-        if (application.polar) return alternating(map, arguments, 0, chosen);
-        for (std::size_t i = 0; i < arguments.size(); ++i) chosen[i] = arguments[i].front();
-        return form(map, chosen, application.orders);
+        if (application.form != Form::value) {
+            chosen.resize(arguments.size());
+            return application.scale * alternating(map, arguments, 0, chosen);
+        }
+        for (const auto& list : arguments) chosen.push_back(list.front());
+        return form(map, chosen, std::vector<std::size_t>(arguments.size(), 0));
     }
 
     Rational alternating(const proofs::GroundMap& map, const std::vector<std::vector<Argument>>& arguments,

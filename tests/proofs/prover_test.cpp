@@ -16,8 +16,8 @@ TEST_CASE("goldman-thm9 for n = 1..10 and every order") {
         "for n in 1..10\nfor k in 0..n\nmap p degree n\n"
         "claim D(p, k)(t) == factorial(n)/factorial(n-k) * p[t{n-k}, delta{k}]");
     REQUIRE(decisions.size() == 1);
-    CHECK(decisions[0].verdict == proofs::Verdict::proved);
-    CHECK(decisions[0].cases == 65);
+    CHECK(decisions[0].verdict() == proofs::Verdict::proved);
+    CHECK(decisions[0].cases.size() == 65);
 }
 
 TEST_CASE("blog-derivative: the misprint is refuted by the least case, the correction proved") {
@@ -25,27 +25,27 @@ TEST_CASE("blog-derivative: the misprint is refuted by the least case, the corre
         "for n in 1..4\nmap a degree n\n"
         "refute a'(t) == n * a[t{n-1}, 1]\nclaim a'(t) == n * a[t{n-1}, delta]");
     REQUIRE(decisions.size() == 2);
-    CHECK(decisions[0].verdict == proofs::Verdict::refuted);
-    REQUIRE(decisions[0].counterexample);
-    const proofs::Counterexample& witness = *decisions[0].counterexample;
+    CHECK(decisions[0].verdict() == proofs::Verdict::refuted);
+    REQUIRE(decisions[0].counterexample());
+    const proofs::Counterexample& witness = *decisions[0].counterexample();
     CHECK(witness.parameters == std::vector<std::pair<std::string, long long>>{{"n", 1}});
     REQUIRE(witness.maps.size() == 1);
     CHECK(witness.maps[0].text == "1");
-    CHECK(witness.left == Rational(0));
-    CHECK(witness.right == Rational(1));
-    CHECK(decisions[1].verdict == proofs::Verdict::proved);
+    CHECK(witness.left == "0");
+    CHECK(witness.right == "1");
+    CHECK(decisions[1].verdict() == proofs::Verdict::proved);
 }
 
 TEST_CASE("denominators are conditions, and a claim that fails only there is not refuted") {
     const auto decisions =
         decided("map p degree 2\nclaim p[s, u] == (b-u)/(b-a)*p[s, a] + (u-a)/(b-a)*p[s, b]");
     REQUIRE(decisions.size() == 1);
-    CHECK(decisions[0].verdict == proofs::Verdict::proved);
-    CHECK(decisions[0].conditions == std::vector<std::string>{"b != a"});
+    CHECK(decisions[0].verdict() == proofs::Verdict::proved);
+    CHECK(conditions(decisions[0]) == "b != a");
     CHECK(verdicts("claim x/x == 1") == "proved");
     CHECK(verdicts("claim (x^2 - y^2)/(x - y) == x + y") == "proved");
     const auto powers = decided("claim 1/(x^2*(x-y)^3*(1 + x^2)) == 0");
-    CHECK(powers[0].conditions == std::vector<std::string>{"x != 0", "x != y", "1 + x^2 != 0"});
+    CHECK(conditions(powers[0]) == "x != 0, x != y, 1 + x^2 != 0");
     CHECK(verdicts("claim 1/(x - x) == 1").find("the denominator is zero") != std::string::npos);
 }
 
@@ -68,8 +68,8 @@ TEST_CASE("side conditions") {
     CHECK(verdicts("assume a != b\nclaim a == b") == "refuted");
     CHECK(verdicts("assume a + b != b + a\nclaim a == b").find("can never hold") != std::string::npos);
     const auto decisions = decided("assume a != 0\nassume a != 1\nassume a != -1\nclaim a == 0");
-    REQUIRE(decisions[0].counterexample);
-    CHECK(decisions[0].counterexample->left == Rational(2));
+    REQUIRE(decisions[0].counterexample());
+    CHECK(decisions[0].counterexample()->left == "2");
 }
 
 TEST_CASE("tensor products, simplices, raised and particular maps, abbreviations") {
@@ -94,8 +94,8 @@ TEST_CASE("what is wrong in a statement is said where it is") {
     const auto message = [](const std::string& text) {
         const auto decisions = decided(text);
         REQUIRE(decisions.size() == 1);
-        REQUIRE(decisions[0].error);
-        return std::to_string(*decisions[0].error->offset()) + " " + decisions[0].error->message();
+        REQUIRE(decisions[0].error());
+        return std::to_string(*decisions[0].error()->offset()) + " " + decisions[0].error()->message();
     };
     CHECK(message("claim c(t) == 1").starts_with("6 there is no map or function \"c\""));
     CHECK(message("map b degree 2\nclaim b[s] == 1") == "21 1 arguments of the blossom found, b expects 2");
@@ -110,8 +110,8 @@ TEST_CASE("a claim for no case at all is not proved") {
     CHECK(verdicts("given a == b\nclaim (a - b)/(a - b) == 1").find("leave no case") != std::string::npos);
     CHECK(verdicts("assume a != b\ngiven a == b\nclaim a == b").find("leave no case") != std::string::npos);
     const auto decisions = decided("given x/(a - b) == 1\nclaim x == a - b");
-    CHECK(decisions[0].verdict == proofs::Verdict::proved);
-    CHECK(decisions[0].conditions == std::vector<std::string>{"a != b"});
+    CHECK(decisions[0].verdict() == proofs::Verdict::proved);
+    CHECK(conditions(decisions[0]) == "a != b");
 }
 
 TEST_CASE("what would take too long or too much is refused before it does") {

@@ -301,13 +301,9 @@ def let_in_poly(m):
     m.features |= {"let in poly", "capture"}
     if "w" in (t, x, y):
         raise Capture()
-    if oracle.LET_SCOPE == "use":
-        expected = show(substituted(parse_expr(poly.replace("w", "(" + body + ")")), t, parse_expr(x)))
-        if "/" in body:
-            raise Capture()  # the poly would be none
-    else:
-        expected = show(substituted(parse_expr(poly.replace("w", "W")), t, parse_expr(x)))
-        expected = expected.replace("W", "(" + body + ")")
+    if "/" in body:
+        raise Capture()  # the poly would be none
+    expected = show(substituted(parse_expr(poly.replace("w", "(" + body + ")")), t, parse_expr(x)))
     return ["let w = " + body, "poly P(%s) degree 4 = %s" % (t, poly)], [
         "P(%s) == %s" % (x, expected), "w == " + body, "P[%s{4}] == P(%s)" % (x, x),
     ][: m.r.choice((1, 2, 3))]

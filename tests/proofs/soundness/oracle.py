@@ -66,10 +66,6 @@ def primes_below(n, count, residue):
     return out
 
 
-# Where the body of a let is read: 'block', in the scope of its block whoever uses it, or 'use', as an abbreviation that sees the
-# variables of the poly and of the `for all` around its use.
-LET_SCOPE = "block"
-
 P = PRIME
 # In some of these fields -1, 2, 3, 5 and so on have square roots; what has none in one field is tried in the next.
 FIELDS = [PRIME] + primes_below(1 << 61, 3, 1)
@@ -441,7 +437,7 @@ class Case:
         self.maps = {}
         self.position = {}
         self.seen = set()
-        self.around = {}  # variables of poly and for all that a let sees, when LET_SCOPE is 'use'
+        self.around = {}  # variables of poly and for all that a let sees
         for at, line in enumerate(scope.block.lines):
             self.map_line(at, line)
 
@@ -789,7 +785,7 @@ class Case:
                 return v
             if family not in self.decl:
                 for pattern, _ in self.lets[family]:
-                    if any(self.has_name(e) for e in pattern):
+                    if len(pattern) == len(index) and any(self.has_name(e) for e in pattern):
                         raise Err("no clause", base)
                 if self.strict:
                     raise Err("not declared", base)
@@ -1081,8 +1077,7 @@ class Case:
         for i in index:
             for v, k, (nodes, _) in zip(variables, i, tables):
                 env[v] = ("n", nodes[k])
-            if LET_SCOPE == "use":
-                self.around = {v: env[v] for v in variables}
+            self.around = {v: env[v] for v in variables}
             values[i] = self.number(body, env)
         for at, (m, (_, rows)) in enumerate(zip(grid, tables)):
             fresh = {}
@@ -1103,8 +1098,7 @@ class Case:
         point = [self.a.fresh() for _ in variables]
         for v, x in zip(variables, point):
             env[v] = ("n", x)
-        if LET_SCOPE == "use":
-            self.around = {v: env[v] for v in variables}
+        self.around = {v: env[v] for v in variables}
         expected = self.number(body, env)
         self.around = around
         found = 0
@@ -1690,13 +1684,11 @@ class Hypotheses:
 
     def residual(self, instance):
         line, env = instance
-        if LET_SCOPE == "use":
-            self.case.around = {k: v for k, v in env.items() if v[0] in ("n", "g")}
-            try:
-                return difference(self.case, line, env)
-            finally:
-                self.case.around = {}
-        return difference(self.case, line, env)
+        self.case.around = {k: v for k, v in env.items() if v[0] in ("n", "g")}
+        try:
+            return difference(self.case, line, env)
+        finally:
+            self.case.around = {}
 
     def point(self, rng, order, pool=None):
         """A sample where all holds, or None."""

@@ -114,12 +114,13 @@ void append_proof(Document& document, const DecidedClaim& claim, const std::opti
     }
     document.result.emplace_back(Paragraph{holds + "."});
     if (cases > 1) {
-        document.result.emplace_back(Paragraph{"The other cases, " + cases_text(cases) +
-                                               " in all, were decided in the same way."});
+        document.result.emplace_back(
+            Paragraph{"The other cases, " + cases_text(cases) + " in all, were decided in the same way."});
     }
     document.check = {
         {Paragraph{
-            "The statement was read a second time by a program that shares nothing with the first: both sides have "
+            "The statement was read a second time by a program that shares nothing with the first: both "
+            "sides have "
             "the same values at points that it chose, and it accepts the certificate of the expansion."}},
         decision.verdict() == proofs::Verdict::proved,
         "The claim is proved."};

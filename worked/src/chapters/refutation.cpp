@@ -25,7 +25,8 @@ std::vector<Rational> values_of(const WrittenCase& written, const proofs::Counte
         const auto map = std::ranges::find(written.block.maps, witness.name, &proofs::GroundMap::name);
         for (std::size_t k = 0; k < map->coefficients.size(); ++k) {
             const proofs::Node& node = written.block.nodes[map->coefficients[k]];
-            if (node.kind == proofs::NodeKind::symbol && written.block.symbols[node.index].is_coefficient) values[node.index] = k <= polynomial.degree() ? polynomial[k] : Rational(0);
+            if (node.kind == proofs::NodeKind::symbol && written.block.symbols[node.index].is_coefficient)
+                values[node.index] = k <= polynomial.degree() ? polynomial[k] : Rational(0);
         }
     }
     return values;
@@ -161,8 +162,8 @@ void append_refutation(Document& document, const DecidedClaim& claim,
     } else {
         document.steps.push_back(counterexample_in_words(found));
     }
-    document.result.emplace_back(Paragraph{
-        {"The sides are ", left_value, " and ", right_value, ": the claim does not hold."}});
+    document.result.emplace_back(
+        Paragraph{{"The sides are ", left_value, " and ", right_value, ": the claim does not hold."}});
     std::vector<Block> again{Paragraph{"Both sides were computed anew with these numbers, and differ:"},
                              Display{{differ}}};
     Table commands{"Every value can be computed again with these commands.", {"value", "command"}, {}};

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -70,6 +71,11 @@ private:
     RationalVector coefficients_;
 };
 
+/// a * b, or nothing where it or a partial sum of it has more than `most_terms` terms, which take no more
+/// memory than that.
+std::optional<SparsePolynomial> product_within(const SparsePolynomial& a, const SparsePolynomial& b,
+                                               std::size_t most_terms);
+
 /// The sum of all by halves: for n summands the logarithm of n passes over the terms. 0 for none.
 SparsePolynomial sum(std::span<const SparsePolynomial> summands);
 
@@ -80,8 +86,8 @@ SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const Sparse
 /// Horner's rule would multiply.
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x);
 
-/// Whether the powers of the polynomial have as many terms as they can have, as those of x_1 + ... + x_m: each
-/// term has a variable that no later one has.
+/// Whether the powers of the polynomial have as many terms as they can have, as those of x_1 + ... + x_m:
+/// each term has a variable that no later one has.
 bool has_independent_terms(const SparsePolynomial& polynomial);
 
 /// base^0, ..., base^n. Cost: a product each; of independent terms, the terms of the result.

@@ -13,11 +13,15 @@ BranchState::BranchState(std::vector<PlainPolynomial> equations, const std::vect
 }
 
 std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const PlainPolynomial& relation) {
-    if (std::ranges::find(solved_, symbol) != solved_.end()) return "the symbol is solved for a second time";
+    const bool has_power =
+        std::ranges::any_of(power_steps_, [&](const PowerStep& step) { return step.symbol == symbol; });
+    const bool again = std::ranges::find(solved_, symbol) != solved_.end();
+    if (again && !(has_power && degree == 1)) return "the symbol is solved for a second time";
     const PlainPolynomial usable = reduced(relation);
     budget_->spend(equations_.size());
-    const bool follows = std::ranges::any_of(
-        equations_, [&](const PlainPolynomial& equation) { return is_zero_where(equation, usable, degree); });
+    const bool follows = std::ranges::any_of(equations_, [&](const PlainPolynomial& equation) {
+        return is_zero_where(equation, usable, equation.degree(symbol));
+    });
     if (!follows) return "the relation is no hypothesis";
     const std::vector<PlainPolynomial> coefficients = coefficients_by(usable, symbol, *budget_);
     if (degree == 0 || coefficients.size() != degree + 1)
@@ -39,9 +43,10 @@ std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const
     return "";
 }
 
-/// Whether the relation vanishes wherever the equation does: one is the other times what does not vanish, or some power
-/// of the relation is a multiple of the equation.
-bool BranchState::is_zero_where(const PlainPolynomial& equation, const PlainPolynomial& relation, std::size_t powers) {
+/// Whether the relation vanishes wherever the equation does: one is the other times what does not vanish, or
+/// some power of the relation is a multiple of the equation.
+bool BranchState::is_zero_where(const PlainPolynomial& equation, const PlainPolynomial& relation,
+                                std::size_t powers) {
     if (equation == relation) return true;
     if (relation.is_zero()) return false;
     const auto cofactor = exact_quotient(equation, relation, *budget_);
@@ -52,6 +57,22 @@ bool BranchState::is_zero_where(const PlainPolynomial& equation, const PlainPoly
         power = product(power, relation, *budget_);
     }
     return false;
+}
+
+bool BranchState::agrees() {
+    if (difference_.is_zero() || power_steps_.empty()) return difference_.is_zero();
+    std::size_t powers = 1;
+    for (const PowerStep& step : power_steps_) powers *= step.relation.degree(step.symbol);
+    PlainPolynomial all = difference_;
+    for (const PlainPolynomial& factor : nonzero_) {
+        const bool concerned = std::ranges::any_of(
+            power_steps_, [&](const PowerStep& step) { return factor.degree(step.symbol) > 0; });
+        if (concerned) all = with_low_powers(product(all, factor, *budget_));
+    }
+    PlainPolynomial power = all;
+    for (std::size_t k = 1; k < powers && !power.is_zero(); ++k)
+        power = with_low_powers(product(power, all, *budget_));
+    return power.is_zero();
 }
 
 void BranchState::require_nonzero(const PlainPolynomial& pivot) {
@@ -97,8 +118,8 @@ void BranchState::add_nonzero(PlainPolynomial factor) {
     const std::vector<std::size_t> symbols = factor.symbols();
     for (std::size_t i = 0; i < symbols.size(); ++i) {
         for (std::size_t j = i + 1; j < symbols.size() && factor.size() > 2; ++j) {
-            const PlainPolynomial apart =
-                difference(PlainPolynomial::symbol(symbols[i]), PlainPolynomial::symbol(symbols[j]), *budget_);
+            const PlainPolynomial apart = difference(PlainPolynomial::symbol(symbols[i]),
+                                                     PlainPolynomial::symbol(symbols[j]), *budget_);
             auto exact = exact_quotient(factor, apart, *budget_);
             if (!exact) continue;
             while (auto again = exact_quotient(*exact, apart, *budget_)) exact = std::move(again);
@@ -198,6 +219,10 @@ PlainPolynomial BranchState::reduced(PlainPolynomial a) {
 void BranchState::reduce_power_steps(const LinearStep& step) {
     std::vector<PowerStep> kept;
     for (PowerStep& power_step : power_steps_) {
+        if (power_step.relation.degree(step.symbol) == 0) {
+            kept.push_back(std::move(power_step));
+            continue;
+        }
         PlainPolynomial relation = stripped(replaced(power_step.relation, step));
         const std::vector<PlainPolynomial> coefficients =
             coefficients_by(relation, power_step.symbol, *budget_);

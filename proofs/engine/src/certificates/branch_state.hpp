@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plain_polynomial.hpp"
+#include "certificates/symbolic/plain_polynomial.hpp"
 
 #include <cstddef>
 #include <string>
@@ -21,8 +21,8 @@ public:
     void require_nonzero(const PlainPolynomial& pivot);
     void require_zero(const PlainPolynomial& pivot);
 
-    /// Whether the difference of the sides is 0.
-    bool agrees() const { return difference_.is_zero(); }
+    /// Whether the difference of the sides is 0, or with what does not vanish has a power that is.
+    bool agrees();
     /// Whether some equation cannot hold, or something that must not vanish is 0.
     bool is_impossible() const { return impossible_; }
     /// The terms of all polynomials that a copy of the state copies.

@@ -1,8 +1,8 @@
 #include "certificate_checker.hpp"
 
 #include "branch_state.hpp"
-#include "second_evaluation.hpp"
-#include "symbolic_field.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
+#include "certificates/symbolic/symbolic_field.hpp"
 
 #include <blossom/rational/number_text.hpp>
 
@@ -46,8 +46,6 @@ public:
     CaseCheck(const Reading& reading, const Certificate& certificate, const Limits& limits)
         : certificate_(certificate), limits_(limits), field_(limits) {
         Evaluation<SymbolicField> evaluation(reading, certificate.which, field_);
-        const SymbolicField::Element left = evaluation.left();
-        difference_ = field_.numerator(field_.sum(left, field_.negative(evaluation.right())));
         for (const auto& [first, second] : evaluation.hypotheses()) {
             const PlainPolynomial equation = field_.numerator(field_.sum(first, field_.negative(second)));
             for (PlainPolynomial& part :
@@ -60,6 +58,7 @@ public:
             if (field_.is_zero(apart)) throw Error(ErrorCode::division_by_zero, "an assumption never holds");
             field_.require_nonzero(apart);
         }
+        expand_sides(reading);
         nonzero_ = field_.divisors();
         symbols_ = field_.names().size();
     }
@@ -70,6 +69,7 @@ public:
                 limits_.variables - std::min(limits_.variables, field_.names().size() - symbols_);
             conditions_.push_back(named_polynomial(condition, field_, symbols_, new_names).primitive());
             if (conditions_.back().is_zero()) return "a condition is 0";
+            if (replaces_) conditions_.push_back(field_.numerator(value_of(condition)).primitive());
         }
         for (const PlainPolynomial& factor : nonzero_) {
             if (!is_covered(factor)) {
@@ -77,6 +77,8 @@ public:
                        " does not vanish";
             }
         }
+        // The claim is made where the conditions do not vanish.
+        nonzero_.insert(nonzero_.end(), conditions_.begin(), conditions_.end());
         BranchState state(equations_, nonzero_, difference_, field_.budget());
         std::string problem = problem_in(certificate_.root, state, "");
         if (problem.empty() && !agrees_somewhere_) problem = "no branch is left in which the sides agree";
@@ -84,6 +86,63 @@ public:
     }
 
 private:
+    /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That
+    /// the steps follow from the hypotheses is seen later, and a difference that rests on others is worth
+    /// nothing.
+    void expand_sides(const Reading& reading) {
+        const std::vector<Step>& steps = certificate_.root.steps;
+        std::size_t count = 0;
+        while (count < steps.size() && gives_polynomial(steps[count])) ++count;
+        replaces_ = count > 0;
+        // What a step puts in the place of its symbol may contain symbols of later steps.
+        while (count-- > 0) replace(steps[count]);
+        Evaluation<SymbolicField> evaluation(reading, certificate_.which, field_);
+        const SymbolicField::Element left = evaluation.left();
+        difference_ = field_.numerator(field_.sum(left, field_.negative(evaluation.right())));
+    }
+
+    bool gives_polynomial(const Step& step) const {
+        if (step.degree != 1 || !field_.number_of(step.symbol)) return false;
+        std::size_t terms = 0;
+        for (const NamedTerm& term : step.relation) {
+            for (const auto& [name, exponent] : term.powers) {
+                if (!field_.number_of(name)) return false;
+                if (name != step.symbol || exponent == 0) continue;
+                if (term.powers.size() > 1 || exponent > 1) return false;
+                ++terms;
+            }
+        }
+        return terms == 1;
+    }
+
+    void replace(const Step& step) {
+        NamedPolynomial rest;
+        Rational leading;
+        for (const NamedTerm& term : step.relation) {
+            const bool has_symbol = term.powers.size() == 1 && term.powers.front().first == step.symbol &&
+                                    term.powers.front().second == 1;
+            if (has_symbol) {
+                leading = term.coefficient;
+            } else {
+                rest.push_back(term);
+            }
+        }
+        if (leading.is_zero()) throw Error(ErrorCode::syntax, "a relation has a term that is 0");
+        field_.replace(step.symbol, field_.product(field_.number(Rational(-1) / leading), value_of(rest)));
+    }
+
+    /// A polynomial where symbols have been replaced.
+    SymbolicField::Element value_of(const NamedPolynomial& polynomial) {
+        SymbolicField::Element sum = field_.number(Rational(0));
+        for (const NamedTerm& term : polynomial) {
+            SymbolicField::Element product = field_.number(term.coefficient);
+            for (const auto& [name, exponent] : term.powers)
+                product = field_.product(product, field_.power(field_.symbol(name), exponent));
+            sum = field_.sum(sum, product);
+        }
+        return sum;
+    }
+
     /// Whether a factor divides a product of conditions.
     bool is_covered(PlainPolynomial factor) {
         for (const PlainPolynomial& condition : conditions_) {
@@ -160,6 +219,7 @@ private:
     std::vector<PlainPolynomial> nonzero_;
     std::vector<PlainPolynomial> conditions_;
     bool agrees_somewhere_ = false;
+    bool replaces_ = false;  ///< symbols by what the first steps say of them
 };
 
 /// What is wrong with how a certificate names its block, whose first line may be a head.
@@ -198,7 +258,8 @@ struct CertificateChecker::Text {
     Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
         for (Case& which : reading.cases()) {
             keys.insert(key_of(which));
-            if (reading.claims()[which.line].kind == Statement::Kind::claim) claimed.push_back(std::move(which));
+            if (reading.claims()[which.line].kind == Statement::Kind::claim)
+                claimed.push_back(std::move(which));
         }
     }
 
@@ -228,12 +289,17 @@ std::string CertificateChecker::problem_of(const Certificate& certificate) {
         if (!text.keys.contains(key_of(certificate.which))) return "the text has no such case";
         return CaseCheck(text.reading, certificate, limits_).problem();
     } catch (const Error& error) {
+        if (error.code() == ErrorCode::limit_exceeded) throw;
         return error.message().empty() ? "an error without a message" : error.message();
     }
 }
 
 std::string problem_of(const Certificate& certificate, const Limits& limits) {
-    return CertificateChecker(limits).problem_of(certificate);
+    try {
+        return CertificateChecker(limits).problem_of(certificate);
+    } catch (const Error& error) {
+        return error.message();
+    }
 }
 
 }  // namespace blossom::proofs::second

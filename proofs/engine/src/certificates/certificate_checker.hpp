@@ -35,5 +35,4 @@ private:
     std::unique_ptr<Text> text_;
 };
 
-
 }  // namespace blossom::proofs::second

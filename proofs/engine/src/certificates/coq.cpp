@@ -77,9 +77,11 @@ private:
         if (map.directions.size() != 1 || map.directions[0].dimension != 1) throw TooLong{};
         const std::size_t n = map.directions[0].degree;
         if (!map.barycentric.empty()) throw TooLong{};
-        if (application.form == Application::Form::value) return value_of(map, n, application.arguments[0][0]);
+        if (application.form == Application::Form::value)
+            return value_of(map, n, application.arguments[0][0]);
         const std::string blossom = blossom_of(map, application.arguments[0]);
-        return application.scale == Rational(1) ? blossom : "(" + number(application.scale) + " * " + blossom + ")";
+        return application.scale == Rational(1) ? blossom
+                                                : "(" + number(application.scale) + " * " + blossom + ")";
     }
 
     std::string value_of(const GroundMap& map, std::size_t n, const NodeArgument& argument) {

@@ -44,6 +44,19 @@ std::string BlockCase::condition_text(const SparsePolynomial& factor, std::strin
     return sides[0] + " " + std::string(sign) + " " + sides[1];
 }
 
+/// What vanishes where a power does.
+NodeId BlockCase::base_of(NodeId node) const {
+    while (block_.nodes[node].kind == NodeKind::power) node = block_.nodes[node].operands[0];
+    return node;
+}
+
+std::optional<std::size_t> BlockCase::place_of_divisor(NodeId divisor) const {
+    for (const Node& node : block_.nodes) {
+        if (node.kind == NodeKind::quotient && node.operands[1] == divisor) return node.offset;
+    }
+    return std::nullopt;
+}
+
 bool BlockCase::has_coefficients(std::size_t factor) {
     const SparsePolynomial& polynomial = expander_.field().factors()[factor];
     for (std::size_t i = 0; i < block_.symbols.size(); ++i) {
@@ -52,13 +65,14 @@ bool BlockCase::has_coefficients(std::size_t factor) {
     return false;
 }
 
-/// Every factor of every divisor in the claim, the hypotheses and the assumptions: it may have cancelled, but where it
-/// vanishes they are not defined. What holds "for all" values of a variable says nothing of single values. A divisor
-/// made of values of maps is shown as it stands in the statement, others by their factors.
+/// Every factor of every divisor in the claim, the hypotheses and the assumptions: it may have cancelled, but
+/// where it vanishes they are not defined. What holds "for all" values of a variable says nothing of single
+/// values. A divisor made of values of maps is shown as it stands in the statement, others by their factors.
 std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDecision& decision) {
     std::set<std::size_t> nonzero;
     const auto add = [&](Condition condition) {
-        if (std::ranges::find(decision.conditions, condition.text, &Condition::text) == decision.conditions.end())
+        if (std::ranges::find(decision.conditions, condition.text, &Condition::text) ==
+            decision.conditions.end())
             decision.conditions.push_back(std::move(condition));
     };
     const auto take = [&](std::set<std::size_t> factors, const std::vector<std::size_t>& quantified,
@@ -87,8 +101,11 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
     for (const Relation& hypothesis : block_.hypotheses) relations.push_back(&hypothesis);
     for (const Relation* one : relations) {
         for (const NodeId divisor : divisors_below(block_, {one->left, one->right})) {
+            if (expander_(divisor).is_zero())
+                throw Error(ErrorCode::division_by_zero, "the denominator is zero", "",
+                            place_of_divisor(divisor));
             take(elimination_.factors_of(expander_(divisor).numerator), one->quantified,
-                 [&] { return node_text(block_, divisor) + " != 0"; });
+                 [&] { return node_text(block_, base_of(divisor)) + " != 0"; });
         }
     }
     for (const Relation& one : block_.assumptions) {
@@ -101,36 +118,53 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
 
 CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) {
     CaseOutcome outcome;
-    outcome.left = expander_(relation.left);
-    const Fraction right = expander_(relation.right);
-    decision.terms = outcome.left.numerator.size();
     const std::set<std::size_t> nonzero = add_conditions(relation, decision);
-    for (const std::size_t factor : nonzero) outcome.conditions.push_back(expander_.field().factors()[factor]);
+    for (const std::size_t factor : nonzero)
+        outcome.conditions.push_back(expander_.field().factors()[factor]);
     Branch& root = elimination_.root(nonzero);
-    outcome.root = &root;
+    elimination_.grow(root);
+    Expander& expand = expander_below(root);
+    outcome.left = expand(relation.left);
+    const Fraction right = expand(relation.right);
+    decision.terms = outcome.left.numerator.size();
     Walk way{relation, decision, outcome, expander_.field().difference(outcome.left, right).numerator,
              outcome.conditions};
-    walk(root, way);
+    try {
+        outcome.root = walk(root, way);
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::limit_exceeded || way.agreed == 0) throw;
+        throw Error(error.code(),
+                    "it holds in the first case of the hypotheses, but of the other cases " + error.message(),
+                    "", error.offset());
+    }
     if (outcome.witness) {
         decision.verdict = Verdict::refuted;
         decision.counterexample = outcome.witness->counterexample;
         return outcome;
     }
-    if (way.agreed == 0) {
-        throw Error(ErrorCode::syntax,
-                    !decision.open.empty()
-                        ? "the hypotheses leave only cases that are open: " + decision.open.front()
-                    : decision.conditions.empty()
-                        ? "the hypotheses contradict each other: they leave no case"
-                        : "the hypotheses leave no case in which no divisor vanishes and every assumption holds",
-                    "", relation.offset);
-    }
     decision.holds_if.clear();
+    if (way.agreed == 0) {
+        throw Error(
+            ErrorCode::syntax,
+            !decision.open.empty() ? "the hypotheses leave only cases that are open: " + decision.open.front()
+            : decision.conditions.empty()
+                ? "the hypotheses contradict each other: they leave no case"
+                : "the hypotheses leave no case in which no divisor vanishes and every assumption holds",
+            "", relation.offset);
+    }
     decision.verdict = Verdict::proved;
     return outcome;
 }
 
-void BlockCase::walk(Branch& branch, Walk& way) {
+Expander& BlockCase::expander_below(const Branch& root) {
+    const auto known = expanders_.find(&root);
+    if (known != expanders_.end()) return known->second;
+    std::map<std::size_t, SparsePolynomial> replacements = elimination_.replacements(root);
+    if (replacements.empty()) return expander_;
+    return expanders_.try_emplace(&root, expander_, std::move(replacements)).first->second;
+}
+
+Branch BlockCase::walk(Branch& branch, Walk& way) {
     elimination_.grow(branch);
     const SparsePolynomial difference = way.difference;
     const std::vector<SparsePolynomial> nonzero = way.nonzero;
@@ -140,30 +174,55 @@ void BlockCase::walk(Branch& branch, Walk& way) {
         for (SparsePolynomial& polynomial : way.nonzero) polynomial = elimination_.reduced(polynomial, step);
         way.steps.push_back(step);
     }
-    walk_below(branch, way);
+    Branch walked = walk_below(branch, way);
+    walked.steps = branch.steps;
     way.difference = difference;
     way.nonzero = nonzero;
     way.steps.resize(steps);
+    return walked;
 }
 
-/// A branch with a counterexample ends the walk.
-void BlockCase::walk_below(Branch& branch, Walk& way) {
-    if (branch.end == Branch::End::solved) end_of_branch(way);
-    if (branch.end != Branch::End::split) return;
+/// A branch with a counterexample ends the walk, and where the sides are the same already nothing is left to
+/// split.
+Branch BlockCase::walk_below(Branch& branch, Walk& way) {
+    Branch walked;
+    walked.end = branch.end;
+    if (branch.end == Branch::End::split && !way.difference.is_zero()) return walk_split(branch, way);
+    if (branch.end == Branch::End::split) {
+        walked.end = is_possible(branch) ? Branch::End::solved : Branch::End::impossible;
+        if (walked.end == Branch::End::impossible) return walk_split(branch, way);
+    }
+    if (walked.end == Branch::End::solved) end_of_branch(way);
+    return walked;
+}
+
+bool BlockCase::is_possible(Branch& branch) {
+    elimination_.grow(branch);
+    if (branch.end != Branch::End::split) return branch.end == Branch::End::solved;
+    return is_possible(branch.branches[0]) || is_possible(branch.branches[1]);
+}
+
+Branch BlockCase::walk_split(Branch& branch, Walk& way) {
+    Branch walked;
+    walked.end = Branch::End::split;
+    walked.pivot = branch.pivot;
     way.nonzero.push_back(branch.pivot);
     way.pivots.push_back(condition_text(branch.pivot, "!="));
-    walk(branch.branches[0], way);
+    walked.branches.push_back(walk(branch.branches[0], way));
     way.pivots.pop_back();
     way.nonzero.pop_back();
-    if (way.outcome.witness) return;
+    if (way.outcome.witness) return walked;
     elimination_.grow(branch.branches[1]);
     if (branch.branches[1].end == Branch::End::open) {
         leave_open(branch.pivot, way);
-    } else {
-        way.pivots.push_back(condition_text(branch.pivot, "=="));
-        walk(branch.branches[1], way);
-        way.pivots.pop_back();
+        walked.branches.emplace_back();
+        walked.branches.back().end = Branch::End::open;
+        return walked;
     }
+    way.pivots.push_back(condition_text(branch.pivot, "=="));
+    walked.branches.push_back(walk(branch.branches[1], way));
+    way.pivots.pop_back();
+    return walked;
 }
 
 void BlockCase::leave_open(const SparsePolynomial& pivot, Walk& way) {
@@ -176,13 +235,14 @@ void BlockCase::leave_open(const SparsePolynomial& pivot, Walk& way) {
 
 void BlockCase::end_of_branch(Walk& way) {
     if (std::ranges::any_of(way.nonzero, [](const SparsePolynomial& p) { return p.is_zero(); })) return;
-    if (!way.difference.is_zero()) {
+    if (!elimination_.vanishes(way.difference, way.steps, way.nonzero)) {
         way.outcome.witness =
             find_counterexample(block_, way.relation, expander_, way.steps, way.difference, way.nonzero);
         return;
     }
     if (way.agreed++ > 0) return;
     way.outcome.steps = way.steps;
+    if (!way.steps.empty()) way.outcome.point = some_point(block_, way.steps, way.nonzero);
     way.decision.holds_if = way.pivots;
 }
 

@@ -2,6 +2,8 @@
 
 #include <blossom/proofs/prover.hpp>
 
+#include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -14,9 +16,10 @@ namespace blossom::proofs {
 struct CaseOutcome {
     Fraction left;
     std::vector<SparsePolynomial> conditions;  ///< what must not vanish, pivots that were left open included
-    const Branch* root = nullptr;              ///< grown wherever the claim was decided
+    Branch root;                               ///< how the claim was decided, branch by branch
     std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds
-    std::optional<Witness> witness;   ///< where the claim fails
+    std::vector<std::pair<std::string, Rational>> point;  ///< one there, where all values are rational
+    std::optional<Witness> witness;                       ///< where the claim fails
 };
 
 /// The first road: expands and decides the claims of a block for one choice of its parameters.
@@ -25,27 +28,36 @@ public:
     BlockCase(const GroundBlock& block, const Limits& limits)
         : block_(block), expander_(block, limits), elimination_(block, expander_) {}
 
-    /// Decides a claim; the conditions, open pivots and terms go to `decision`. Errors: `syntax` with a place where the
-    /// hypotheses leave no case; those of the expansion.
+    /// Decides a claim; the conditions, open pivots and terms go to `decision`. Errors: `syntax` with a place
+    /// where the hypotheses leave no case; those of the expansion.
     CaseOutcome decide(const Relation& relation, CaseDecision& decision);
 
     Expander& expander() { return expander_; }
 
 private:
+    /// Expands where the first hypotheses have given polynomials for symbols: pyramids stay as small as they
+    /// are without hypotheses.
+    Expander& expander_below(const Branch& root);
+
     struct Walk;
 
-    void walk(Branch& branch, Walk& way);
-    void walk_below(Branch& branch, Walk& way);
+    Branch walk(Branch& branch, Walk& way);
+    Branch walk_below(Branch& branch, Walk& way);
+    Branch walk_split(Branch& branch, Walk& way);
+    bool is_possible(Branch& branch);
     void end_of_branch(Walk& way);
     void leave_open(const SparsePolynomial& pivot, Walk& way);
     std::set<std::size_t> add_conditions(const Relation& relation, CaseDecision& decision);
     bool has_coefficients(std::size_t factor);
+    NodeId base_of(NodeId node) const;
+    std::optional<std::size_t> place_of_divisor(NodeId divisor) const;
     std::string condition_text(const SparsePolynomial& factor, std::string_view sign) const;
     std::vector<std::string> names() const;
 
     const GroundBlock& block_;
     Expander expander_;
     Elimination elimination_;
+    std::map<const Branch*, Expander> expanders_;
 };
 
 }  // namespace blossom::proofs

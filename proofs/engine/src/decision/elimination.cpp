@@ -71,37 +71,43 @@ Elimination::Elimination(const GroundBlock& block, Expander& expander) : block_(
     for (const Relation& hypothesis : block_.hypotheses) {
         const Fraction difference =
             expander_.field().difference(expander_(hypothesis.left), expander_(hypothesis.right));
-        for (SparsePolynomial& equation : coefficients_by_monomials(difference.numerator, hypothesis.quantified))
+        for (SparsePolynomial& equation :
+             coefficients_by_monomials(difference.numerator, hypothesis.quantified))
             equations_.push_back({std::move(equation), hypothesis.offset});
     }
 }
 
 bool Elimination::has_coefficients(const SparsePolynomial& polynomial) const {
     for (std::size_t i = 0; i < block_.symbols.size(); ++i) {
-        if (block_.symbols[i].is_coefficient && polynomial.degree_in(i) > 0) return true;
+        if (block_.symbols[i].is_map_value() && polynomial.degree_in(i) > 0) return true;
     }
     return false;
 }
 
 std::set<std::size_t> Elimination::factors_of(const SparsePolynomial& polynomial) {
     std::set<std::size_t> result;
-    for (const auto& [factor, exponent] : expander_.field().factorise(polynomial).factors) result.insert(factor);
+    for (const auto& [factor, exponent] : expander_.field().factorise(polynomial).factors)
+        result.insert(factor);
     return result;
 }
 
 Branch& Elimination::root(const std::set<std::size_t>& nonzero) {
     const auto [entry, fresh] = known_.try_emplace(nonzero);
-    if (fresh) entry->second.state = {equations_, nonzero, {}};
+    if (fresh) {
+        entry->second.state.equations = equations_;
+        entry->second.state.nonzero = nonzero;
+    }
     return entry->second;
 }
 
-SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
+SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial,
+                                              const std::set<std::size_t>& factors) {
     if (polynomial.is_zero() || factors.empty() || polynomial.total_degree() == 0) return polynomial;
     return expander_.field().stripped(std::move(polynomial), factors);
 }
 
-/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what the
-/// relation says, times the leading coefficient of the relation.
+/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what
+/// the relation says, times the leading coefficient of the relation.
 SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const Substitution& step) {
     if (polynomial.degree_in(step.symbol) < step.degree) return polynomial;
     FractionField& field = expander_.field();
@@ -124,6 +130,53 @@ SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const 
     return without_factors(sum(summands), factors_of(leading));
 }
 
+bool Elimination::vanishes(const SparsePolynomial& polynomial, const std::vector<Substitution>& steps,
+                           const std::vector<SparsePolynomial>& nonzero) {
+    std::vector<Substitution> monic;
+    std::size_t degree = 1;
+    for (const Substitution& step : steps) {
+        if (step.degree < 2) continue;
+        monic.push_back(step);
+        degree *= step.degree;
+    }
+    if (polynomial.is_zero() || monic.empty()) return polynomial.is_zero();
+    const auto remainder = [&](SparsePolynomial product) {
+        for (const Substitution& step : steps) product = reduced(product, step);
+        return product;
+    };
+    SparsePolynomial product = polynomial;
+    for (const SparsePolynomial& factor : nonzero) {
+        const bool concerned = std::ranges::any_of(
+            monic, [&](const Substitution& step) { return factor.degree_in(step.symbol) > 0; });
+        if (concerned) product = remainder(expander_.field().product(product, factor));
+    }
+    SparsePolynomial power = product;
+    for (std::size_t k = 1; k < degree && !power.is_zero(); ++k)
+        power = remainder(expander_.field().product(power, product));
+    return power.is_zero();
+}
+
+std::map<std::size_t, SparsePolynomial> Elimination::replacements(const Branch& root) {
+    std::map<std::size_t, SparsePolynomial> result;
+    std::size_t count = 0;
+    while (count < root.steps.size()) {
+        const Substitution& step = root.steps[count];
+        if (step.degree != 1 || coefficients_in(step.relation, step.symbol)[1].total_degree() > 0) break;
+        ++count;
+    }
+    // What replaces a symbol may contain symbols that are replaced later.
+    while (count-- > 0) {
+        const Substitution& step = root.steps[count];
+        const std::vector<SparsePolynomial> powers = coefficients_in(step.relation, step.symbol);
+        SparsePolynomial value = powers[0] * SparsePolynomial(Rational(-1) / powers[1].coefficient(0));
+        for (const auto& [symbol, by] : result) {
+            if (value.degree_in(symbol) > 0) value = polynomial_value(coefficients_in(value, symbol), by);
+        }
+        result.emplace(step.symbol, std::move(value));
+    }
+    return result;
+}
+
 /// Leaves out what says nothing and factors that do not vanish. False if nothing satisfies the equations.
 bool Elimination::simplify(BranchState& state) {
     for (Equation& equation : state.equations)
@@ -135,7 +188,18 @@ bool Elimination::simplify(BranchState& state) {
 
 /// False if something that must not vanish does.
 bool Elimination::apply(BranchState& state, const Substitution& step) {
-    state.solved.insert(step.symbol);
+    if (step.degree > 1) {
+        state.monic.push_back(step);
+    } else {
+        state.solved.insert(step.symbol);
+        // A variable that was a root is known now: its relation is an equation again.
+        const auto known = std::ranges::find(state.monic, step.symbol, &Substitution::symbol);
+        if (known != state.monic.end()) {
+            state.equations.push_back({known->relation, block_.hypotheses.front().offset});
+            state.monic.erase(known);
+        }
+        for (Substitution& monic : state.monic) monic.relation = reduced(monic.relation, step);
+    }
     for (Equation& equation : state.equations) equation.polynomial = reduced(equation.polynomial, step);
     std::set<std::size_t> nonzero;
     for (const std::size_t factor : state.nonzero) {
@@ -152,36 +216,44 @@ bool Elimination::apply(BranchState& state, const Substitution& step) {
     return true;
 }
 
-std::optional<Elimination::Candidate> Elimination::linear_candidate(const BranchState& state, std::size_t equation,
-                                                                    bool coefficients) {
+std::optional<Elimination::Candidate> Elimination::linear_candidate(const BranchState& state,
+                                                                    std::size_t equation) {
     const SparsePolynomial& polynomial = state.equations[equation].polynomial;
+    const bool with_maps = has_coefficients(polynomial);
     std::optional<Candidate> best;
-    for (std::size_t i = block_.symbols.size(); i-- > 0;) {
-        if (block_.symbols[i].is_coefficient != coefficients || state.solved.contains(i)) continue;
-        if (polynomial.degree_in(i) != 1) continue;
-        Candidate candidate{equation, {i, 1, polynomial}, {}};
+    const auto rank = [](const Candidate& c) { return std::tuple(c.doubt, c.size, c.elsewhere); };
+    const std::vector<std::size_t> degrees = polynomial.degrees();
+    for (std::size_t i = degrees.size(); i-- > 0;) {
+        if (degrees[i] != 1 || state.solved.contains(i)) continue;
         const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
+        // Of an equation between values of maps a number is only taken that stands alone, such as a control
+        // point.
+        if (with_maps && !block_.symbols[i].is_map_value() && cofactor.total_degree() > 0) continue;
+        Candidate candidate{equation, {i, 1, polynomial}, {}};
         for (const std::size_t factor : factors_of(cofactor)) {
             if (state.nonzero.contains(factor)) continue;
             candidate.doubtful.push_back(factor);
             candidate.doubt += expander_.field().factors()[factor].size();
         }
         candidate.size = cofactor.size();
-        const auto rank = [](const Candidate& c) { return std::pair(c.doubt, c.size); };
+        for (const Equation& other : state.equations)
+            candidate.elsewhere += other.polynomial.degree_in(i) > 0 ? 1U : 0U;
         if (!best || rank(candidate) < rank(*best)) best = std::move(candidate);
-        if (best->doubtful.empty() && best->size == 1) break;
     }
     return best;
 }
 
-/// An equation that has the power of a variable alone, as w^2 == 1/2 or c^2 + s^2 == 1. Repeated factors are left
-/// out: what is zero on the others is zero.
-std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchState& state, std::size_t equation) {
+/// An equation that has the power of a variable alone, as w^2 == 1/2 or c^2 + s^2 == 1. Repeated factors are
+/// left out: what is zero on the others is zero.
+std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchState& state,
+                                                                   std::size_t equation) {
     const SparsePolynomial& polynomial = state.equations[equation].polynomial;
     std::optional<Candidate> best;
     for (std::size_t i = block_.symbols.size(); i-- > 0;) {
         const std::size_t degree = polynomial.degree_in(i);
-        if (degree < 2 || state.solved.contains(i) || (best && best->step.degree <= degree)) continue;
+        const bool is_root = std::ranges::find(state.monic, i, &Substitution::symbol) != state.monic.end();
+        if (degree < 2 || is_root || state.solved.contains(i) || (best && best->step.degree <= degree))
+            continue;
         const SparsePolynomial leading = coefficients_in(polynomial, i)[degree];
         if (leading.total_degree() > 0) continue;
         SparsePolynomial relation = polynomial * SparsePolynomial(Rational(1) / leading.coefficient(0));
@@ -194,22 +266,26 @@ std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchS
 }
 
 /// The best equation and variable to go on with: relations between numbers first, since they may occur in the
-/// coefficients of others; then what is linear with a leading coefficient known not to vanish.
+/// coefficients of others; then what is linear with a leading coefficient known not to vanish. The first one
+/// whose leading coefficient is a number will do.
 std::optional<Elimination::Candidate> Elimination::best_candidate(const BranchState& state) {
     std::optional<Candidate> best;
-    const auto rank = [&](const Candidate& c) {
-        return std::tuple(!c.doubtful.empty(), has_coefficients(state.equations[c.equation].polynomial),
-                          c.step.degree, c.doubt, c.size);
+    const auto rank = [](const Candidate& c) {
+        return std::tuple(!c.doubtful.empty(), c.step.degree, c.doubt, c.size, c.elsewhere);
     };
     const auto consider = [&](std::optional<Candidate> candidate) {
         if (candidate && (!best || rank(*candidate) < rank(*best))) best = std::move(candidate);
     };
-    for (std::size_t i = 0; i < state.equations.size(); ++i) {
-        const bool with_maps = has_coefficients(state.equations[i].polynomial);
-        std::optional<Candidate> found = linear_candidate(state, i, with_maps);
-        if (!found && with_maps) found = linear_candidate(state, i, false);
-        if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
-        consider(std::move(found));
+    for (const bool with_maps : {false, true}) {
+        for (std::size_t i = 0; i < state.equations.size(); ++i) {
+            if (has_coefficients(state.equations[i].polynomial) != with_maps) continue;
+            std::optional<Candidate> found = linear_candidate(state, i);
+            const bool simple = found && found->doubtful.empty() && found->size == 1;
+            if (simple) return found;
+            if (!found || !found->doubtful.empty()) consider(monic_candidate(state, i));
+            consider(std::move(found));
+        }
+        if (best && best->doubtful.empty()) return best;
     }
     return best;
 }
@@ -237,7 +313,8 @@ void Elimination::grow(Branch& branch) {
         if (!candidate) {
             if (!state.by_split) {
                 throw Error(ErrorCode::syntax,
-                            "this hypothesis is linear neither in the values of the maps nor in a variable, and has no "
+                            "this hypothesis is linear neither in the values of the maps nor in a variable, "
+                            "and has no "
                             "power of a variable alone",
                             "", state.equations.front().offset);
             }

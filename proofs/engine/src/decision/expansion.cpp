@@ -59,7 +59,8 @@ Ring engine_blossom(std::span<const Ring> coefficients, std::span<const Argument
 /// The value of the form, sum of coefficient * coordinates^alpha * mass^(n - |alpha|), from powers.
 Ring value_of_form(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
     std::vector<std::vector<Ring>> powers_of;
-    for (const Ring& coordinate : argument.coordinates) powers_of.push_back(powers(coordinate, direction.degree));
+    for (const Ring& coordinate : argument.coordinates)
+        powers_of.push_back(powers(coordinate, direction.degree));
     const std::vector<Ring> powers_of_mass = powers(argument.mass, direction.degree);
     std::vector<Ring> products;
     for (const auto& exponents : monomials(direction)) {
@@ -147,6 +148,8 @@ Fraction Expander::expanded(const Node& node) {
         case NodeKind::constant:
             return {node.value, {}};
         case NodeKind::symbol:
+            if (const auto found = replaced_.find(node.index); found != replaced_.end())
+                return {found->second, {}};
             return {SparsePolynomial::variable(node.index), {}};
         case NodeKind::sum:
             break;

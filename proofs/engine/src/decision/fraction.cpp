@@ -52,9 +52,9 @@ SparsePolynomial FractionField::product(const SparsePolynomial& a, const SparseP
     std::size_t pairs = 0;
     if (__builtin_mul_overflow(a.size(), b.size(), &pairs)) pairs = limits_.expansion_work + 1;
     spend(0, pairs);
-    SparsePolynomial result = a * b;
-    spend(result.size(), 0);
-    return result;
+    auto result = product_within(a, b, limits_.expansion_terms);
+    if (!result) spend(limits_.expansion_terms + 1, 0);
+    return std::move(*result);
 }
 
 SparsePolynomial FractionField::multiplied(SparsePolynomial polynomial, const Factors& factors) {
@@ -97,7 +97,8 @@ Fraction FractionField::product(const Fraction& a, const Fraction& b) {
     Fraction right{b.numerator, a.denominator};
     cancel(left.numerator, left.denominator);
     cancel(right.numerator, right.denominator);
-    return {product(left.numerator, right.numerator), blossom::proofs::multiplied(left.denominator, right.denominator)};
+    return {product(left.numerator, right.numerator),
+            blossom::proofs::multiplied(left.denominator, right.denominator)};
 }
 
 Fraction FractionField::power(const Fraction& base, std::size_t exponent) {
@@ -130,8 +131,8 @@ Fraction FractionField::derivative(const Fraction& a, std::size_t variable) {
         const SparsePolynomial& f = factors_[factor];
         const SparsePolynomial df = blossom::derivative(f, variable);
         if (df.is_zero()) continue;
-        result.numerator = product(result.numerator, f) -
-                           product(others, df * SparsePolynomial(Rational(exponent)));
+        result.numerator =
+            product(result.numerator, f) - product(others, df * SparsePolynomial(Rational(exponent)));
         others = product(others, f);
         ++exponent;
     }
@@ -146,7 +147,8 @@ Fraction FractionField::quotient(const Fraction& a, const Fraction& b) {
     cancel(result.numerator, result.denominator);
     result.numerator = multiplied(std::move(result.numerator), without(b.denominator, a.denominator));
     if (unit != Rational(1)) result.numerator *= SparsePolynomial(Rational(1) / unit);
-    result.denominator = blossom::proofs::multiplied(result.denominator, without(a.denominator, b.denominator));
+    result.denominator =
+        blossom::proofs::multiplied(result.denominator, without(a.denominator, b.denominator));
     return result;
 }
 
@@ -163,7 +165,8 @@ Fraction FractionField::reduced(Fraction a) {
 
 SparsePolynomial FractionField::stripped(SparsePolynomial polynomial, const std::set<std::size_t>& factors) {
     if (polynomial.is_zero()) return polynomial;
-    for (const std::size_t factor : factors) divide_out(polynomial, factors_[factor], polynomial.total_degree());
+    for (const std::size_t factor : factors)
+        divide_out(polynomial, factors_[factor], polynomial.total_degree());
     return polynomial;
 }
 
@@ -178,7 +181,8 @@ std::size_t FractionField::divide_out(SparsePolynomial& rest, const SparsePolyno
                                       std::size_t most) {
     std::size_t exponent = 0;
     while (exponent < most) {
-        Division division = divide(rest, factor, limits_.expansion_work - std::min(work_, limits_.expansion_work));
+        Division division =
+            divide(rest, factor, limits_.expansion_work - std::min(work_, limits_.expansion_work));
         spend(0, division.work);
         if (!division.quotient) break;
         rest = std::move(*division.quotient);
@@ -192,12 +196,11 @@ void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& re
     // polynomials of moderate size, where the common divisor is cheap; a factor that is not split is still
     // one.
     constexpr std::size_t most_terms = 30;
-    constexpr std::size_t most_variables = 4;
-    std::size_t occurring = 0;
-    for (std::size_t i = 0; i < rest.variables(); ++i) occurring += rest.degree_in(i) > 0 ? 1U : 0U;
-    const bool cheap = rest.size() <= most_terms && occurring <= most_variables;
-    for (std::size_t i = 0; cheap && i < rest.variables(); ++i) {
-        if (rest.degree_in(i) < 2) continue;
+    for (std::size_t i = 0; rest.size() <= most_terms && i < rest.variables(); ++i) {
+        const std::size_t degree = rest.degree_in(i);
+        if (degree < 2) continue;
+        spend(0, rest.size() + degree * degree);
+        if (!may_have_repeated_factor(rest, i)) continue;
         const SparsePolynomial repeated = gcd(rest, blossom::derivative(rest, i));
         if (is_constant(repeated)) continue;
         for (const SparsePolynomial& part : {repeated, divide_exactly(rest, repeated)}) {
@@ -241,8 +244,7 @@ FractionField::Factorisation FractionField::factorise(const SparsePolynomial& po
 void FractionSum::add(Fraction summand) {
     if (summand.is_zero()) return;
     auto group = std::ranges::find(groups_, summand.denominator, &Group::denominator);
-    if (group == groups_.end())
-        group = groups_.insert(groups_.end(), {std::move(summand.denominator), {}});
+    if (group == groups_.end()) group = groups_.insert(groups_.end(), {std::move(summand.denominator), {}});
     SparsePolynomial carry = std::move(summand.numerator);
     for (SparsePolynomial& partial : group->partial_sums) {
         if (partial.is_zero()) {
@@ -286,7 +288,9 @@ Fraction FractionSum::result() && {
     Factors shared;
     Factors alone;
     for (const auto& factor : denominator) {
-        const auto has_all = [&](const Fraction& total) { return std::ranges::find(total.denominator, factor) != total.denominator.end(); };
+        const auto has_all = [&](const Fraction& total) {
+            return std::ranges::find(total.denominator, factor) != total.denominator.end();
+        };
         (std::ranges::count_if(totals, has_all) > 1 ? shared : alone).push_back(factor);
     }
     field_->cancel(numerator, shared);

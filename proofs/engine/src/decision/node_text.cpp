@@ -28,7 +28,8 @@ private:
         if (node.kind == NodeKind::sum) return Tightness::sum;
         if (node.kind == NodeKind::product || node.kind == NodeKind::quotient || node.kind == NodeKind::power)
             return Tightness::product;
-        const bool plain = node.kind != NodeKind::constant || (node.value.is_integer() && node.value.sign() >= 0);
+        const bool plain =
+            node.kind != NodeKind::constant || (node.value.is_integer() && node.value.sign() >= 0);
         return plain ? Tightness::atom : Tightness::product;
     }
 
@@ -43,13 +44,15 @@ private:
             case NodeKind::product:
                 return product(node);
             case NodeKind::quotient:
-                return print(node.operands[0], Tightness::product) + "/" + print(node.operands[1], Tightness::atom);
+                return print(node.operands[0], Tightness::product) + "/" +
+                       print(node.operands[1], Tightness::atom);
             case NodeKind::power:
                 return print(node.operands[0], Tightness::atom) + "^" + std::to_string(node.index);
             case NodeKind::application:
                 return application(block_.applications[node.index]);
             case NodeKind::derivative:
-                return "D(" + print(node.operands[0], Tightness::sum) + ", " + block_.symbols[node.index].name +
+                return "D(" + print(node.operands[0], Tightness::sum) + ", " +
+                       block_.symbols[node.index].name +
                        (node.order == 1 ? "" : ", " + std::to_string(node.order)) + ")";
         }
         return "";
@@ -121,7 +124,8 @@ private:
                 name += ", " + argument(arguments[k]);
         }
         std::string places;
-        for (const NodeArgument& place : application.places) places += (places.empty() ? "" : ", ") + argument(place);
+        for (const NodeArgument& place : application.places)
+            places += (places.empty() ? "" : ", ") + argument(place);
         return "D(" + name + ")(" + places + ")";
     }
 

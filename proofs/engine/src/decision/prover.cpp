@@ -13,7 +13,7 @@ namespace {
 class BlockDecision {
 public:
     BlockDecision(const Block& block, const Limits& limits, const DecisionOptions& options)
-        : block_(block), limits_(limits), options_(options), opinion_(block, limits) {
+        : block_(block), limits_(limits), options_(options), opinion_(block, unfit(block, limits), limits) {
         for (std::size_t i = 0; i < block.statements.size(); ++i) {
             const Statement& statement = block.statements[i];
             if (statement.kind != StatementKind::claim && statement.kind != StatementKind::refute) continue;
@@ -33,13 +33,24 @@ public:
         for (Decision& decision : decisions_) {
             if (!decision.cases.empty()) continue;
             add_error(decision, {},
-                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "", decision.offset));
+                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "",
+                            decision.offset));
         }
         compare_cases();
         return std::move(decisions_);
     }
 
 private:
+    /// Whatever else is wrong with the block is the error of every line.
+    static std::set<std::size_t> unfit(const Block& block, const Limits& limits) {
+        try {
+            const std::vector<Parameters> choices = parameter_choices(block, limits);
+            return choices.empty() ? std::set<std::size_t>{} : unfit_claims(block, choices.front(), limits);
+        } catch (const Error&) {
+            return {};
+        }
+    }
+
     static void add_error(Decision& decision, const Parameters& parameters, const Error& error) {
         CaseDecision failed;
         failed.parameters = parameters;
@@ -49,6 +60,7 @@ private:
 
     static void record(CaseDecision& decision, const Error& error, std::size_t offset) {
         decision.verdict = Verdict::undecided;
+        decision.counterexample.reset();
         decision.error = error.offset() ? error : Error(error.code(), error.message(), "", offset);
     }
 
@@ -71,13 +83,13 @@ private:
         }
         for (const Relation& relation : grounded->claims) {
             const auto decision = std::ranges::find(decisions_, relation.statement, &Decision::statement);
-            const auto line = static_cast<std::size_t>(decision - decisions_.begin());
             CaseDecision decided;
             decided.parameters = parameters;
             decided.parameters.insert(decided.parameters.end(), relation.parameters.begin(),
                                       relation.parameters.end());
             try {
-                decide_claim(*grounded, *block_case, relation, {line, decided.parameters}, decided);
+                decide_claim(*grounded, *block_case, relation,
+                             opinion_.case_of(relation.statement, decided.parameters), decided);
             } catch (const Error& error) {
                 record(decided, error, relation.offset);
             }
@@ -93,7 +105,8 @@ private:
             settle(opinion_.on_refutation(which, *outcome.witness), "refuted", relation.offset, decided);
             return;
         }
-        const second::Certificate certificate = certificate_of(block_, grounded, which, outcome);
+        const second::Certificate certificate =
+            certificate_of(block_, opinion_.text(), grounded, which, outcome);
         settle(opinion_.on_proof(grounded, which, outcome, certificate), "proved", relation.offset, decided);
         if (options_.on_proof && decided.verdict == Verdict::proved) {
             options_.on_proof(
@@ -102,15 +115,16 @@ private:
     }
 
     /// A verdict stands when the second road says nothing against it.
-    static void settle(const std::optional<std::string>& objection, std::string_view verdict, std::size_t offset,
-                       CaseDecision& decided) {
+    static void settle(const std::optional<std::string>& objection, std::string_view verdict,
+                       std::size_t offset, CaseDecision& decided) {
         if (!objection) return;
         decided.verdict = Verdict::disagreement;
         decided.counterexample.reset();
-        decided.error = Error(ErrorCode::internal,
-                              "the two roads disagree, which is an error of the program: the expansion says \"" +
-                                  std::string(verdict) + "\", but " + *objection,
-                              "", offset);
+        decided.error =
+            Error(ErrorCode::internal,
+                  "the two roads disagree, which is an error of the program: the expansion says \"" +
+                      std::string(verdict) + "\", but " + *objection,
+                  "", offset);
     }
 
     /// A verdict on a range is one on all its cases, as both readers list them.
@@ -186,7 +200,8 @@ std::vector<Condition> Decision::conditions() const {
 }
 
 const Counterexample* Decision::counterexample() const {
-    const auto found = std::ranges::find_if(cases, [](const CaseDecision& c) { return c.counterexample.has_value(); });
+    const auto found =
+        std::ranges::find_if(cases, [](const CaseDecision& c) { return c.counterexample.has_value(); });
     return found == cases.end() ? nullptr : &*found->counterexample;
 }
 

@@ -49,27 +49,49 @@ second::Branch named(const Branch& branch, const std::vector<Symbol>& symbols) {
 
 }  // namespace
 
-second::Certificate certificate_of(const Block& block, const GroundBlock& grounded, const second::Case& which,
-                                   const CaseOutcome& outcome) {
-    second::Certificate certificate{block.id, block.title, block.text, which, {}, named(*outcome.root, grounded.symbols)};
+second::Certificate certificate_of(const Block& block, const std::string& text, const GroundBlock& grounded,
+                                   const second::Case& which, const CaseOutcome& outcome) {
+    second::Certificate certificate{block.id, block.title, text,
+                                    which,    {},          named(outcome.root, grounded.symbols)};
     for (const SparsePolynomial& condition : outcome.conditions)
         certificate.conditions.push_back(named(condition, grounded.symbols));
     return certificate;
 }
 
-SecondOpinion::SecondOpinion(const Block& block, const Limits& limits) : checker_(limits) {
+SecondOpinion::SecondOpinion(const Block& block, const std::set<std::size_t>& unfit, const Limits& limits)
+    : text_(block.text), checker_(limits) {
+    for (std::size_t i = 0; i < block.statements.size(); ++i) {
+        const Statement& statement = block.statements[i];
+        if (statement.kind != StatementKind::claim && statement.kind != StatementKind::refute) continue;
+        if (!unfit.contains(i)) {
+            lines_.push_back(i);
+            continue;
+        }
+        const std::size_t first = statement.offset - block.offset;
+        const std::size_t last =
+            i + 1 < block.statements.size() ? block.statements[i + 1].offset - block.offset : text_.size();
+        std::replace_if(
+            text_.begin() + static_cast<std::ptrdiff_t>(first),
+            text_.begin() + static_cast<std::ptrdiff_t>(last), [](char c) { return c != '\n'; }, ' ');
+    }
     try {
-        reading_.emplace(block.text, limits);
+        reading_.emplace(text_, limits);
     } catch (const Error& error) {
         unread_ = "the second reader cannot read the text: " + error.message();
     }
 }
 
+second::Case SecondOpinion::case_of(std::size_t statement, Parameters parameters) const {
+    const auto place = std::ranges::find(lines_, statement);
+    return {static_cast<std::size_t>(place - lines_.begin()), std::move(parameters)};
+}
+
 std::optional<std::string> SecondOpinion::on_cases(const std::vector<Decision>& decisions) {
     if (!reading_) return unread_;
     std::vector<std::pair<std::size_t, Parameters>> ours;
-    for (std::size_t line = 0; line < decisions.size(); ++line) {
-        for (const CaseDecision& decided : decisions[line].cases) ours.emplace_back(line, decided.parameters);
+    for (const Decision& decision : decisions) {
+        for (const CaseDecision& decided : decision.cases)
+            ours.emplace_back(case_of(decision.statement, {}).line, decided.parameters);
     }
     std::vector<std::pair<std::size_t, Parameters>> theirs;
     try {
@@ -90,13 +112,17 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
     if (!reading_) return unread_;
     second::Hint hint;
     for (const Substitution& step : outcome.steps) hint.dependent.push_back(block.symbols[step.symbol].name);
+    hint.point = outcome.point;
     const second::Comparison compared =
         second::compare(*reading_, which, hint, points_of_comparison, seed_of_points);
+    if (compared.result == second::Comparison::Result::no_point) {
+        throw Error(ErrorCode::limit_exceeded,
+                    "no point was found that satisfies the hypotheses, so that the text read anew could not "
+                    "be evaluated: " +
+                        compared.note);
+    }
     if (compared.result != second::Comparison::Result::agree) {
-        return std::string(compared.result == second::Comparison::Result::differ
-                               ? "the text read anew has two different sides: "
-                               : "no point was found at which the text read anew can be evaluated: ") +
-               compared.note;
+        return "the text read anew has two different sides: " + compared.note;
     }
     const std::string problem = checker_.problem_of(certificate);
     if (!problem.empty()) return "the certificate is refused: " + problem;

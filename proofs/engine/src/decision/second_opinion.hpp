@@ -3,24 +3,30 @@
 #include <blossom/proofs/prover.hpp>
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "certificates/certificate_checker.hpp"
-#include "certificates/point_comparison.hpp"
-#include "certificates/second_reading.hpp"
+#include "certificates/points/point_comparison.hpp"
+#include "certificates/reading/second_reading.hpp"
 #include "decided_case.hpp"
 
 namespace blossom::proofs {
 
-/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the hypotheses,
-/// and the check of certificates. An answer says how it disagrees, or nothing.
+/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the
+/// hypotheses, and the check of certificates. An answer says how it disagrees, or nothing.
 class SecondOpinion {
 public:
-    SecondOpinion(const Block& block, const Limits& limits);
+    /// Lines `claim` and `refute` that `unfit` lists are left out of the text: what means nothing is not read
+    /// twice.
+    SecondOpinion(const Block& block, const std::set<std::size_t>& unfit, const Limits& limits);
 
     /// Whether the text has exactly these cases of these lines, in any order.
     std::optional<std::string> on_cases(const std::vector<Decision>& decisions);
+    /// A case of a line, which is given by its number in the block.
+    second::Case case_of(std::size_t statement, Parameters parameters) const;
+    const std::string& text() const { return text_; }
     /// Both sides at points, and the certificate of the case.
     std::optional<std::string> on_proof(const GroundBlock& block, const second::Case& which,
                                         const CaseOutcome& outcome, const second::Certificate& certificate);
@@ -28,13 +34,15 @@ public:
     std::optional<std::string> on_refutation(const second::Case& which, const Witness& witness);
 
 private:
+    std::string text_;
+    std::vector<std::size_t> lines_;  ///< the numbers in the block of the lines that were read
     std::optional<second::Reading> reading_;
     std::string unread_;  ///< why the text could not be read
     second::CertificateChecker checker_;
 };
 
 /// The record of a proved case: its text, what must not vanish, and every step of the elimination.
-second::Certificate certificate_of(const Block& block, const GroundBlock& grounded, const second::Case& which,
-                                   const CaseOutcome& outcome);
+second::Certificate certificate_of(const Block& block, const std::string& text, const GroundBlock& grounded,
+                                   const second::Case& which, const CaseOutcome& outcome);
 
 }  // namespace blossom::proofs

@@ -36,10 +36,10 @@ Rational small_integer(std::size_t number) {
 std::vector<std::size_t> order_of_symbols(const GroundBlock& block, std::span<const Substitution> steps) {
     std::vector<std::size_t> order;
     for (std::size_t i = block.symbols.size(); i-- > 0;) {
-        if (block.symbols[i].is_coefficient) order.push_back(i);
+        if (block.symbols[i].is_map_value()) order.push_back(i);
     }
     for (std::size_t i = 0; i < block.symbols.size(); ++i) {
-        if (!block.symbols[i].is_coefficient) order.push_back(i);
+        if (!block.symbols[i].is_map_value()) order.push_back(i);
     }
     for (const Substitution& step : steps) std::erase(order, step.symbol);
     return order;
@@ -48,13 +48,14 @@ std::vector<std::size_t> order_of_symbols(const GroundBlock& block, std::span<co
 /// Chooses values for the symbols of one branch.
 class WitnessSearch {
 public:
-    WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps, std::vector<SparsePolynomial> nonzero)
+    WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps,
+                  std::vector<SparsePolynomial> nonzero)
         : block_(block), steps_(steps), nonzero_(std::move(nonzero)), values_(block.symbols.size()) {
         for (const Substitution& step : steps) relations_.push_back(step.relation);
     }
 
-    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that roots may
-    /// become rational. False if one that has a root has no rational one.
+    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that
+    /// roots may become rational. False if one that has a root has no rational one.
     bool choose(std::size_t attempt) {
         const auto touches_root = [&](std::size_t symbol) {
             return std::ranges::any_of(steps_, [&](const Substitution& step) {
@@ -66,6 +67,21 @@ public:
         bool rational = true;
         for (std::size_t i = steps_.size(); i-- > 0;) rational = solve(i) && rational;
         return rational;
+    }
+
+    /// Whether some root leaves everything different from zero that must be, where one variable has no
+    /// rational value: the product of all has no power that the relation divides.
+    bool is_witness() const {
+        if (algebraic_.size() != 1) return true;
+        const std::size_t symbol = algebraic_.front();
+        const auto step = std::ranges::find(steps_, symbol, &Substitution::symbol);
+        const SparsePolynomial& relation = relations_[static_cast<std::size_t>(step - steps_.begin())];
+        const std::size_t degree = relation.degree_in(symbol);
+        SparsePolynomial product = 1;
+        for (const SparsePolynomial& factor : nonzero_) product *= factor;
+        SparsePolynomial power = 1;
+        for (std::size_t k = 0; k < degree; ++k) power = remainder(power * product, relation, symbol);
+        return !power.is_zero();
     }
 
     const std::vector<Rational>& values() const { return values_; }
@@ -123,6 +139,19 @@ private:
             }
         }
         return leave(symbol);
+    }
+
+    static SparsePolynomial remainder(SparsePolynomial polynomial, const SparsePolynomial& relation,
+                                      std::size_t symbol) {
+        const std::vector<SparsePolynomial> divisor = coefficients_in(relation, symbol);
+        const SparsePolynomial x = SparsePolynomial::variable(symbol);
+        while (!polynomial.is_zero() && polynomial.degree_in(symbol) + 1 >= divisor.size()) {
+            const std::size_t degree = polynomial.degree_in(symbol);
+            const SparsePolynomial factor = coefficients_in(polynomial, symbol)[degree] *
+                                            SparsePolynomial(Rational(1) / divisor.back().coefficient(0));
+            polynomial -= factor * pow(x, degree + 1 - divisor.size()) * relation;
+        }
+        return polynomial;
     }
 
     bool leave(std::size_t symbol) {
@@ -249,6 +278,18 @@ std::string side_text(Expander& expander, NodeId side, const WitnessSearch& choi
 
 }  // namespace
 
+std::vector<std::pair<std::string, Rational>> some_point(const GroundBlock& block,
+                                                         std::span<const Substitution> steps,
+                                                         const std::vector<SparsePolynomial>& nonzero) {
+    WitnessSearch search(block, steps, nonzero);
+    std::vector<std::pair<std::string, Rational>> point;
+    if (!search.choose(0)) return point;
+    for (std::size_t i = 0; i < block.symbols.size(); ++i) {
+        if (!block.symbols[i].is_bound) point.emplace_back(block.symbols[i].name, search.values()[i]);
+    }
+    return point;
+}
+
 Witness find_counterexample(const GroundBlock& block, const Relation& relation, Expander& expander,
                             std::span<const Substitution> steps, const SparsePolynomial& difference,
                             const std::vector<SparsePolynomial>& nonzero) {
@@ -259,8 +300,15 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
     for (std::size_t attempt = 0; attempt < most_attempts; ++attempt) {
         WitnessSearch next(block, steps, required);
         const bool rational = next.choose(attempt);
+        if (!rational && !next.is_witness()) continue;
         if (rational || !choice) choice.emplace(std::move(next));
         if (rational) break;
+    }
+    if (!choice) {
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "the sides differ, but no small values of the variables show it where the hypotheses have roots",
+            "", relation.offset);
     }
     std::vector<std::string> names;
     names.reserve(block.symbols.size());
@@ -298,6 +346,10 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
             result.roots.push_back(to_text(choice->relations()[i], names) + " == 0");
     }
     if (!choice->algebraic().empty()) {
+        for (std::size_t i = 0; i < block.symbols.size(); ++i) {
+            if (block.symbols[i].is_coefficient && !is_algebraic(i))
+                result.variables.emplace_back(names[i], choice->values()[i]);
+        }
         result.left = side_text(expander, relation.left, *choice, names);
         result.right = side_text(expander, relation.right, *choice, names);
         return witness;
@@ -310,7 +362,8 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
                     "", relation.offset);
     }
     for (const std::size_t map : maps) {
-        if (block.maps[map].barycentric.empty()) result.maps.push_back(written_out(block.maps[map], evaluate));
+        if (block.maps[map].barycentric.empty())
+            result.maps.push_back(written_out(block.maps[map], evaluate));
     }
     std::set<std::string> listed;
     for (const NodeId id : nodes_below(block, {relation.left, relation.right})) {

@@ -1,6 +1,8 @@
 #include <blossom/proofs/ground.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
 
+#include <algorithm>
 #include <functional>
 
 #include "grounder.hpp"
@@ -56,6 +58,8 @@ void add_claims(Grounder& grounder, const Statement& statement, std::size_t numb
                        "the number of cases of one line, up to");
         Relation relation;
         try {
+            const auto unfit = grounder.unfit().find(&statement);
+            if (unfit != grounder.unfit().end()) throw Error(unfit->second);
             relation = grounder.relation(statement);
         } catch (const Error& error) {
             relation.offset = statement.offset;
@@ -117,7 +121,11 @@ std::vector<Parameters> parameter_choices(const Block& block, const Limits& limi
     Grounder grounder(limits);
     std::vector<const Range*> ranges;
     for (const Statement& statement : block.statements) {
-        if (statement.kind == StatementKind::parameter) ranges.push_back(&statement.ranges.front());
+        if (statement.kind != StatementKind::parameter) continue;
+        const Range& range = statement.ranges.front();
+        const auto same = [&](const Range* other) { return other->name == range.name; };
+        if (std::ranges::any_of(ranges, same)) refuse(quoted(range.name) + " is declared already", range.offset);
+        ranges.push_back(&range);
     }
     std::vector<Parameters> choices;
     Parameters chosen;
@@ -126,6 +134,17 @@ std::vector<Parameters> parameter_choices(const Block& block, const Limits& limi
         choices.push_back(choice);
     });
     return choices;
+}
+
+std::set<std::size_t> unfit_claims(const Block& block, const Parameters& parameters, const Limits& limits) {
+    Grounder grounder(limits);
+    for (const auto& [name, value] : parameters) grounder.bind(name, value);
+    grounder.begin(block);
+    std::set<std::size_t> numbers;
+    for (std::size_t i = 0; i < block.statements.size(); ++i) {
+        if (grounder.unfit().contains(&block.statements[i])) numbers.insert(i);
+    }
+    return numbers;
 }
 
 GroundBlock ground(const Block& block, const Parameters& parameters, const Limits& limits) {

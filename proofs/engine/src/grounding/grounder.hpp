@@ -52,12 +52,13 @@ public:
         std::optional<Value> hidden_variable_;
     };
 
-
     void bind(const std::string& name, Bound value) { bound_[name] = std::move(value); }
     /// Reads the declarations and infers all kinds; what is bound now are the parameters of the block, which
     /// abbreviations see wherever they are used.
     void begin(const Block& block);
 
+    /// The lines `claim` and `refute` whose kinds do not fit, by their numbers in the block.
+    const std::map<const Statement*, Error>& unfit() const { return kinds_->unfit(); }
     void declare_map(const Statement& statement);
     void declare_polynomial(const Statement& statement);
     void declare_raised(const Statement& statement);
@@ -74,8 +75,8 @@ public:
 
 private:
     using Bindings = std::map<std::string, Bound>;
-    /// Variables of a `poly` or of `for all` for as long as it lives. Abbreviations see them, so that what is known of
-    /// abbreviations is set aside; maps that are declared already do not.
+    /// Variables of a `poly` or of `for all` for as long as it lives. Abbreviations see them, so that what is
+    /// known of abbreviations is set aside; maps that are declared already do not.
     class Variables {
     public:
         explicit Variables(Grounder& grounder);
@@ -153,6 +154,8 @@ private:
     NodeId raise(NodeId base, std::size_t exponent, std::size_t offset);
     NodeId push(Node node, std::size_t offset = 0);
     const Rational* constant_value(NodeId id) const;
+    /// Whether a mass is 1, where need be after expansion.
+    bool is_one(NodeId id) const;
     NodeArgument as_argument(const Value& value);
 
     void add_map(GroundMap map);

@@ -87,8 +87,8 @@ NodeId Grounder::blossom(const Expression& e, Application result) {
         for (const Expression& given : e.groups[i]) add_arguments(given, map, i, result.arguments[i]);
         if (result.arguments[i].size() != map.directions[i].degree) {
             throw Error(ErrorCode::wrong_arity,
-                        std::to_string(result.arguments[i].size()) + " arguments of the blossom found, " + e.name +
-                            " expects " + std::to_string(map.directions[i].degree),
+                        std::to_string(result.arguments[i].size()) + " arguments of the blossom found, " +
+                            e.name + " expects " + std::to_string(map.directions[i].degree),
                         "", e.offset);
         }
     }
@@ -112,21 +112,21 @@ NodeId Grounder::value_of(const Expression& e, Application result) {
     return push(std::move(result));
 }
 
-/// n!/(n-k)! times the blossom of n - k copies of the point and k vectors: delta, or the directions that are given.
-/// Source: Goldman, theorem 9. Statement: goldman-thm9.
+/// n!/(n-k)! times the blossom of n - k copies of the point and k vectors: delta, or the directions that are
+/// given. Source: Goldman, theorem 9. Statement: goldman-thm9.
 NodeId Grounder::derivative_of(const Expression& e, Application result) {
     const GroundMap map = block_.maps[result.map];
     result.form = Application::Form::derivative;
     const bool by_directions = map.directions.size() == 1 && map.directions[0].dimension > 1;
     const bool differentiates =
-        by_directions || std::ranges::any_of(e.children, [&](const Expression& order) { return count(order) > 0; });
+        by_directions ||
+        std::ranges::any_of(e.children, [&](const Expression& order) { return count(order) > 0; });
     if (!differentiates) return value_of(e, {.map = result.map, .offset = result.offset});
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
         const NodeArgument point = place_of(e, map, i);
-        const Rational* mass = constant_value(point.mass);
-        const bool is_point = mass && *mass == Rational(1);
         const std::size_t order = by_directions ? e.children.size() : count(e.children[i]);
-        if (order > 0 && !is_point) refuse("a derivative is taken at a number or at a point, of mass 1", e.offset);
+        if (order > 0 && !is_one(point.mass))
+            refuse("a derivative is taken at a number or at a point, of mass 1", e.offset);
         std::vector<NodeArgument> directions;
         if (by_directions) {
             for (const Expression& direction : e.children)

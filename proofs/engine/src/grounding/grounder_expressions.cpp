@@ -146,7 +146,8 @@ Value Grounder::binary(const Expression& e) {
     }
     const NodeId* a = std::get_if<NodeId>(&left);
     const NodeId* b = std::get_if<NodeId>(&right);
-    if (e.kind == ExpressionKind::product) return a ? scaled(*a, right) : scaled(std::get<NodeId>(right), left);
+    if (e.kind == ExpressionKind::product)
+        return a ? scaled(*a, right) : scaled(std::get<NodeId>(right), left);
     if (a) return divide(*a, *b, e.children[1].offset);
     return scaled(divide(constant(1), *b, e.children[1].offset), left);
 }
@@ -183,12 +184,10 @@ Value Grounder::name(const Expression& e) {
         }
         if (e.name == "delta") return NodeArgument{{constant(1)}, constant(0)};
     }
-    const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
-    if (bare && declared && declared->meaning == Meaning::map) {
-        refuse(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " + e.name +
-                   "[...]",
+    if (!names_)
+        refuse(quoted(full) + " is not known here: a range has parameters of lines above and integers",
                e.offset);
-    }
+    const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
     if (bare ? declared && declared->meaning == Meaning::let : names_->clauses(e.name) != nullptr)
         return let_value(full, e);
     if (!bare && declared && text_->strict && !is_declared_member(*declared, e))
@@ -198,8 +197,9 @@ Value Grounder::name(const Expression& e) {
 
 /// A number, or the coordinates of a point or vector.
 Value Grounder::variable(const std::string& full, const Declared* declared, std::size_t offset) {
-    const bool geometric = declared && (declared->meaning == Meaning::point || declared->meaning == Meaning::vector ||
-                                        declared->meaning == Meaning::frame);
+    const bool geometric =
+        declared && (declared->meaning == Meaning::point || declared->meaning == Meaning::vector ||
+                     declared->meaning == Meaning::frame);
     if (!geometric) return symbol_node(symbol(full, {full}));
     const Statement& statement = *declared->statements.front();
     const std::size_t dimension = count(statement.dimension[0]);
@@ -214,12 +214,14 @@ Value Grounder::variable(const std::string& full, const Declared* declared, std:
     // The first point of a frame is the origin, the others are the unit points.
     if (statement.expressions.size() != dimension + 1) {
         refuse("a frame of a space of dimension " + std::to_string(dimension) + " has " +
-                   std::to_string(dimension + 1) + " points, not " + std::to_string(statement.expressions.size()),
+                   std::to_string(dimension + 1) + " points, not " +
+                   std::to_string(statement.expressions.size()),
                statement.offset);
     }
     std::size_t position = 0;
     while (statement.expressions[position].name != full) {
-        if (++position == statement.expressions.size()) refuse("the points of a frame have no indices", offset);
+        if (++position == statement.expressions.size())
+            refuse("the points of a frame have no indices", offset);
     }
     result.coordinates.assign(dimension, constant(0));
     if (position > 0) result.coordinates[position - 1] = constant(1);
@@ -227,7 +229,9 @@ Value Grounder::variable(const std::string& full, const Declared* declared, std:
 }
 
 Grounder::Variables::Variables(Grounder& grounder)
-    : grounder_(grounder), hidden_(grounder.variables_), let_values_(std::exchange(grounder.let_values_, {})) {}
+    : grounder_(grounder),
+      hidden_(grounder.variables_),
+      let_values_(std::exchange(grounder.let_values_, {})) {}
 
 Grounder::Variables::~Variables() {
     grounder_.variables_ = std::move(hidden_);
@@ -325,8 +329,8 @@ Value Grounder::let_value(const std::string& full, const Expression& e) {
     return let_values_[full] = *result;
 }
 
-/// Whether the clause fits the indices, whose names are bound then. An index that is a name stands for any integer,
-/// unless it is a parameter of the block; every other one for its value.
+/// Whether the clause fits the indices, whose names are bound then. An index that is a name stands for any
+/// integer, unless it is a parameter of the block; every other one for its value.
 bool Grounder::binds(const Statement& clause, const std::vector<long long>& indices) {
     const auto& patterns = clause.sides[0].children;
     if (patterns.size() != indices.size()) return false;
@@ -355,8 +359,8 @@ bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, cons
     return fits;
 }
 
-/// A member of a family that no clause fits is what the family is declared as, or else a free number, unless a
-/// clause stands for any index: then the member is a mistake.
+/// A member of a family that no clause fits is what the family is declared as, or else a free number, unless
+/// a clause stands for any index: then the member is a mistake.
 Value Grounder::without_clause(const std::string& full, const Expression& e) {
     const Declared* declared = names_->family(e.name);
     if (declared) {
@@ -364,13 +368,16 @@ Value Grounder::without_clause(const std::string& full, const Expression& e) {
             refuse(full + " is not declared, and no line \"let\" fits it", e.offset);
         return variable(full, declared, e.offset);
     }
-    if (text_->strict || has_open_index(*names_->clauses(e.name)) || kinds_->of_family(e.name).is_geometric()) {
+    if (text_->strict || has_open_index(*names_->clauses(e.name), e.children.size()) ||
+        kinds_->of_family(e.name).name != KindName::number) {
         std::string reason;
         for (const Statement* clause : *names_->clauses(e.name)) {
             for (const Expression& index : clause->sides[0].children) {
                 const bool parameter = index.kind == ExpressionKind::name && index.children.empty() &&
                                        parameters_.contains(index.name);
-                if (parameter) reason = "; " + index.name + " is a parameter of the block there, and stands for its value";
+                if (parameter)
+                    reason =
+                        "; " + index.name + " is a parameter of the block there, and stands for its value";
             }
         }
         refuse("no line \"let\" fits " + full + reason, e.offset);

@@ -86,8 +86,8 @@ NodeId Grounder::determinant(const Expression& e) {
     return determinant(rows);
 }
 
-/// Laplace's expansion by rows: for every set of columns the minor of the first rows, each computed once. Cost:
-/// n 2^(n-1) products for n rows.
+/// Laplace's expansion by rows: for every set of columns the minor of the first rows, each computed once.
+/// Cost: n 2^(n-1) products for n rows.
 NodeId Grounder::determinant(const std::vector<std::vector<NodeId>>& rows) {
     const std::size_t n = rows.size();
     std::vector<NodeId> minors(std::size_t{1} << n, constant(1));
@@ -105,7 +105,8 @@ NodeId Grounder::determinant(const std::vector<std::vector<NodeId>>& rows) {
     return minors.back();
 }
 
-/// The B-spline basis function N_{j,d} over the knots x_i, as the polynomial that it is on the span [x_i, x_{i+1}).
+/// The B-spline basis function N_{j,d} over the knots x_i, as the polynomial that it is on the span [x_i,
+/// x_{i+1}).
 NodeId Grounder::bspline(const Expression& e) {
     const long long j = integer(e.children[0]);
     const std::size_t degree = count(e.children[1]);
@@ -117,8 +118,8 @@ NodeId Grounder::bspline(const Expression& e) {
 }
 
 /// Cox's and de Boor's recursion. A function that vanishes on the span is left out with its divisor.
-NodeId Grounder::basis_function(const Expression& knots, long long j, long long degree, long long span, NodeId t,
-                                std::size_t offset) {
+NodeId Grounder::basis_function(const Expression& knots, long long j, long long degree, long long span,
+                                NodeId t, std::size_t offset) {
     if (span < j || span > j + degree) return constant(0);
     if (degree == 0) return constant(1);
     const auto knot = [&](long long i) {

@@ -134,8 +134,8 @@ void Grounder::declare_map(const Statement& statement) {
     }
 }
 
-/// `map q degree n on simplex s net c over P_0, ..., P_s`: with barycentric coordinates over the frame, by Cramer's
-/// rule, the coefficients are control points times multinomials.
+/// `map q degree n on simplex s net c over P_0, ..., P_s`: with barycentric coordinates over the frame, by
+/// Cramer's rule, the coefficients are control points times multinomials.
 void Grounder::add_net(const Statement& statement, GroundMap& map) {
     const Direction direction = map.directions[0];
     if (map.directions.size() != 1 || statement.frame.size() != direction.dimension + 1) {
@@ -146,14 +146,16 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
     std::vector<std::vector<NodeId>> frame;
     for (const Expression& point : statement.frame) {
         const NodeArgument corner = argument(point, direction.dimension);
-        const Rational* mass = constant_value(corner.mass);
-        if (!mass || *mass != Rational(1)) refuse("a point of the frame has mass 1", point.offset);
+        if (!is_one(corner.mass)) refuse("a point of the frame has mass 1", point.offset);
         frame.push_back(corner.coordinates);
         frame.back().push_back(corner.mass);
     }
     const NodeId whole = determinant(frame);
-    // The barycentric coordinate of P_j is the determinant with the argument in its place, linear in the argument:
-    // cofactors of the frame.
+    const Rational* value = constant_value(whole);
+    if (value && value->is_zero())
+        refuse("the points of the frame are affinely dependent", statement.frame[0].offset);
+    // The barycentric coordinate of P_j is the determinant with the argument in its place, linear in the
+    // argument: cofactors of the frame.
     for (std::size_t j = 0; j <= direction.dimension; ++j) {
         map.barycentric.emplace_back();
         for (std::size_t i = 0; i <= direction.dimension; ++i) {
@@ -170,12 +172,15 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
         for (const std::size_t i : index)
             name.children.push_back({ExpressionKind::number, statement.offset, std::to_string(i), {}, {}});
         const NodeId scale = constant(Rational(multinomial(exponents, direction.degree)));
-        map.coefficients.push_back(multiply({scale, scalar(name)}));
+        const NodeId control_point = scalar(name);
+        const Node& node = block_.nodes[control_point];
+        if (node.kind == NodeKind::symbol) block_.symbols[node.index].is_control_point = true;
+        map.coefficients.push_back(multiply({scale, control_point}));
     }
 }
 
-/// `poly P(t) degree n = expression`: the expression, expanded, has the coefficients by powers of the variable t, which
-/// abbreviations in it contain too.
+/// `poly P(t) degree n = expression`: the expression, expanded, has the coefficients by powers of the
+/// variable t, which abbreviations in it contain too.
 void Grounder::declare_polynomial(const Statement& statement) {
     const std::size_t variables = statement.names.size() - 1;
     GroundMap map{statement.names[0], {}, {}};
@@ -204,7 +209,8 @@ void Grounder::declare_polynomial(const Statement& statement) {
         divisors.push_back(raise(polynomial_node(divisor), exponent, statement.offset));
     }
     for (const NodeId divisor : divisors_below(block_, {body})) {
-        for (const auto& [factor, exponent] : expander.field().factorise(expander(divisor).numerator).factors) {
+        for (const auto& [factor, exponent] :
+             expander.field().factorise(expander(divisor).numerator).factors) {
             const SparsePolynomial condition = expander.field().factors()[factor];
             if (!contains_any(condition, symbols)) map.conditions.push_back(polynomial_node(condition));
         }
@@ -223,8 +229,8 @@ void Grounder::declare_polynomial(const Statement& statement) {
     add_map(std::move(map));
 }
 
-/// `raise p to m as q`, with one degree for each direction. The homogeneous form gets a power of the mass as a
-/// factor; for a net the mass is the sum of the barycentric coordinates.
+/// `raise p to m as q`, with one degree for each direction. The homogeneous form gets a power of the mass as
+/// a factor; for a net the mass is the sum of the barycentric coordinates.
 void Grounder::declare_raised(const Statement& statement) {
     const auto source = maps_.find(statement.names[0]);
     if (source == maps_.end()) {
@@ -236,8 +242,8 @@ void Grounder::declare_raised(const Statement& statement) {
     map.name = statement.names[1];
     if (statement.expressions.size() != map.directions.size()) {
         throw Error(ErrorCode::wrong_arity,
-                    std::to_string(statement.expressions.size()) + " degrees found, " + before.name + " has " +
-                        std::to_string(map.directions.size()),
+                    std::to_string(statement.expressions.size()) + " degrees found, " + before.name +
+                        " has " + std::to_string(map.directions.size()),
                     "", statement.offset);
     }
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
@@ -256,7 +262,8 @@ void Grounder::declare_raised(const Statement& statement) {
                     "", statement.offset);
     }
     const auto known = monomials(before.directions);
-    const std::size_t steps = map.barycentric.empty() ? 0 : map.directions[0].degree - before.directions[0].degree;
+    const std::size_t steps =
+        map.barycentric.empty() ? 0 : map.directions[0].degree - before.directions[0].degree;
     std::map<std::vector<std::size_t>, std::vector<NodeId>> summands;
     for (std::size_t i = 0; i < known.size(); ++i) {
         for (const auto& further : monomials({steps, known[i].size()})) {
@@ -267,7 +274,8 @@ void Grounder::declare_raised(const Statement& statement) {
         }
     }
     map.coefficients.clear();
-    for (const auto& exponents : monomials(map.directions)) map.coefficients.push_back(add(summands[exponents]));
+    for (const auto& exponents : monomials(map.directions))
+        map.coefficients.push_back(add(summands[exponents]));
     add_map(std::move(map));
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <blossom/proofs/expansion.hpp>
+
 #include "grounder.hpp"
 
 /// How the nodes of a ground expression are made. What is constant is computed at once, so that bounds,
@@ -12,6 +14,13 @@ namespace blossom::proofs {
 const Rational* Grounder::constant_value(NodeId id) const {
     const Node& node = block_.nodes[id];
     return node.kind == NodeKind::constant ? &node.value : nullptr;
+}
+
+bool Grounder::is_one(NodeId id) const {
+    if (const Rational* value = constant_value(id)) return *value == Rational(1);
+    Expander expand(block_, limits_);
+    const Fraction mass = expand(id);
+    return mass.denominator.empty() && mass.numerator == SparsePolynomial(1);
 }
 
 void Grounder::spend(std::size_t steps, std::size_t offset) {

@@ -101,7 +101,8 @@ Set Grounder::set_of(const Expression& e) {
         const Set* set = value ? std::get_if<Set>(value) : nullptr;
         if (set) return *set;
     }
-    if (e.kind != ExpressionKind::call || e.name != "without") refuse("a set of integers is expected here", e.offset);
+    if (e.kind != ExpressionKind::call || e.name != "without")
+        refuse("a set of integers is expected here", e.offset);
     Set members = interval_to(count(e.children[0]));
     const Set excluded = set_of(e.children[1]);
     std::erase_if(members, [&](long long i) { return std::ranges::find(excluded, i) != excluded.end(); });
@@ -121,7 +122,8 @@ const Permutation* Grounder::permutation(const std::string& name) const {
     return value ? std::get_if<Permutation>(value) : nullptr;
 }
 
-/// What a sum over `e` runs over: the members of a set, subsets, partitions and their blocks, or permutations.
+/// What a sum over `e` runs over: the members of a set, subsets, partitions and their blocks, or
+/// permutations.
 std::vector<Bound> Grounder::elements_of(const Expression& e) {
     if (e.kind == ExpressionKind::call) {
         if (e.name == "subsets") return subsets(e);
@@ -161,8 +163,8 @@ std::vector<Bound> Grounder::subsets(const Expression& e) {
     }
 }
 
-/// Every partition into blocks that are not empty, ordered by their least members: each member in turn joins a block
-/// or begins one.
+/// Every partition into blocks that are not empty, ordered by their least members: each member in turn joins
+/// a block or begins one.
 std::vector<Bound> Grounder::partitions(const Expression& e) {
     std::vector<std::vector<Set>> found{{}};
     for (const long long member : base_set(e.children[0])) {

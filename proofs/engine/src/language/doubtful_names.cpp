@@ -58,8 +58,9 @@ private:
             read(statement.sides[1], scope);
             return;
         }
-        const bool declares = statement.kind == StatementKind::point || statement.kind == StatementKind::vector ||
-                              statement.kind == StatementKind::frame || statement.kind == StatementKind::number;
+        const bool declares =
+            statement.kind == StatementKind::point || statement.kind == StatementKind::vector ||
+            statement.kind == StatementKind::frame || statement.kind == StatementKind::number;
         for (const Range& range : statement.ranges) {
             read(range.first, scope);
             read(range.last, scope);
@@ -82,9 +83,10 @@ private:
     void read(const Expression& e, Scope& scope) {
         if (e.kind == ExpressionKind::name) occur(e, scope);
         const std::size_t depth = scope.size();
-        const bool binds = e.kind == ExpressionKind::family ||
-                           (e.kind == ExpressionKind::call && e.children.size() >= 3 &&
-                            (e.name == "sum" || e.name == "prod" || e.name == "mean" || e.name == "determinant"));
+        const bool binds =
+            e.kind == ExpressionKind::family ||
+            (e.kind == ExpressionKind::call && e.children.size() >= 3 &&
+             (e.name == "sum" || e.name == "prod" || e.name == "mean" || e.name == "determinant"));
         if (e.kind == ExpressionKind::family) {
             for (const auto& group : e.groups) {
                 for (const Expression& child : group) read(child, scope);
@@ -134,13 +136,18 @@ std::vector<Warning> doubtful_names(const Block& block) {
     std::vector<Warning> warnings;
     const auto consider = [&](const std::string& name, const FreeNames::Occurrences& found) {
         const auto near = std::ranges::find_if(known, [&](const std::string& other) {
-            return other != name && std::max(other.size(), name.size()) >= least_letters && resembles(name, other);
+            return other != name && std::max(other.size(), name.size()) >= least_letters &&
+                   resembles(name, other);
         });
         if (near != known.end()) {
-            warnings.push_back({found.first, quoted(name) + " is declared nowhere and so stands for any number; did you mean " +
-                                                 quoted(*near) + "?"});
+            warnings.push_back(
+                {found.first, quoted(name) +
+                                  " is declared nowhere and so stands for any number; did you mean " +
+                                  quoted(*near) + "?"});
         } else if (found.count == 1) {
-            warnings.push_back({found.first, quoted(name) + " is declared nowhere and occurs once; it stands for any number"});
+            warnings.push_back(
+                {found.first,
+                 quoted(name) + " is declared nowhere and occurs once; it stands for any number"});
         }
     };
     for (const auto& [name, found] : free.bare()) consider(name, found);

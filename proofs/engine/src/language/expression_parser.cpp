@@ -177,12 +177,14 @@ Expression ExpressionParser::comparison() {
     const std::size_t offset = left.offset;
     for (const std::string_view sign : {"==", "!=", "<=", ">=", "<", ">"}) {
         if (take(sign)) {
-            return {ExpressionKind::comparison, offset, std::string(sign), {std::move(left), expression()}, {}};
+            return {
+                ExpressionKind::comparison, offset, std::string(sign), {std::move(left), expression()}, {}};
         }
     }
     const bool negative = take_word("not");
     expect_word("in", negative ? "after \"not\"" : "or a comparison such as \"==\" in the condition");
-    return {ExpressionKind::comparison, offset, negative ? "not in" : "in", {std::move(left), expression()}, {}};
+    return {
+        ExpressionKind::comparison, offset, negative ? "not in" : "in", {std::move(left), expression()}, {}};
 }
 
 Expression ExpressionParser::call(Expression name) {
@@ -235,12 +237,15 @@ Expression ExpressionParser::derivative(std::size_t offset) {
     expect("(", "after D");
     std::vector<Expression> entries = list(")");
     if (entries.size() == 1) {
-        refuse("\",\" and, after the map, an order, or after an expression, the name of a variable, within D(...)");
+        refuse(
+            "\",\" and, after the map, an order, or after an expression, the name of a variable, within "
+            "D(...)");
     }
     if (is("(")) {
         Expression map = std::move(entries.front());
         if (map.kind != ExpressionKind::name) {
-            throw Error(ErrorCode::syntax, "the first entry of D(b, k)(t) is the name of a map", "", map.offset);
+            throw Error(ErrorCode::syntax, "the first entry of D(b, k)(t) is the name of a map", "",
+                        map.offset);
         }
         entries.erase(entries.begin());
         map.offset = offset;

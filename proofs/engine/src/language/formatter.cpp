@@ -158,8 +158,8 @@ std::string degrees_text(const Statement& statement) {
 
 std::string relation_text(const Statement& statement) {
     const bool differs = statement.kind == StatementKind::assume;
-    std::string text =
-        (statement.some ? "some " : "") + to_text(statement.sides[0]) + (differs ? " != " : " == ") + to_text(statement.sides[1]);
+    std::string text = (statement.some ? "some " : "") + to_text(statement.sides[0]) +
+                       (differs ? " != " : " == ") + to_text(statement.sides[1]);
     for (const Range& range : statement.ranges) text += " " + range_text(range);
     if (!statement.quantified.empty()) text += " for all " + joined(statement.quantified);
     return text;
@@ -170,7 +170,8 @@ std::string body_text(const Statement& statement) {
         case StatementKind::map:
             return joined(statement.names) + degrees_text(statement) +
                    (statement.dimension.empty() ? "" : " on simplex " + to_text(statement.dimension[0])) +
-                   (statement.net.empty() ? "" : " net " + statement.net + " over " + joined(statement.frame));
+                   (statement.net.empty() ? ""
+                                          : " net " + statement.net + " over " + joined(statement.frame));
         case StatementKind::number:
             return joined(statement.expressions);
         case StatementKind::point:
@@ -182,8 +183,7 @@ std::string body_text(const Statement& statement) {
                    joined(std::vector<std::string>(statement.names.begin() + 1, statement.names.end())) +
                    ")" + degrees_text(statement) + " = " + to_text(statement.sides[0]);
         case StatementKind::raise:
-            return statement.names[0] + " to " + joined(statement.expressions) + " as " +
-                   statement.names[1];
+            return statement.names[0] + " to " + joined(statement.expressions) + " as " + statement.names[1];
         case StatementKind::let:
             return to_text(statement.sides[0]) + " = " + to_text(statement.sides[1]);
         default:

@@ -17,12 +17,14 @@ constexpr Kind number_kind{KindName::number, 0};
     throw Error(ErrorCode::syntax, message, "", offset);
 }
 
-/// The kind of something that is one of two, as the two branches of a choice or two clauses of an abbreviation.
+/// The kind of something that is one of two, as the two branches of a choice or two clauses of an
+/// abbreviation.
 std::optional<Kind> joined(const Kind& a, const Kind& b) {
     if (a == b || b.name == KindName::unknown) return a;
     if (a.name == KindName::unknown) return b;
     if (a.is_number() && b.is_number()) return number_kind;
-    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension) return Kind{KindName::pair, a.dimension};
+    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension)
+        return Kind{KindName::pair, a.dimension};
     return std::nullopt;
 }
 
@@ -68,10 +70,11 @@ Kinds::Kinds(const Block& block, const Names& names, std::function<std::size_t(c
             for (const std::string& name : statement.names) add_map(name, dimensions);
         } else if (statement.kind == StatementKind::polynomial) {
             const std::size_t variables = statement.names.size() - 1;
-            add_map(statement.names[0], statement.expressions.size() == 1 ? Dimensions{variables}
-                                                                          : Dimensions(variables, 1));
+            add_map(statement.names[0],
+                    statement.expressions.size() == 1 ? Dimensions{variables} : Dimensions(variables, 1));
         } else if (statement.kind == StatementKind::raise) {
-            if (const Dimensions* source = map_named(statement.names[0])) add_map(statement.names[1], *source);
+            if (const Dimensions* source = map_named(statement.names[0]))
+                add_map(statement.names[1], *source);
         }
     }
     infer_abbreviations(block);
@@ -93,8 +96,8 @@ const Dimensions* Kinds::map_named(const std::string& name) const {
     return found == maps_.end() ? nullptr : &found->second;
 }
 
-/// Starts with nothing known and goes on until nothing changes: kinds only grow, from integer to number and from
-/// point and vector to pair.
+/// Starts with nothing known and goes on until nothing changes: kinds only grow, from integer to number and
+/// from point and vector to pair.
 void Kinds::infer_abbreviations(const Block& block) {
     for (bool changed = true; changed;) {
         changed = false;
@@ -105,8 +108,8 @@ void Kinds::infer_abbreviations(const Block& block) {
             const Kind found = clause_kind(clause);
             const std::optional<Kind> both = joined(known, found);
             if (!both) {
-                refuse_kind("this line makes " + name.name + "_i " + to_text(found) + ", another one makes it " +
-                                to_text(known),
+                refuse_kind("this line makes " + name.name + "_i " + to_text(found) +
+                                ", another one makes it " + to_text(known),
                             clause.sides[1].offset);
             }
             changed = changed || *both != known;
@@ -119,8 +122,9 @@ void Kinds::infer_abbreviations(const Block& block) {
         const Kind expected = declared(*family);
         const std::optional<Kind> both = joined(expected, kind);
         if (!both || (expected.is_geometric() && *both != expected)) {
-            refuse_kind(name + "_i is declared as " + to_text(expected) + ", and abbreviates " + to_text(kind),
-                        names_.clauses(name)->front()->sides[1].offset);
+            refuse_kind(
+                name + "_i is declared as " + to_text(expected) + ", and abbreviates " + to_text(kind),
+                names_.clauses(name)->front()->sides[1].offset);
         }
     }
 }
@@ -165,6 +169,14 @@ void Kinds::check(const Statement& statement) {
             if (!map_named(statement.names[0]))
                 refuse_kind("there is no map " + quoted(statement.names[0]), statement.offset);
             break;
+        case StatementKind::claim:
+        case StatementKind::refute:
+            try {
+                check_relation(statement);
+            } catch (const Error& error) {
+                unfit_.emplace(&statement, error);
+            }
+            break;
         default:
             check_relation(statement);
     }
@@ -179,7 +191,8 @@ void Kinds::check_polynomial(const Statement& statement) {
         const auto place = first + static_cast<std::ptrdiff_t>(i) - 1;
         if ((known && known->meaning != Meaning::number) || std::find(first, place, *place) != place)
             refuse_kind(quoted(statement.names[i]) + " is declared already", statement.offset);
-        if (statement.names[i] == "delta") refuse_kind("\"delta\" is a word of the language, not a variable", statement.offset);
+        if (statement.names[i] == "delta")
+            refuse_kind("\"delta\" is a word of the language, not a variable", statement.offset);
         scope.add(statement.names[i], number_kind);
     }
     require_number(statement.sides[0]);
@@ -197,10 +210,11 @@ void Kinds::check_relation(const Statement& statement) {
         const Expression& name = run ? quantified.children[0] : quantified;
         const bool bare = name.children.empty();
         const Declared* known = bare ? names_.bare(name.name) : names_.family(name.name);
-        const bool variable = !known || known->meaning == Meaning::number || known->meaning == Meaning::point ||
-                              known->meaning == Meaning::vector;
+        const bool variable = !known || known->meaning == Meaning::number ||
+                              known->meaning == Meaning::point || known->meaning == Meaning::vector;
         if (name.kind != ExpressionKind::name || !variable || (bare && name.name == "delta")) {
-            refuse_kind("\"for all\" takes variables; " + quoted(name.name) + " is something else", name.offset);
+            refuse_kind("\"for all\" takes variables; " + quoted(name.name) + " is something else",
+                        name.offset);
         }
         for (const Expression& index : name.children) require_integer(index);
         const bool abbreviated = !bare && names_.clauses(name.name);
@@ -215,7 +229,7 @@ Kind Kinds::inferred(const Expression& e) {
     switch (e.kind) {
         case ExpressionKind::number:
             return std::ranges::all_of(e.name, [](char c) { return c >= '0' && c <= '9'; }) ? integer_kind
-                                                                                             : number_kind;
+                                                                                            : number_kind;
         case ExpressionKind::name:
             return e.children.empty() ? name(e) : member(e);
         case ExpressionKind::negative: {
@@ -265,8 +279,14 @@ Kind Kinds::name(const Expression& e) {
     if (local != scope_.end() && !local->second.empty()) return local->second.back();
     if (e.name == "delta") return {KindName::vector, 1};
     const Declared* known = names_.bare(e.name);
+    if (known && known->meaning == Meaning::map) {
+        refuse_kind(quoted(e.name) + " is a map, expected an expression such as " + e.name + "(t) or " +
+                        e.name + "[...]",
+                    e.offset);
+    }
     if (known) return known->meaning == Meaning::let ? bare_lets_[e.name] : declared(*known);
-    if (block_.strict) refuse_kind(quoted(e.name) + " is not declared; in a strict text every name is", e.offset);
+    if (block_.strict)
+        refuse_kind(quoted(e.name) + " is not declared; in a strict text every name is", e.offset);
     return number_kind;
 }
 
@@ -276,7 +296,8 @@ Kind Kinds::member(const Expression& e) {
     if (local != family_scope_.end() && !local->second.empty()) return local->second.back();
     if (names_.clauses(e.name)) return family_lets_[e.name];
     if (const Declared* known = names_.family(e.name)) return declared(*known);
-    if (block_.strict) refuse_kind(quoted(e.name) + "_i is not declared; in a strict text every name is", e.offset);
+    if (block_.strict)
+        refuse_kind(quoted(e.name) + "_i is not declared; in a strict text every name is", e.offset);
     return number_kind;
 }
 
@@ -325,7 +346,8 @@ Kind Kinds::product(const Expression& e) {
     if (a.is_geometric() && b.is_geometric())
         refuse_kind("two points or vectors cannot be multiplied", e.offset);
     for (const Kind& kind : {a, b}) {
-        if (kind.is_geometric()) return {kind.name == KindName::vector ? kind.name : KindName::pair, kind.dimension};
+        if (kind.is_geometric())
+            return {kind.name == KindName::vector ? kind.name : KindName::pair, kind.dimension};
         if (!kind.is_number() && kind.name != KindName::unknown)
             refuse_kind(to_text(kind) + " cannot be multiplied", e.offset);
     }
@@ -359,7 +381,8 @@ Kind Kinds::require_number(const Expression& e) {
 
 void Kinds::require_set(const Expression& e) {
     const Kind kind = infer(e);
-    if (kind.name != KindName::set) refuse_kind(to_text(kind) + " found, expected a set of integers", e.offset);
+    if (kind.name != KindName::set)
+        refuse_kind(to_text(kind) + " found, expected a set of integers", e.offset);
 }
 
 }  // namespace blossom::proofs

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/proofs/syntax.hpp>
+#include <blossom/rational/error.hpp>
 
 #include <cstddef>
 #include <functional>
@@ -44,17 +45,21 @@ std::string to_text(const Kind& kind);
 /// The directions of a map: how many, and the dimension of each.
 using Dimensions = std::vector<std::size_t>;
 
-/// The kinds of all expressions of a block for one choice of its parameters, inferred from the declarations before
-/// anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its clauses.
+/// The kinds of all expressions of a block for one choice of its parameters, inferred from the declarations
+/// before anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its
+/// clauses.
 ///
-/// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that nothing
-/// declares; `wrong_arity`. Cost: the size of the block, times the depth of abbreviations that refer to each other.
+/// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that
+/// nothing declares; `wrong_arity`. Those of a line `claim` or `refute` are kept, as that line's own. Cost:
+/// the size of the block, times the depth of abbreviations that refer to each other.
 class Kinds {
 public:
     /// `count` gives the value of a dimension.
     Kinds(const Block& block, const Names& names, std::function<std::size_t(const Expression&)> count);
 
     Kind of(const Expression& e) const;
+    /// The errors of lines `claim` and `refute`, which leave the others alone.
+    const std::map<const Statement*, Error>& unfit() const { return unfit_; }
     /// That of the clauses of an abbreviation with indices.
     Kind of_family(const std::string& name) const;
 
@@ -108,6 +113,7 @@ private:
     Kind element_of(const Expression& e);
     void comparison(const Expression& e);
     Kind value(const Expression& e);
+    const Dimensions& required_map(const Expression& e) const;
     void orders(const Expression& e, const Dimensions& dimensions);
     Kind blossom(const Expression& e);
     Kind derivative(const Expression& e);
@@ -125,9 +131,10 @@ private:
     std::map<std::string, Dimensions> maps_;
     std::map<std::string, Kind> bare_lets_;
     std::map<std::string, Kind> family_lets_;
-    std::map<std::string, std::vector<Kind>> scope_;         ///< of bare names that hide others, the innermost last
+    std::map<std::string, std::vector<Kind>> scope_;  ///< of bare names that hide others, the innermost last
     std::map<std::string, std::vector<Kind>> family_scope_;  ///< the same of families
     std::map<const Expression*, Kind> known_;
+    std::map<const Statement*, Error> unfit_;
 };
 
 }  // namespace blossom::proofs

@@ -100,13 +100,16 @@ Kind Kinds::over(const Expression& e) {
     if (e.name == "prod" && kind.is_geometric())
         refuse_call("points and vectors cannot be multiplied", e.children.back().offset);
     if (!kind.is_number() && !kind.is_geometric() && kind.name != KindName::unknown)
-        refuse_call(to_text(kind) + " found, expected a number, point, vector or pair", e.children.back().offset);
+        refuse_call(to_text(kind) + " found, expected a number, point, vector or pair",
+                    e.children.back().offset);
     if (e.name == "sum" && kind.name == KindName::point) return {KindName::pair, kind.dimension};
     return kind;
 }
 
 Kind Kinds::determinant(const Expression& e) {
     require_integer(e.children[2]);
+    if (binder_name(e, 0) == binder_name(e, 1))
+        refuse_call("rows and columns of a determinant have different names", e.children[1].offset);
     Scope scope(*this);
     for (const std::size_t i : {0U, 1U}) scope.add(binder_name(e, i), {KindName::integer, 0});
     return require_number(e.children[3]);
@@ -130,7 +133,8 @@ Kind Kinds::choice(const Expression& e) {
     if (a == b || b.name == KindName::unknown) return a;
     if (a.name == KindName::unknown) return b;
     if (a.is_number() && b.is_number()) return {KindName::number, 0};
-    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension) return {KindName::pair, a.dimension};
+    if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension)
+        return {KindName::pair, a.dimension};
     refuse_call("the two choices are " + to_text(a) + " and " + to_text(b), e.offset);
 }
 
@@ -141,33 +145,40 @@ Kind Kinds::bspline(const Expression& e) {
         refuse_call("the third argument of bspline is the name of the knots", knots.offset);
     Expression knot = knots;
     knot.children.push_back({ExpressionKind::number, knots.offset, "0", {}, {}});
-    if (!member(knot).is_number())
-        refuse_call("the knots of bspline are numbers", knots.offset);
+    if (!member(knot).is_number()) refuse_call("the knots of bspline are numbers", knots.offset);
     require_number(e.children[4]);
     return {KindName::number, 0};
+}
+
+const Dimensions& Kinds::required_map(const Expression& e) const {
+    const auto local = scope_.find(e.name);
+    if (local != scope_.end() && !local->second.empty())
+        refuse_call(quoted(e.name) + " is " + to_text(local->second.back()) + " here, not a map", e.offset);
+    const Dimensions* dimensions = map_named(e.name);
+    if (dimensions) return *dimensions;
+    refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
+                    " degree n\"",
+                e.offset);
 }
 
 /// Of a map, or the image of an integer under a permutation.
 Kind Kinds::value(const Expression& e) {
     const auto& arguments = e.groups[0];
     const auto local = scope_.find(e.name);
-    if (local != scope_.end() && !local->second.empty() && local->second.back().name == KindName::permutation) {
+    if (local != scope_.end() && !local->second.empty() &&
+        local->second.back().name == KindName::permutation) {
         if (arguments.size() != 1 || !e.children.empty())
             wrong_arity(arguments.size(), "arguments found, a permutation takes one", e.offset);
         require_integer(arguments[0]);
         return {KindName::integer, 0};
     }
-    const Dimensions* dimensions = map_named(e.name);
-    if (!dimensions) {
-        refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
-                        " degree n\"",
-                    e.offset);
-    }
+    const Dimensions* dimensions = &required_map(e);
     const bool coordinates = dimensions->size() == 1 && dimensions->front() > 1 &&
                              arguments.size() == dimensions->front() && infer(arguments[0]).is_number();
     if (!coordinates && arguments.size() != dimensions->size()) {
         wrong_arity(arguments.size(),
-                    "arguments found, " + e.name + " expects " + std::to_string(dimensions->size()), e.offset);
+                    "arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
+                    e.offset);
     }
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         if (coordinates) {
@@ -188,31 +199,29 @@ void Kinds::orders(const Expression& e, const Dimensions& dimensions) {
             const Kind kind = infer(direction);
             if (kind != Kind{KindName::vector, dimensions[0]}) {
                 refuse_call(to_text(kind) + " found, expected " +
-                                to_text(Kind{KindName::vector, dimensions[0]}) + ", the direction of a derivative",
+                                to_text(Kind{KindName::vector, dimensions[0]}) +
+                                ", the direction of a derivative",
                             direction.offset);
             }
         }
         return;
     }
     if (e.children.size() != dimensions.size()) {
-        wrong_arity(e.children.size(),
-                    "orders of a derivative found, " + e.name + " expects " + std::to_string(dimensions.size()),
-                    e.offset);
+        wrong_arity(
+            e.children.size(),
+            "orders of a derivative found, " + e.name + " expects " + std::to_string(dimensions.size()),
+            e.offset);
     }
     for (const Expression& order : e.children) require_integer(order);
 }
 
 Kind Kinds::blossom(const Expression& e) {
-    const Dimensions* dimensions = map_named(e.name);
-    if (!dimensions) {
-        refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
-                        " degree n\"",
-                    e.offset);
-    }
+    const Dimensions* dimensions = &required_map(e);
     if (e.groups.size() != dimensions->size()) {
-        wrong_arity(e.groups.size(),
-                    "directions of arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
-                    e.offset);
+        wrong_arity(
+            e.groups.size(),
+            "directions of arguments found, " + e.name + " expects " + std::to_string(dimensions->size()),
+            e.offset);
     }
     for (std::size_t i = 0; i < e.groups.size(); ++i) {
         for (const Expression& given : e.groups[i]) member_of_blossom(given, (*dimensions)[i]);
@@ -243,7 +252,11 @@ void Kinds::family(const Expression& e, std::size_t dimension) {
     } else {
         require_set(e.groups[0][0]);
     }
-    for (const Expression& excluded : e.groups[1]) require_integer(excluded);
+    for (const Expression& excluded : e.groups[1]) {
+        if (excluded.kind == ExpressionKind::name && excluded.name == e.name && excluded.children.empty())
+            refuse_call("the index " + e.name + " of the family is compared with itself", excluded.offset);
+        require_integer(excluded);
+    }
     for (const Expression& set : e.groups[2]) require_set(set);
     Scope scope(*this);
     scope.add(e.name, {KindName::integer, 0});
@@ -255,7 +268,8 @@ void Kinds::argument(const Expression& e, std::size_t dimension) {
     if (kind.name == KindName::unknown) return;
     const bool fits = kind.is_number() ? dimension == 1 : kind.is_geometric() && kind.dimension == dimension;
     if (fits) return;
-    refuse_call(to_text(kind) + " found, expected an argument of dimension " + std::to_string(dimension), e.offset);
+    refuse_call(to_text(kind) + " found, expected an argument of dimension " + std::to_string(dimension),
+                e.offset);
 }
 
 Kind Kinds::derivative(const Expression& e) {

@@ -40,11 +40,8 @@ bool is_open_index(const Expression& index) {
     return index.kind == ExpressionKind::name && index.children.empty();
 }
 
-/// Two patterns that fit the same members: open indices have any names.
-bool same_patterns(const Expression& a, const Expression& b) {
-    return std::ranges::equal(a.children, b.children, [](const Expression& x, const Expression& y) {
-        return (is_open_index(x) && is_open_index(y)) || x == y;
-    });
+bool contains_name(const Expression& e) {
+    return e.kind == ExpressionKind::name || std::ranges::any_of(e.children, contains_name);
 }
 
 }  // namespace
@@ -63,8 +60,9 @@ const Declared* Names::family(const std::string& name) const {
     if (found != families_.end()) return &found->second;
     if (clauses_.contains(name)) return nullptr;
     const Declared* declared = bare(name);
-    const bool spreads = declared && (declared->meaning == Meaning::number ||
-                                      declared->meaning == Meaning::point || declared->meaning == Meaning::vector);
+    const bool spreads =
+        declared && (declared->meaning == Meaning::number || declared->meaning == Meaning::point ||
+                     declared->meaning == Meaning::vector);
     return spreads ? declared : nullptr;
 }
 
@@ -75,7 +73,7 @@ const std::vector<const Statement*>* Names::clauses(const std::string& name) con
 
 void Names::declare_bare(const std::string& name, Meaning meaning, const Statement& statement,
                          std::size_t offset) {
-    const bool reserved = name == "delta" || is_function(name) || (name == "D" && meaning == Meaning::map);
+    const bool reserved = name == "delta" || name == "all" || is_function(name) || (name == "D" && meaning == Meaning::map);
     if (reserved) {
         refuse_name(quoted(name) + " is a word of the language and cannot be declared", offset);
     }
@@ -93,7 +91,8 @@ void Names::declare_member(const Expression& name_or_run, Meaning meaning, const
     const bool agrees = family.meaning == meaning &&
                         (family.statements.empty() || family.statements[0]->dimension == statement.dimension);
     if (!agrees) {
-        refuse_name("the members of " + name.name + "_i are declared already, as something else", name.offset);
+        refuse_name("the members of " + name.name + "_i are declared already, as something else",
+                    name.offset);
     }
     if (std::ranges::any_of(family.members, [&](const Expression* known) { return *known == name_or_run; }))
         refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
@@ -109,8 +108,16 @@ void Names::declare_let(const Statement& statement) {
         return;
     }
     auto& clauses = clauses_[name.name];
+    // Two names of indices fit the same members, unless one of them is a parameter.
+    const auto is_any = [&](const Expression& index) {
+        const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
+        return is_open_index(index) && !(known && known->meaning == Meaning::parameter);
+    };
+    const auto same = [&](const Expression& x, const Expression& y) {
+        return (is_any(x) && is_any(y)) || x == y;
+    };
     for (const Statement* known : clauses) {
-        if (same_patterns(known->sides[0], name))
+        if (std::ranges::equal(known->sides[0].children, name.children, same))
             refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
     }
     clauses.push_back(&statement);
@@ -123,7 +130,8 @@ void Names::declare(const Statement& statement) {
             declare_bare(statement.ranges[0].name, meaning, statement, statement.ranges[0].offset);
             break;
         case StatementKind::map:
-            for (const std::string& name : statement.names) declare_bare(name, meaning, statement, statement.offset);
+            for (const std::string& name : statement.names)
+                declare_bare(name, meaning, statement, statement.offset);
             break;
         case StatementKind::polynomial:
             declare_bare(statement.names[0], meaning, statement, statement.offset);
@@ -145,9 +153,10 @@ void Names::declare(const Statement& statement) {
     }
 }
 
-bool has_open_index(const std::vector<const Statement*>& clauses) {
-    return std::ranges::any_of(clauses, [](const Statement* clause) {
-        return std::ranges::any_of(clause->sides[0].children, is_open_index);
+bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t indices) {
+    return std::ranges::any_of(clauses, [&](const Statement* clause) {
+        const auto& patterns = clause->sides[0].children;
+        return patterns.size() == indices && std::ranges::any_of(patterns, contains_name);
     });
 }
 

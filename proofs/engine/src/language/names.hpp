@@ -17,28 +17,30 @@ enum class Meaning { parameter, map, number, point, vector, frame, let };
 struct Declared {
     Meaning meaning = Meaning::number;
     std::vector<const Statement*> statements;
-    std::vector<const Expression*> members;  ///< u_2, u_1..u_n where single members are declared; else all are
+    std::vector<const Expression*>
+        members;  ///< u_2, u_1..u_n where single members are declared; else all are
 };
 
 /// The declarations of a block. The bare name x and the family x_i are different names.
 ///
-/// Errors of the constructor, each with its place: `syntax` for a name that is declared twice and for a word of
-/// the language.
+/// Errors of the constructor, each with its place: `syntax` for a name that is declared twice and for a word
+/// of the language.
 class Names {
 public:
     explicit Names(const Block& block);
 
     /// The declaration of a name without indices, or nullptr.
     const Declared* bare(const std::string& name) const;
-    /// The declaration of the members of a family other than by `let`: their own, or that of the bare name, which
-    /// declares them too unless they have lines `let`.
+    /// The declaration of the members of a family other than by `let`: their own, or that of the bare name,
+    /// which declares them too unless they have lines `let`.
     const Declared* family(const std::string& name) const;
     /// The clauses `let w_{...} = ...`, or nullptr.
     const std::vector<const Statement*>* clauses(const std::string& name) const;
 
 private:
     void declare(const Statement& statement);
-    void declare_bare(const std::string& name, Meaning meaning, const Statement& statement, std::size_t offset);
+    void declare_bare(const std::string& name, Meaning meaning, const Statement& statement,
+                      std::size_t offset);
     void declare_member(const Expression& name_or_run, Meaning meaning, const Statement& statement);
     void declare_let(const Statement& statement);
 
@@ -47,7 +49,8 @@ private:
     std::map<std::string, std::vector<const Statement*>> clauses_;
 };
 
-/// Whether some clause stands for members with any index: one of its indices is a name.
-bool has_open_index(const std::vector<const Statement*>& clauses);
+/// Whether some clause with so many indices has a name among them, so that a member that it does not fit is a
+/// mistake.
+bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t indices);
 
 }  // namespace blossom::proofs

@@ -130,9 +130,10 @@ private:
     /// `some` in front of an expression; a name `some` may begin one.
     bool takes_some() {
         const Token& after = reader_.peek(1);
-        const bool begins = after.kind == TokenKind::identifier || after.kind == TokenKind::number ||
-                            after.text == "<" ||
-                            (after.text == "(" && after.offset > reader_.next().offset + reader_.next().text.size());
+        const bool begins =
+            after.kind == TokenKind::identifier || after.kind == TokenKind::number || after.text == "<" ||
+            after.text == "-" ||
+            (after.text == "(" && after.offset > reader_.next().offset + reader_.next().text.size());
         return begins && reader_.take_word("some");
     }
 

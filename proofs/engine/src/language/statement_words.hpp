@@ -9,11 +9,11 @@
 namespace blossom::proofs {
 
 inline constexpr std::pair<StatementKind, std::string_view> statement_words[] = {
-    {StatementKind::parameter, "for"}, {StatementKind::map, "map"},         {StatementKind::point, "point"},
-    {StatementKind::vector, "vector"}, {StatementKind::frame, "frame"},     {StatementKind::number, "number"},
-    {StatementKind::polynomial, "poly"}, {StatementKind::raise, "raise"},
-    {StatementKind::let, "let"},       {StatementKind::assume, "assume"},   {StatementKind::given, "given"},
-    {StatementKind::claim, "claim"},   {StatementKind::refute, "refute"},
+    {StatementKind::parameter, "for"},   {StatementKind::map, "map"},     {StatementKind::point, "point"},
+    {StatementKind::vector, "vector"},   {StatementKind::frame, "frame"}, {StatementKind::number, "number"},
+    {StatementKind::polynomial, "poly"}, {StatementKind::raise, "raise"}, {StatementKind::let, "let"},
+    {StatementKind::assume, "assume"},   {StatementKind::given, "given"}, {StatementKind::claim, "claim"},
+    {StatementKind::refute, "refute"},
 };
 
 inline std::optional<StatementKind> find_statement(std::string_view word) {

@@ -14,9 +14,9 @@ struct Warning {
     std::string message;
 };
 
-/// Names of a block that nothing declares and that occur once, or resemble a name that is known: each stands for any
-/// number, and may be misspelt. None for a strict block, where such a name is an error. Cost: the square of the number of
-/// names. Errors: those of the declarations.
+/// Names of a block that nothing declares and that occur once, or resemble a name that is known: each stands
+/// for any number, and may be misspelt. None for a strict block, where such a name is an error. Cost: the
+/// square of the number of names. Errors: those of the declarations.
 std::vector<Warning> doubtful_names(const Block& block);
 
 }  // namespace blossom::proofs

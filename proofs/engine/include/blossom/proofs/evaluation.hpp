@@ -10,8 +10,8 @@
 
 namespace blossom::proofs {
 
-/// Values of nodes where every symbol has a number: exact arithmetic from the definitions. Only what is differentiated
-/// is expanded.
+/// Values of nodes where every symbol has a number: exact arithmetic from the definitions. Only what is
+/// differentiated is expanded.
 class Evaluator {
 public:
     Evaluator(const GroundBlock& block, std::span<const Rational> symbols)

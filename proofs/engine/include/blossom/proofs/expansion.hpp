@@ -3,6 +3,8 @@
 #include <blossom/proofs/fraction.hpp>
 #include <blossom/proofs/ground.hpp>
 
+#include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -10,8 +12,8 @@ namespace blossom::proofs {
 
 /// Expands nodes to rational functions of the symbols: symbol i is variable i.
 ///
-/// Blossoms in one variable are the engine's own construction, run on symbolic arguments; over simplices they are
-/// the definition, `polar_form`.
+/// Blossoms in one variable are the engine's own construction, run on symbolic arguments; over simplices they
+/// are the definition, `polar_form`.
 ///
 /// What a node comes to is given up when all that is made of it is there, and sums take their summands one
 /// after the other: of a sum over many values only a few are there at a time.
@@ -20,7 +22,16 @@ namespace blossom::proofs {
 class Expander {
 public:
     Expander(const GroundBlock& block, const Limits& limits)
-        : block_(block), limits_(limits), field_(limits) {}
+        : block_(block),
+          limits_(limits),
+          own_field_(std::make_unique<FractionField>(limits)),
+          field_(*own_field_) {}
+    /// Expands in the field of another one, with polynomials in the place of some symbols.
+    Expander(const Expander& other, std::map<std::size_t, SparsePolynomial> replaced)
+        : block_(other.block_),
+          limits_(other.limits_),
+          field_(other.field_),
+          replaced_(std::move(replaced)) {}
 
     Fraction operator()(NodeId node);
     FractionField& field() { return field_; }
@@ -44,7 +55,9 @@ private:
 
     const GroundBlock& block_;
     const Limits& limits_;
-    FractionField field_;
+    std::unique_ptr<FractionField> own_field_;
+    FractionField& field_;
+    std::map<std::size_t, SparsePolynomial> replaced_;
     std::vector<std::optional<Fraction>> known_;
     std::vector<std::size_t> uses_;  ///< that are still to come
     std::vector<bool> was_known_;

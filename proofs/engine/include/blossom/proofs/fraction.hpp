@@ -27,8 +27,8 @@ struct Fraction {
 /// that have stood in a denominator: these are the conditions of what was computed.
 ///
 /// Fractions come out without a factor that stands in numerator and denominator, if their operands are such.
-/// Only what can cancel is tried: in a product the factors of one denominator in the other numerator, in a sum
-/// those that occur in two denominators equally often.
+/// Only what can cancel is tried: in a product the factors of one denominator in the other numerator, in a
+/// sum those that occur in two denominators equally often.
 ///
 /// Every operation predicts its cost and counts it: `limit_exceeded` beyond `expansion_terms` terms of one
 /// polynomial or `expansion_work` term operations of all together.

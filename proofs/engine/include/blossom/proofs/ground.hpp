@@ -55,36 +55,41 @@ std::vector<std::vector<std::size_t>> monomials(const Direction& direction);
 /// fastest.
 std::vector<std::vector<std::size_t>> monomials(const std::vector<Direction>& directions);
 
-/// A map: for every product of monomials, with one monomial per direction, the coefficient; the last direction
-/// runs fastest. A map that is given by its net has the barycentric coordinates of its frame as variables, the
-/// first of them in the place of the mass.
+/// A map: for every product of monomials, with one monomial per direction, the coefficient; the last
+/// direction runs fastest. A map that is given by its net has the barycentric coordinates of its frame as
+/// variables, the first of them in the place of the mass.
 struct GroundMap {
     std::string name;
     std::vector<Direction> directions;
     std::vector<NodeId> coefficients;
     std::vector<NodeId> conditions = {};  ///< what must not vanish for the map to be defined
-    std::vector<std::vector<NodeId>> barycentric = {};  ///< of a net: the rows that take (x_1, ..., x_s, mass) there
+    std::vector<std::vector<NodeId>> barycentric =
+        {};  ///< of a net: the rows that take (x_1, ..., x_s, mass) there
 };
 
-/// p(...) at one argument per direction; p[...] at `degree` arguments per direction; or a derivative, which is
-/// `scale` times the blossom of its arguments.
+/// p(...) at one argument per direction; p[...] at `degree` arguments per direction; or a derivative, which
+/// is `scale` times the blossom of its arguments.
 struct Application {
     enum class Form { value, blossom, derivative };
     std::size_t map = 0;
     Form form = Form::value;
     Rational scale = 1;
-    std::vector<std::size_t> orders = {};     ///< of a derivative: how many of the last arguments are directions
-    std::vector<NodeArgument> places = {};    ///< of a derivative: where it is taken
+    std::vector<std::size_t> orders = {};  ///< of a derivative: how many of the last arguments are directions
+    std::vector<NodeArgument> places = {};  ///< of a derivative: where it is taken
     std::vector<std::vector<NodeArgument>> arguments = {};
     std::size_t offset = 0;
 };
 
-/// A variable: a number of the text, a coordinate, or a coefficient of a map. Bound variables are those of a `poly` and of
-/// `for all`, which may have the name of another one.
+/// A variable: a number of the text, a coordinate, or a coefficient of a map. Bound variables are those of a
+/// `poly` and of `for all`, which may have the name of another one.
 struct Symbol {
     std::string name;
     bool is_coefficient = false;
     bool is_bound = false;
+    bool is_control_point = false;  ///< of a map that is given by its net
+
+    /// Whether the values of a map are linear in it.
+    bool is_map_value() const { return is_coefficient || is_control_point; }
 };
 
 struct Relation {
@@ -93,8 +98,8 @@ struct Relation {
     std::size_t statement = 0;  ///< its number in the block
     std::size_t offset = 0;
     std::vector<std::size_t> quantified;  ///< symbols of a hypothesis that holds for all their values
-    Parameters parameters;  ///< of the ranges in the line itself
-    std::optional<Error> error;  ///< of a claim that means nothing for these parameters
+    Parameters parameters;                ///< of the ranges in the line itself
+    std::optional<Error> error;           ///< of a claim that means nothing for these parameters
 };
 
 struct GroundBlock {
@@ -118,6 +123,10 @@ std::set<NodeId> divisors_below(const GroundBlock& block, const std::vector<Node
 /// Every choice of the integer parameters of a block, in order: the first parameter varies slowest.
 /// Errors: `limit_exceeded` beyond `limits.expansion_terms` of them; those of the bounds.
 std::vector<Parameters> parameter_choices(const Block& block, const Limits& limits);
+
+/// The lines `claim` and `refute`, by their numbers in the block, whose kinds do not fit. Errors: those of
+/// the declarations and other lines.
+std::set<std::size_t> unfit_claims(const Block& block, const Parameters& parameters, const Limits& limits);
 
 /// The block at one choice. Cost: the size of the result. Errors, each with its offset: `syntax` for names
 /// that are not known and what does not fit together; `wrong_arity`; `limit_exceeded`.

@@ -29,21 +29,23 @@ struct WitnessValue {
     std::string command;  ///< "blossom blossom \"t^2\" --degree 3 --at 0,1,delta", or empty
 };
 
-/// Where a claim fails: every map and variable of the claim, its hypotheses and its assumptions, and both sides there.
+/// Where a claim fails: every map and variable of the claim, its hypotheses and its assumptions, and both
+/// sides there.
 struct Counterexample {
     Parameters parameters;
     std::vector<WitnessMap> maps;
     std::vector<std::pair<std::string, Rational>> variables;
-    std::vector<std::string> roots;  ///< "w^2 - 1/2 == 0": variables without a rational value, by their relations
-    std::string left;                ///< a number, or an expression in variables without one
+    std::vector<std::string>
+        roots;         ///< "w^2 - 1/2 == 0": variables without a rational value, by their relations
+    std::string left;  ///< a number, or an expression in variables without one
     std::string right;
     std::vector<WitnessValue> values;
 };
 
 enum class Verdict {
-    proved,     ///< for all maps of the degrees and all values of the variables, on both roads
-    refuted,    ///< with a counterexample
-    undecided,  ///< with an error: what the statement says is not defined, does not fit, or exceeds a limit
+    proved,       ///< for all maps of the degrees and all values of the variables, on both roads
+    refuted,      ///< with a counterexample
+    undecided,    ///< with an error: what the statement says is not defined, does not fit, or exceeds a limit
     disagreement  ///< with an error: the two roads came to different ends, so one of them is wrong
 };
 
@@ -83,7 +85,8 @@ struct Decision {
     Expectation expectation = Expectation::proof;
     std::vector<CaseDecision> cases;
 
-    /// The worst of all cases: a disagreement, then refuted, then undecided, which a line without cases is too.
+    /// The worst of all cases: a disagreement, then refuted, then undecided, which a line without cases is
+    /// too.
     Verdict verdict() const;
     bool as_expected() const;
     std::size_t terms() const;
@@ -110,17 +113,20 @@ struct DecisionOptions {
     ProofListener on_proof;
 };
 
-/// Decides every claim and refutation of a block, for every choice of the parameters, exactly and on two roads.
+/// Decides every claim and refutation of a block, for every choice of the parameters, exactly and on two
+/// roads.
 ///
-/// First road: both sides are expanded to rational functions of the coefficients and the variables, and the hypotheses
-/// are solved, with a case of its own for every pivot that may vanish. A case is proved when the difference of the
-/// sides is zero in every branch; otherwise a counterexample is found in one that it is not. Second road: the text of
-/// the block is read anew by code that shares nothing with this, both sides are evaluated at points that satisfy the
-/// hypotheses, and the certificate of the case is checked from the text; a counterexample is evaluated there too. A
-/// verdict is what both say. See docs/identity-language.md.
+/// First road: both sides are expanded to rational functions of the coefficients and the variables, and the
+/// hypotheses are solved, with a case of its own for every pivot that may vanish. A case is proved when the
+/// difference of the sides is zero in every branch; otherwise a counterexample is found in one that it is
+/// not. Second road: the text of the block is read anew by code that shares nothing with this, both sides are
+/// evaluated at points that satisfy the hypotheses, and the certificate of the case is checked from the text;
+/// a counterexample is evaluated there too. A verdict is what both say. See docs/identity-language.md.
 ///
-/// Cost: that of the expansions, within `limits.expansion_terms` and `limits.expansion_work` for each case. Errors are
-/// in the decisions, each with its offset in the text; an error in one case leaves the others alone.
-std::vector<Decision> decide(const Block& block, const Limits& limits = {}, const DecisionOptions& options = {});
+/// Cost: that of the expansions, within `limits.expansion_terms` and `limits.expansion_work` for each case.
+/// Errors are in the decisions, each with its offset in the text; an error in one case leaves the others
+/// alone.
+std::vector<Decision> decide(const Block& block, const Limits& limits = {},
+                             const DecisionOptions& options = {});
 
 }  // namespace blossom::proofs

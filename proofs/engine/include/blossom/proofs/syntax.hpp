@@ -22,7 +22,8 @@ enum class ExpressionKind {
     point,       ///< (x, y): the point with these coordinates
     call,        ///< a function of the language; name; children: its arguments
     comparison,  ///< i == j, i in S and the like, in if(...); name: the sign
-    value,       ///< b(t), b'(t), D(b, k)(t); name: the map; children: orders or directions; groups[0]: the arguments
+    value,       ///< b(t), b'(t), D(b, k)(t); name: the map; children: orders or directions; groups[0]: the
+                 ///< arguments
     derivative,  ///< D(e, t, k): the derivative of an expression; children: e, t and, if written, k
     blossom,     ///< b[...]; name: the map; groups: the arguments, one list a direction
     copies,      ///< t{k} among arguments
@@ -57,12 +58,12 @@ struct Range {
 };
 
 enum class StatementKind {
-    parameter,   ///< for: ranges[0]
-    map,         ///< names; expressions: the degrees; dimension: that of `on simplex s`; net and frame, if given
-    point,       ///< expressions: names and runs; dimension
-    vector,      ///< the same
-    frame,       ///< the same, names only
-    number,      ///< expressions: names and runs
+    parameter,  ///< for: ranges[0]
+    map,     ///< names; expressions: the degrees; dimension: that of `on simplex s`; net and frame, if given
+    point,   ///< expressions: names and runs; dimension
+    vector,  ///< the same
+    frame,   ///< the same, names only
+    number,  ///< expressions: names and runs
     polynomial,  ///< names: P and its variables; expressions: the degrees; left: the polynomial
     raise,       ///< names: p, q; expressions: the degrees
     let,         ///< left: the name with its index patterns; right: the expression

@@ -1,6 +1,6 @@
 #include "point_search.hpp"
 
-#include "second_evaluation.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
 
 #include <blossom/rational/error.hpp>
 
@@ -15,7 +15,23 @@ constexpr std::size_t length_of_series = 12;
 
 }  // namespace
 
-bool PointSearch::solve_by_root(const Equation& equation) {
+// Equations that are linear in a symbol come first: what is solved by a root takes a symbol that they may
+// need.
+std::optional<PointSearch::Equation> PointSearch::unsolved(std::vector<Equation> equations) {
+    while (!equations.empty()) {
+        const auto solves = [&](bool only_linear) {
+            const auto solved = std::ranges::find_if(
+                equations, [&](const Equation& equation) { return solve_by_root(equation, only_linear); });
+            if (solved == equations.end()) return false;
+            equations.erase(solved);
+            return true;
+        };
+        if (!solves(true) && !solves(false)) return equations.front();
+    }
+    return std::nullopt;
+}
+
+bool PointSearch::solve_by_root(const Equation& equation, bool only_linear) {
     if (residual(equation).is_zero()) return true;
     std::vector<std::pair<std::string, PointPolynomial>> nonlinear;
     const std::vector<std::string> names = candidates(equation);
@@ -34,6 +50,7 @@ bool PointSearch::solve_by_root(const Equation& equation) {
             if (error.code() != ErrorCode::division_by_zero) throw;
         }
     }
+    if (only_linear) return false;
     for (const auto& [name, polynomial] : nonlinear) {
         try {
             const Algebra& algebra = field_.algebra();

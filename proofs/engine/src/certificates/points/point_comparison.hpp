@@ -1,6 +1,6 @@
 #pragma once
 
-#include "second_reading.hpp"
+#include "certificates/reading/second_reading.hpp"
 
 #include <cstddef>
 #include <cstdint>

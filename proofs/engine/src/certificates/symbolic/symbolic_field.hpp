@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +39,8 @@ public:
     Element number(const Rational& value);
     /// The symbol of this name.
     Element symbol(const std::string& name);
+    /// From now on the symbol of this name is what is given here.
+    void replace(const std::string& name, const Element& by);
     /// A symbol that no name stands for.
     Element bound(const std::string& name);
     Element sum(const Element& a, const Element& b);
@@ -102,6 +105,7 @@ private:
     Element replaced(const Element& a, std::size_t symbol, const Element& by);
 
     Budget budget_;
+    std::map<std::string, std::shared_ptr<const Element>> replaced_;
     std::vector<std::string> names_;
     std::vector<std::size_t> hidden_symbols_;  ///< ascending
     std::unordered_map<std::string, std::size_t> numbers_;

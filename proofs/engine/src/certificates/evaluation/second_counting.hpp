@@ -1,6 +1,6 @@
 #pragma once
 
-#include "second_reading.hpp"
+#include "certificates/reading/second_reading.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -115,7 +115,7 @@ public:
     const Clause* fitting_clause(std::uint32_t abbreviation, const std::vector<long long>& indices,
                                  Scope& scope);
     /// Whether a member which no clause fits is an error: some pattern has a name.
-    bool needs_clause(std::uint32_t abbreviation) const;
+    bool needs_clause(std::uint32_t abbreviation, std::size_t indices) const;
     /// Whether a declared family has this member, as far as its lines say.
     bool is_declared(const Declaration& declaration, const std::vector<long long>& indices);
 

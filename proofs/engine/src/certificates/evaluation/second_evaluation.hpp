@@ -1,8 +1,8 @@
 #pragma once
 
+#include "certificates/reading/second_reading.hpp"
 #include "second_counting.hpp"
 #include "second_maps.hpp"
-#include "second_reading.hpp"
 
 #include <blossom/rational/error.hpp>
 

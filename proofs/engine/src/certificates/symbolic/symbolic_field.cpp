@@ -54,7 +54,13 @@ SymbolicField::Element SymbolicField::checked(Rational number) {
 SymbolicField::Element SymbolicField::number(const Rational& value) { return Element(value); }
 
 SymbolicField::Element SymbolicField::symbol(const std::string& name) {
+    const auto replaced = replaced_.find(name);
+    if (replaced != replaced_.end()) return *replaced->second;
     return fraction(PlainPolynomial::symbol(number_of_or_new(name)), {});
+}
+
+void SymbolicField::replace(const std::string& name, const Element& by) {
+    replaced_.insert_or_assign(name, std::make_shared<const Element>(by));
 }
 
 SymbolicField::Element SymbolicField::bound(const std::string& name) {

@@ -1,7 +1,7 @@
 #include "point_comparison.hpp"
 
+#include "certificates/evaluation/second_evaluation.hpp"
 #include "point_search.hpp"
-#include "second_evaluation.hpp"
 
 #include <blossom/rational/error.hpp>
 

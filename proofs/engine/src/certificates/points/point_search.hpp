@@ -1,8 +1,8 @@
 #pragma once
 
+#include "certificates/reading/second_reading.hpp"
 #include "point_algebra.hpp"
 #include "point_polynomial.hpp"
-#include "second_reading.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -44,7 +44,9 @@ private:
     bool may_move(const std::string& name) const;
 
     // One equation after the other.
-    bool solve_by_root(const Equation& equation);
+    /// With `only_linear` nothing is done where every symbol has more than one root.
+    bool solve_by_root(const Equation& equation, bool only_linear);
+    std::optional<Equation> unsolved(std::vector<Equation> equations);
     std::vector<std::string> candidates(const Equation& equation) const;
     std::optional<PointPolynomial> numerator(const Equation& equation, const std::string& symbol);
     std::vector<AlgebraNumber> series(const Equation& equation, const std::string& symbol);

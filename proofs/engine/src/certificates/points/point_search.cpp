@@ -1,6 +1,6 @@
 #include "point_search.hpp"
 
-#include "second_evaluation.hpp"
+#include "certificates/evaluation/second_evaluation.hpp"
 
 #include <blossom/rational/error.hpp>
 
@@ -44,6 +44,7 @@ std::string PointSearch::run() {
     if (!reading_.hypotheses().empty()) {
         find_symbols();
         std::vector<std::size_t> linear;
+        std::vector<Equation> equations;
         for (std::size_t line = 0; line < symbols_.size(); ++line) {
             const bool has_map_value = std::ranges::any_of(
                 symbols_[line], [&](const std::string& name) { return reading_.is_map_value(name); });
@@ -52,13 +53,11 @@ std::string PointSearch::run() {
                 continue;
             }
             const std::size_t count = residuals(line).size();
-            for (std::size_t place = 0; place < count; ++place) {
-                if (!solve_by_root({line, place})) {
-                    return "hypothesis " + std::to_string(line + 1) + " was not solved for a symbol";
-                }
-            }
+            for (std::size_t place = 0; place < count; ++place) equations.push_back({line, place});
             fixed_.insert(symbols_[line].begin(), symbols_[line].end());
         }
+        if (const std::optional<Equation> left = unsolved(std::move(equations)))
+            return "hypothesis " + std::to_string(left->line + 1) + " was not solved for a symbol";
         const std::string problem = solve_linear(linear);
         if (!problem.empty()) return problem;
     }

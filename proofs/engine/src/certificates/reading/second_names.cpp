@@ -133,8 +133,9 @@ void NameTable::resolve_maps() {
         if (map.kind != MapDeclaration::Kind::polynomial && map.kind != MapDeclaration::Kind::net) continue;
         for (const std::uint32_t variable : map.variables) {
             const auto known = bare_.find(variable);
-            const bool is_number = known != bare_.end() && known->second.meaning == Meaning::declared &&
-                                   reading_.declarations_[known->second.target].kind == Declaration::Kind::number;
+            const bool is_number =
+                known != bare_.end() && known->second.meaning == Meaning::declared &&
+                reading_.declarations_[known->second.target].kind == Declaration::Kind::number;
             if (known != bare_.end() && !is_number) {
                 throw Error(ErrorCode::syntax,
                             quoted_name(variable) + " is declared, so that it is no variable of a polynomial",

@@ -1,6 +1,6 @@
 #include "point_algebra.hpp"
 
-#include "second_counting.hpp"
+#include "certificates/evaluation/second_counting.hpp"
 
 #include <blossom/rational/error.hpp>
 

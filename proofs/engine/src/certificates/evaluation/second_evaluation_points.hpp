@@ -101,7 +101,8 @@ typename Evaluation<Field>::Geometric Evaluation<Field>::geometric_terms(const N
     std::size_t i = 1;
     for (; !is_geometric(node.children[i]); ++i) {
         const Element next = number(node.children[i], scope);
-        number_in_front = node.flags[i] ? difference(number_in_front, next) : field_.sum(number_in_front, next);
+        number_in_front =
+            node.flags[i] ? difference(number_in_front, next) : field_.sum(number_in_front, next);
     }
     Geometric total = point_of_number(std::move(number_in_front));
     for (; i < node.children.size(); ++i)
@@ -250,7 +251,7 @@ typename Evaluation<Field>::Value Evaluation<Field>::abbreviation(const Node& no
     const std::string& family = reading_.name(let.name);
     if (clause == nullptr) {
         if (let.declaration) return declared_member(node, *let.declaration, indices);
-        if (counting_.needs_clause(node.target) || reading_.strict()) {
+        if (counting_.needs_clause(node.target, indices.size()) || reading_.strict()) {
             fail(ErrorCode::syntax, "no line \"let\" fits " + name_of_member(family, indices), node.offset);
         }
         if (let.kind == Kind::geometric) {

@@ -28,15 +28,16 @@ const Clause* Counting::fitting_clause(std::uint32_t abbreviation, const std::ve
     return nullptr;
 }
 
-bool Counting::needs_clause(std::uint32_t abbreviation) const {
+bool Counting::needs_clause(std::uint32_t abbreviation, std::size_t indices) const {
     const std::function<bool(NodeId)> has_name = [&](NodeId id) {
         const Node& node = reading_.node(id);
         return node.form == Form::name || std::ranges::any_of(node.children, has_name);
     };
     return std::ranges::any_of(reading_.abbreviations()[abbreviation].clauses, [&](const Clause& clause) {
-        return std::ranges::any_of(clause.patterns, [&](const std::optional<NodeId>& pattern) {
+        const auto names_any = [&](const std::optional<NodeId>& pattern) {
             return !pattern || has_name(*pattern);
-        });
+        };
+        return clause.patterns.size() == indices && std::ranges::any_of(clause.patterns, names_any);
     });
 }
 

@@ -1,6 +1,6 @@
 #include "second_reading.hpp"
 
-#include "second_counting.hpp"
+#include "certificates/evaluation/second_counting.hpp"
 #include "second_names.hpp"
 #include "second_parser.hpp"
 
