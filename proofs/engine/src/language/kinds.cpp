@@ -295,7 +295,7 @@ Kind Kinds::member(const Expression& e) {
     const auto local = family_scope_.find(e.name);
     if (local != family_scope_.end() && !local->second.empty()) return local->second.back();
     const auto* clauses = names_.clauses(e.name);
-    if (clauses && may_fit(*clauses, e)) return family_lets_[e.name];
+    if (clauses && (may_fit(*clauses, e) || family_lets_[e.name].is_geometric())) return family_lets_[e.name];
     if (const Declared* known = names_.family(e.name)) return declared(*known);
     if (block_.strict)
         refuse_kind(quoted(e.name) + "_i is not declared; in a strict text every name is", e.offset);
