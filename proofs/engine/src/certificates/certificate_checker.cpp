@@ -179,7 +179,7 @@ private:
         if (branch.end != Branch::End::split && !branch.branches.empty()) return wrong("an end has branches");
         switch (branch.end) {
             case Branch::End::agree:
-                agrees_somewhere_ = true;
+                if (!state.is_impossible()) agrees_somewhere_ = true;
                 return state.agrees() ? "" : wrong("the two sides do not reduce to the same");
             case Branch::End::impossible:
                 return state.is_impossible() ? "" : wrong("nothing shows that the branch is impossible");

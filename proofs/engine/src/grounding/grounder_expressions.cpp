@@ -369,7 +369,8 @@ Value Grounder::without_clause(const std::string& full, const Expression& e) {
         return variable(full, declared, e.offset);
     }
     if (text_->strict || has_open_index(*names_->clauses(e.name), e.children.size()) ||
-        kinds_->of_family(e.name).name != KindName::number) {
+        kinds_->of_family(e.name).is_geometric() ||
+        (may_fit(*names_->clauses(e.name), e) && kinds_->of_family(e.name).name != KindName::number)) {
         std::string reason;
         for (const Statement* clause : *names_->clauses(e.name)) {
             for (const Expression& index : clause->sides[0].children) {

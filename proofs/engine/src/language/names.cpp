@@ -166,4 +166,19 @@ bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t in
     });
 }
 
+bool may_fit(const std::vector<const Statement*>& clauses, const Expression& member) {
+    const auto differ = [](const Expression& pattern, const Expression& index) {
+        return pattern.kind == ExpressionKind::number && index.kind == ExpressionKind::number &&
+               pattern.name != index.name;
+    };
+    return std::ranges::any_of(clauses, [&](const Statement* clause) {
+        const auto& patterns = clause->sides[0].children;
+        if (patterns.size() != member.children.size()) return false;
+        for (std::size_t i = 0; i < patterns.size(); ++i) {
+            if (differ(patterns[i], member.children[i])) return false;
+        }
+        return true;
+    });
+}
+
 }  // namespace blossom::proofs
