@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace blossom::proofs::second {
 
@@ -59,8 +60,7 @@ public:
             field_.require_nonzero(apart);
         }
         expand_sides(reading);
-        nonzero_ = field_.divisors();
-        symbols_ = field_.names().size();
+        note_divisors_and_symbols();
     }
 
     std::string problem() {
@@ -104,6 +104,12 @@ private:
         Evaluation<SymbolicField> evaluation(reading, certificate_.which, field_);
         const SymbolicField::Element left = evaluation.left();
         difference_ = field_.numerator(field_.sum(left, field_.negative(evaluation.right())));
+    }
+
+    /// Those of the case, before conditions add others.
+    void note_divisors_and_symbols() {
+        nonzero_ = field_.divisors();
+        symbols_ = field_.names().size();
     }
 
     bool gives_polynomial(const Step& step) {
@@ -265,7 +271,7 @@ std::pair<std::size_t, std::vector<std::pair<std::string, long long>>> key_of(co
 }  // namespace
 
 struct CertificateChecker::Text {
-    Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
+    Text(std::string of, const Limits& limits) : text(std::move(of)), reading(text, limits) {
         for (Case& which : reading.cases()) {
             keys.insert(key_of(which));
             if (reading.claims()[which.line].kind == Statement::Kind::claim)

@@ -21,6 +21,8 @@ public:
     ~CertificateChecker();
     CertificateChecker(const CertificateChecker&) = delete;
     CertificateChecker& operator=(const CertificateChecker&) = delete;
+    CertificateChecker(CertificateChecker&&) = delete;
+    CertificateChecker& operator=(CertificateChecker&&) = delete;
 
     /// Nothing if the certificate proves its case; otherwise a sentence that says what is wrong.
     std::string problem_of(const Certificate& certificate);

@@ -122,6 +122,7 @@ private:
             if (power.total_degree() > 0) return leave(symbol);
         }
         std::vector<Rational> coefficients;
+        coefficients.reserve(powers.size());
         for (const SparsePolynomial& power : powers)
             coefficients.push_back(power.is_zero() ? Rational(0) : power.coefficient(0));
         if (coefficients.size() == 2) {

@@ -349,6 +349,7 @@ bool Grounder::binds(const Statement& clause, const std::vector<long long>& indi
 
 bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, const Expression& e) {
     std::vector<long long> indices;
+    indices.reserve(e.children.size());
     for (const Expression& index : e.children) indices.push_back(integer(index));
     const Bindings outer = bound_;
     const bool fits = std::ranges::any_of(clauses, [&](const Statement* clause) {

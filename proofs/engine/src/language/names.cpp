@@ -117,7 +117,7 @@ void Names::declare_let(const Statement& statement) {
     // Two names of indices fit the same members, unless one of them is a parameter.
     const auto is_any = [&](const Expression& index) {
         const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
-        return is_open_index(index) && !(known && known->meaning == Meaning::parameter);
+        return is_open_index(index) && (!known || known->meaning != Meaning::parameter);
     };
     const auto same = [&](const Expression& x, const Expression& y) {
         return (is_any(x) && is_any(y)) || x == y;
