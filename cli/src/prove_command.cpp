@@ -13,6 +13,7 @@
 
 #include "decisions.hpp"
 #include "json_text.hpp"
+#include "operations/map_options.hpp"
 #include "proof_certificate.hpp"
 #include "prove/proof_records.hpp"
 #include "prove/proof_task.hpp"
@@ -152,10 +153,11 @@ Outcome format_all(const std::vector<ProofText>& texts, const Streams& streams) 
 
 /// One line of JSON a claim.
 Json line_of(const ProofTask& task, const proofs::Decision& decision) {
-    Json line = Json::Object{{"id", task.block->id},
-                             {"file", task.text->name},
-                             {"line", task.text->line(decision.offset)},
-                             {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
+    Json line =
+        Json::Object{{"id", task.block->id},
+                     {"file", task.text->name},
+                     {"line", task.text->line(decision.offset)},
+                     {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
     const Json result = to_json(*task.block, decision);
     for (const auto& [name, value] : *result.object()) line[name] = value;
     Json::Array warnings;
@@ -187,6 +189,8 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
                                    line.confirmed ? "confirmed" : "open",
                                    line.id.empty() ? "a statement without a name" : line.id, line.line + 1,
                                    line.proved, line.cases));
+        if (!line.where.empty())
+            streams.output(fmt::format("    only where {}\n", fmt::join(line.where, ", ")));
         if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
     }
     streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));

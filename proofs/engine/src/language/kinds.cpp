@@ -134,7 +134,7 @@ Kind Kinds::clause_kind(const Statement& clause) {
     for (const Expression& index : clause.sides[0].children) {
         const bool open = index.kind == ExpressionKind::name && index.children.empty();
         const Declared* known = open ? names_.bare(index.name) : nullptr;
-        if (open && !(known && known->meaning == Meaning::parameter)) {
+        if (open && (!known || known->meaning != Meaning::parameter)) {
             scope.add(index.name, integer_kind);
         } else {
             require_integer(index);
@@ -294,7 +294,8 @@ Kind Kinds::member(const Expression& e) {
     for (const Expression& index : e.children) require_integer(index);
     const auto local = family_scope_.find(e.name);
     if (local != family_scope_.end() && !local->second.empty()) return local->second.back();
-    if (names_.clauses(e.name)) return family_lets_[e.name];
+    const auto* clauses = names_.clauses(e.name);
+    if (clauses && (may_fit(*clauses, e) || family_lets_[e.name].is_geometric())) return family_lets_[e.name];
     if (const Declared* known = names_.family(e.name)) return declared(*known);
     if (block_.strict)
         refuse_kind(quoted(e.name) + "_i is not declared; in a strict text every name is", e.offset);
