@@ -230,11 +230,14 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
         // point.
         if (with_maps && !block_.symbols[i].is_map_value() && cofactor.total_degree() > 0) continue;
         Candidate candidate{equation, {i, 1, polynomial}, {}};
+        bool vanishes = false;
         for (const std::size_t factor : factors_of(cofactor)) {
+            vanishes = vanishes || state.zero.contains(factor);
             if (state.nonzero.contains(factor)) continue;
             candidate.doubtful.push_back(factor);
             candidate.doubt += expander_.field().factors()[factor].size();
         }
+        if (vanishes) continue;
         candidate.size = cofactor.size();
         for (const Equation& other : state.equations)
             candidate.elsewhere += other.polynomial.degree_in(i) > 0 ? 1U : 0U;
@@ -343,6 +346,7 @@ void Elimination::split(Branch& branch, BranchState state, const Candidate& cand
     BranchState& zero = branch.branches[1].state;
     zero = state;
     zero.by_split = true;
+    zero.zero.insert(candidate.doubtful.front());
     zero.equations.push_back({branch.pivot, state.equations[candidate.equation].offset});
     state.nonzero.insert(candidate.doubtful.front());
     branch.branches[0].state = std::move(state);

@@ -212,12 +212,6 @@ Value Grounder::variable(const std::string& full, const Declared* declared, std:
         return result;
     }
     // The first point of a frame is the origin, the others are the unit points.
-    if (statement.expressions.size() != dimension + 1) {
-        refuse("a frame of a space of dimension " + std::to_string(dimension) + " has " +
-                   std::to_string(dimension + 1) + " points, not " +
-                   std::to_string(statement.expressions.size()),
-               statement.offset);
-    }
     std::size_t position = 0;
     while (statement.expressions[position].name != full) {
         if (++position == statement.expressions.size())

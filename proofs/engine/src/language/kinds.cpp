@@ -151,11 +151,13 @@ Kind Kinds::clause_kind(const Statement& clause) {
 void Kinds::check(const Statement& statement) {
     switch (statement.kind) {
         case StatementKind::parameter:
+        case StatementKind::let:
+            break;
         case StatementKind::number:
         case StatementKind::frame:
         case StatementKind::point:
         case StatementKind::vector:
-        case StatementKind::let:
+            check_members(statement);
             break;
         case StatementKind::map:
             for (const Expression& degree : statement.expressions) require_integer(degree);
@@ -179,6 +181,25 @@ void Kinds::check(const Statement& statement) {
             break;
         default:
             check_relation(statement);
+    }
+}
+
+void Kinds::check_members(const Statement& statement) {
+    for (const Expression& name : statement.expressions) {
+        const bool run = name.kind == ExpressionKind::run;
+        for (const Expression& end : run ? name.children : std::vector<Expression>{name}) {
+            for (const Expression& index : end.children) require_integer(index);
+        }
+        if (statement.kind == StatementKind::frame && (run || !name.children.empty()))
+            refuse_kind("the points of a frame have names without indices", name.offset);
+    }
+    if (statement.kind != StatementKind::frame) return;
+    const std::size_t dimension = count_(statement.dimension[0]);
+    if (statement.expressions.size() != dimension + 1) {
+        refuse_kind("a frame of a space of dimension " + std::to_string(dimension) + " has " +
+                        std::to_string(dimension + 1) + " points, not " +
+                        std::to_string(statement.expressions.size()),
+                    statement.offset);
     }
 }
 

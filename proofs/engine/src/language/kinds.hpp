@@ -92,6 +92,7 @@ private:
     void infer_abbreviations(const Block& block);
     Kind clause_kind(const Statement& clause);
     void check(const Statement& statement);
+    void check_members(const Statement& statement);
     void check_polynomial(const Statement& statement);
     void check_relation(const Statement& statement);
     void add_map(const std::string& name, Dimensions dimensions) { maps_[name] = std::move(dimensions); }
