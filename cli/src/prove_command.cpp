@@ -13,6 +13,7 @@
 
 #include "decisions.hpp"
 #include "json_text.hpp"
+#include "operations/map_options.hpp"
 #include "proof_certificate.hpp"
 #include "prove/proof_records.hpp"
 #include "prove/proof_task.hpp"
