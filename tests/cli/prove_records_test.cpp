@@ -107,9 +107,9 @@ TEST_CASE("a report for JUnit counts what is not as expected") {
     </testcase>
     <testcase classname="standard input" name="one, line 6">
       <error message="undecided">undecided one
-standard input:6:8: the denominator is zero
+standard input:6:9: the denominator is zero
   claim 1/0 == x
-         ^
+          ^
 </error>
     </testcase>
     <testcase classname="standard input" name="one, line 7" />
@@ -121,7 +121,8 @@ standard input:6:8: the denominator is zero
 TEST_CASE("explain shows every claim of files and statements, in general first") {
     const Folder folder;
     const std::string file = folder.write("two.blossom", two_theorems);
-    const Run pages = run({"explain", "prove", file, "-e", "p(t) == q[t]", "--degree", "p=1", "--degree", "q=1"});
+    const Run pages = run({"explain", "prove", file, "-e", "p(t) == q[t]", "--degree", "p=1", "--degree", "q=1",
+                           "--columns", "120"});
     CHECK(pages.status == 0);
     CHECK(contains(pages.output, "A proof: first\n==="));
     CHECK(contains(pages.output, "A refutation: second\n==="));
@@ -131,7 +132,7 @@ TEST_CASE("explain shows every claim of files and statements, in general first")
                    "  a(t) ≟ a[t^<n>]\n\nfor n = 1, 2.\n\nThe statement in the identity language."));
     CHECK(contains(general.output, "Here, for n = 2 this is, written out:\n\n  a(t) ≟ a[t, t]"));
     CHECK(contains(run({"explain", "prove", "-", "--format", "html"}, two_theorems).output, "<h1>A refutation: second</h1>"));
-    CHECK(contains(run({"explain", "prove", file, "--format", "json"}).output, "},\n{"));
+    CHECK(contains(run({"explain", "prove", file, "--format", "json"}).output, "\n},\n{\n"));
     CHECK(run({"explain", "prove", folder.at("none.blossom")}).status == 2);
     const Run wrong = run({"explain", "prove", "-e", "x ==", "-e", "y == y"});
     CHECK(wrong.status == 1);

@@ -4,7 +4,7 @@
 usage: check_documents.py PROGRAM EXAMPLES   (a line of EXAMPLES: what stands behind "blossom explain", or an exercise)
        check_documents.py --files FILE...
 
-Every relation must hold, and every value of a table, a pyramid and a picture must be that of its meaning. A number that stands
+What is said in general, in formulas with indices, has no numbers. Every other relation must hold, and every value of a table, a pyramid and a picture must be that of its meaning. A number that stands
 alone in a table must have a meaning, count the rows, or be an argument of what has one; alone in a sentence it must be a number
 of the given map, or occur in what was checked.
 """
@@ -253,10 +253,12 @@ def main(program, examples):
         if answer.returncode != 0:
             problems.append(f"{line}: exit status {answer.returncode}: {answer.stderr}")
             continue
-        checker = Checker(line, json.loads(answer.stdout))
-        problems += checker.run()
-        documents += 1
-        checked += checker.checked
+        pages = json.loads(answer.stdout)
+        for page in pages if isinstance(pages, list) else [pages]:
+            checker = Checker(line, page)
+            problems += checker.run()
+            documents += 1
+            checked += checker.checked
     print("\n".join(problems))
     print(f"{documents} documents, {checked} numbers checked, {len(problems)} problems")
     return 1 if problems or documents == 0 else 0

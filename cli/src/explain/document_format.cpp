@@ -37,9 +37,12 @@ std::string joined(const Documents& documents, std::string_view between, const W
 
 /// The object of a document; of several documents a list.
 std::string json_text(const Documents& documents, const worked::Notation& notation) {
-    const std::string objects =
-        joined(documents, ",\n", [&](const worked::Document& document) { return render_json(document, notation); });
-    return documents.size() == 1 ? objects : "[" + objects + "]\n";
+    const std::string objects = joined(documents, ",\n", [&](const worked::Document& document) {
+        std::string object = render_json(document, notation);
+        if (object.ends_with('\n')) object.pop_back();
+        return object;
+    });
+    return documents.size() == 1 ? objects + "\n" : "[" + objects + "]\n";
 }
 
 struct Format {
