@@ -1,13 +1,12 @@
 #include "decision_text.hpp"
 
 #include <fmt/format.h>
+#include <blossom/proofs/case_groups.hpp>
 #include <blossom/proofs/formatter.hpp>
+#include <blossom/proofs/witness_maps.hpp>
 
 #include <algorithm>
-#include <map>
 #include <set>
-
-#include "witness_maps.hpp"
 
 namespace blossom::cli {
 
@@ -20,35 +19,27 @@ using proofs::Parameters;
 using proofs::Verdict;
 
 /// "0..6", "1, 3", "1..3, 7"
-std::string runs_text(const std::set<long long>& values) {
+std::string runs_text(const proofs::Cases& cases) {
     std::vector<std::string> runs;
-    for (auto first = values.begin(); first != values.end();) {
-        auto last = first;
-        for (auto next = std::next(last); next != values.end() && *next == *last + 1; ++next) last = next;
-        const bool pair = last != first && *last == *first + 1;
-        runs.push_back(first == last ? fmt::format("{}", *first)
-                       : pair        ? fmt::format("{}, {}", *first, *last)
-                                     : fmt::format("{}..{}", *first, *last));
-        first = std::next(last);
+    for (const auto& [first, last] : proofs::runs_of(cases)) {
+        runs.push_back(first == last       ? fmt::format("{}", first)
+                       : first + 1 == last ? fmt::format("{}, {}", first, last)
+                                           : fmt::format("{}..{}", first, last));
     }
     return fmt::format("{}", fmt::join(runs, ", "));
 }
 
-/// "for n in 1..4, k in 0..n", as written.
+/// "n in 1..4, k in 0..n", as written.
 std::string ranges_text(const proofs::Block& block, const Decision& decision) {
     std::vector<std::string> ranges;
-    const auto add = [&](const proofs::Range& range) {
-        ranges.push_back(fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first),
-                                     proofs::to_text(range.last)));
-    };
-    for (const proofs::Statement& statement : block.statements) {
-        if (statement.kind == proofs::StatementKind::parameter) add(statement.ranges.front());
+    for (const proofs::Range& range : proofs::ranges_of(block, block.statements[decision.statement])) {
+        ranges.push_back(
+            fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first), proofs::to_text(range.last)));
     }
-    for (const proofs::Range& range : block.statements[decision.statement].ranges) add(range);
     return fmt::format("{}", fmt::join(ranges, ", "));
 }
 
-std::string tuples_text(const std::vector<const CaseDecision*>& cases) {
+std::string tuples_text(const proofs::Cases& cases) {
     constexpr std::size_t most = 8;
     std::vector<std::string> names;
     for (const auto& [name, value] : cases.front()->parameters) names.push_back(name);
@@ -66,36 +57,16 @@ std::string tuples_text(const std::vector<const CaseDecision*>& cases) {
 }
 
 std::string parameters_of(const proofs::Block& block, const Decision& decision,
-                          const std::vector<const CaseDecision*>& cases) {
+                          const proofs::Cases& cases) {
     const auto names = cases.front()->parameters.size();
     if (names == 0) return "";
-    if (names == 1) {
-        std::set<long long> values;
-        for (const CaseDecision* one : cases) values.insert(one->parameters.front().second);
-        return fmt::format("{} = {}", cases.front()->parameters.front().first, runs_text(values));
-    }
+    if (names == 1) return fmt::format("{} = {}", cases.front()->parameters.front().first, runs_text(cases));
     return cases.size() == decision.cases.size() ? ranges_text(block, decision) : tuples_text(cases);
 }
 
-std::vector<const CaseDecision*> cases_with(const Decision& decision, Verdict verdict) {
-    std::vector<const CaseDecision*> found;
-    for (const CaseDecision& one : decision.cases) {
-        if (one.verdict == verdict) found.push_back(&one);
-    }
-    return found;
-}
-
-/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different
-/// things.
+/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different things.
 std::string conditions_text(const proofs::Block& block, const Decision& decision) {
-    std::map<std::vector<std::string>, std::vector<const CaseDecision*>> groups;
-    for (const CaseDecision* one : cases_with(decision, Verdict::proved)) {
-        std::vector<std::string> needed;
-        for (const proofs::Condition& condition : one->conditions) {
-            if (!condition.assumed) needed.push_back(condition.text);
-        }
-        groups[needed].push_back(one);
-    }
+    const std::vector<proofs::CaseGroup> groups = proofs::groups_by_condition(decision);
     std::vector<std::string> parts;
     std::size_t shown = 0;
     constexpr std::size_t most_groups = 3;
@@ -154,7 +125,7 @@ std::string notes(const Decision& decision) {
 }  // namespace
 
 std::string cases_text(const proofs::Block& block, const Decision& decision, Verdict verdict) {
-    const std::vector<const CaseDecision*> cases = cases_with(decision, verdict);
+    const proofs::Cases cases = proofs::cases_with(decision, verdict);
     return cases.empty() ? "" : parameters_of(block, decision, cases);
 }
 
@@ -184,8 +155,8 @@ std::string readable(const proofs::Counterexample& counterexample) {
         parts.push_back(fmt::format("{} = {}", name, value));
     for (const proofs::WitnessMap& map : counterexample.maps) {
         std::string variables;
-        for (const std::string& name : variables_of(map)) variables += (variables.empty() ? "" : ", ") + name;
-        parts.push_back(fmt::format("{}({}) = {} ({})", map.name, variables, map.text, degrees_text(map)));
+        for (const std::string& name : proofs::variables_of(map)) variables += (variables.empty() ? "" : ", ") + name;
+        parts.push_back(fmt::format("{}({}) = {} ({})", map.name, variables, map.text, proofs::degrees_text(map)));
     }
     for (const auto& [name, value] : counterexample.variables)
         parts.push_back(fmt::format("{} = {}", name, to_string(value)));

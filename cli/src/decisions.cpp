@@ -1,11 +1,11 @@
 #include "decisions.hpp"
 
 #include <fmt/format.h>
+#include <blossom/proofs/case_groups.hpp>
 #include <blossom/proofs/formatter.hpp>
+#include <blossom/proofs/witness_maps.hpp>
 
 #include <algorithm>
-
-#include "witness_maps.hpp"
 
 namespace blossom::cli {
 
@@ -28,13 +28,13 @@ Json to_json(const proofs::Parameters& parameters) {
 /// As a map of the protocol.
 Json to_json(const proofs::WitnessMap& map) {
     Json result = Json::Object{{"kind", "polynomial"}, {"text", map.text}};
-    const std::vector<std::string> variables = variables_of(map);
+    const std::vector<std::string> variables = proofs::variables_of(map);
     if (variables.size() > 1) {
         Json::Array names;
         for (const std::string& name : variables) names.emplace_back(name);
         result["variables"] = std::move(names);
     }
-    if (!is_tensor(map)) {
+    if (!proofs::is_tensor(map)) {
         result["degree"] = Json(map.directions.front().degree);
         return result;
     }
@@ -81,15 +81,11 @@ Json to_json(const proofs::CaseDecision& decided) {
 
 Json ranges_json(const proofs::Block& block, const proofs::Statement& line) {
     Json::Array ranges;
-    const auto add = [&](const proofs::Range& range) {
+    for (const proofs::Range& range : proofs::ranges_of(block, line)) {
         ranges.emplace_back(Json::Object{{"name", range.name},
                                          {"first", proofs::to_text(range.first)},
                                          {"last", proofs::to_text(range.last)}});
-    };
-    for (const proofs::Statement& statement : block.statements) {
-        if (statement.kind == proofs::StatementKind::parameter) add(statement.ranges.front());
     }
-    for (const proofs::Range& range : line.ranges) add(range);
     return ranges;
 }
 

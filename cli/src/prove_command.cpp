@@ -2,63 +2,25 @@
 
 #include <fmt/format.h>
 #include <blossom/proofs/coq.hpp>
-#include <blossom/proofs/doubtful_names.hpp>
 #include <blossom/proofs/formatter.hpp>
-#include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <filesystem>
-#include <fstream>
 #include <mutex>
 #include <thread>
 
-#include "decision_text.hpp"
 #include "decisions.hpp"
 #include "json_text.hpp"
 #include "operations/map_options.hpp"
 #include "proof_certificate.hpp"
-#include "prove_statement.hpp"
+#include "prove/proof_records.hpp"
+#include "prove/proof_task.hpp"
 
 namespace blossom::cli {
 
 namespace {
-
-struct Text {
-    std::string name;
-    std::string content;
-    std::size_t prelude;  ///< the bytes in front of what the user wrote: the maps of --degree
-    proofs::Document document;
-
-    std::size_t line(std::size_t offset) const {
-        return proofs::place_of(written(), offset - std::min(offset, prelude)).line;
-    }
-    std::string diagnostic(const Error& error) const {
-        const std::size_t offset = error.offset().value_or(0);
-        if (offset < prelude)
-            return proofs::diagnostic("--degree", std::string_view(content).substr(0, prelude), error);
-        return proofs::diagnostic(name, written(),
-                                  Error(error.code(), error.message(), error.field(), offset - prelude));
-    }
-
-private:
-    std::string_view written() const { return std::string_view(content).substr(prelude); }
-};
-
-/// A block on its way: decided by some thread, reported in order.
-struct Task {
-    std::size_t number = 0;
-    const Text* text = nullptr;
-    const proofs::Block* block = nullptr;
-    std::vector<proofs::Decision> decisions = {};
-    std::vector<proofs::Warning> warnings = {};
-    std::vector<proofs::second::Certificate> certificates = {};
-    std::vector<std::string> lemmas = {};
-    std::size_t without_lemma = 0;
-    bool done = false;
-};
 
 struct Count {
     std::size_t theorems = 0;
@@ -80,54 +42,8 @@ struct Count {
     }
 };
 
-std::vector<std::string> files_of(const std::string& path) {
-    if (path == "-" || !std::filesystem::is_directory(path)) return {path};
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
-        if (entry.is_regular_file() && entry.path().extension() == ".blossom")
-            files.push_back(entry.path().string());
-    }
-    std::ranges::sort(files);
-    if (files.empty()) {
-        throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
-                                path + " holds no file *.blossom");
-    }
-    return files;
-}
-
-std::vector<Text> read_texts(const ProveCommand& command, const Streams& streams) {
-    std::vector<Text> texts;
-    const auto add = [&](std::string name, std::string content, std::size_t prelude) {
-        proofs::Document document = proofs::parse(content, command.limits);
-        texts.push_back({std::move(name), std::move(content), prelude, std::move(document)});
-    };
-    for (const std::string& path : command.paths) {
-        for (const std::string& file : files_of(path)) {
-            add(file == "-" ? "standard input" : file,
-                read_all(file == "-" ? streams.input : file_source(file), command.limits.line_bytes), 0);
-        }
-    }
-    const std::string maps = map_lines(command.degrees);
-    for (const std::string& claim : command.statements)
-        add("statement", maps + statement_text(claim), maps.size());
-    if (texts.empty()) throw UsageError("prove needs a file, a folder or a statement with -e");
-    return texts;
-}
-
-std::string title_of(const Task& task, const proofs::Decision& decision) {
-    const std::string& id = task.block->id;
-    return id.empty() ? fmt::format("{}:{}", task.text->name, task.text->line(decision.offset)) : id;
-}
-
-/// The verdict, and the error below it.
-std::string report_text(const Task& task, const proofs::Decision& decision, const Style& style) {
-    std::string text = readable(*task.block, decision, title_of(task, decision), style);
-    if (const Error* error = decision.error()) text += task.text->diagnostic(*error);
-    return text;
-}
-
 /// "block_7_fj_eq20_n_3": what a case is called in Coq, apart from its number.
-std::string lemma_name(const Task& task, const proofs::ProvedCase& proved) {
+std::string lemma_name(const ProofTask& task, const proofs::ProvedCase& proved) {
     std::string name = fmt::format("block_{}_{}", task.number + 1, task.block->id);
     for (const auto& [parameter, value] : proved.block.parameters)
         name += "_" + parameter + "_" + std::to_string(value);
@@ -138,7 +54,7 @@ std::string lemma_name(const Task& task, const proofs::ProvedCase& proved) {
 }
 
 /// Decides one task, with the records that are asked for.
-void decide(Task& task, const ProveCommand& command) {
+void decide(ProofTask& task, const ProveCommand& command) {
     const auto record = [&](const proofs::ProvedCase& proved) {
         if (!command.certificate.empty()) task.certificates.push_back(proved.certificate);
         if (command.coq.empty()) return;
@@ -163,8 +79,8 @@ void decide(Task& task, const ProveCommand& command) {
 }
 
 /// Decides the tasks on several threads and hands each to `report` in order.
-void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
-               const std::function<void(const Task&)>& report) {
+void run_tasks(std::vector<ProofTask>& tasks, const ProveCommand& command,
+               const std::function<void(const ProofTask&)>& report) {
     std::mutex mutex;
     std::condition_variable finished;
     std::atomic<std::size_t> next = 0;
@@ -178,7 +94,7 @@ void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
     };
     std::vector<std::jthread> threads;
     for (std::size_t i = 0; i < std::min(command.jobs, tasks.size()); ++i) threads.emplace_back(work);
-    for (Task& task : tasks) {
+    for (ProofTask& task : tasks) {
         std::unique_lock lock(mutex);
         finished.wait(lock, [&] { return task.done; });
         lock.unlock();
@@ -187,7 +103,7 @@ void run_tasks(std::vector<Task>& tasks, const ProveCommand& command,
 }
 
 /// "warning: file:3:7: ..." with a caret, a warning each.
-std::string warnings_text(const Task& task) {
+std::string warnings_text(const ProofTask& task) {
     std::string text;
     for (const proofs::Warning& warning : task.warnings)
         text += "warning: " +
@@ -226,8 +142,8 @@ std::string summary_text(const std::vector<std::pair<std::string, Count>>& rows)
     return rows.size() == 1 ? text : text + row("total", total);
 }
 
-Outcome format_all(const std::vector<Text>& texts, const Streams& streams) {
-    for (const Text& text : texts) {
+Outcome format_all(const std::vector<ProofText>& texts, const Streams& streams) {
+    for (const ProofText& text : texts) {
         for (const Error& error : text.document.errors) streams.errors(text.diagnostic(error));
         if (!text.document.errors.empty()) return Outcome::wrong_usage;
         streams.output(proofs::formatted(text.document));
@@ -236,7 +152,7 @@ Outcome format_all(const std::vector<Text>& texts, const Streams& streams) {
 }
 
 /// One line of JSON a claim.
-Json line_of(const Task& task, const proofs::Decision& decision) {
+Json line_of(const ProofTask& task, const proofs::Decision& decision) {
     Json line =
         Json::Object{{"id", task.block->id},
                      {"file", task.text->name},
@@ -251,35 +167,6 @@ Json line_of(const Task& task, const proofs::Decision& decision) {
     }
     if (!warnings.empty()) line["warnings"] = std::move(warnings);
     return line;
-}
-
-/// Writes a file. Errors: std::system_error.
-void write_file(const std::string& path, std::string_view text) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(text.data(), static_cast<std::streamsize>(text.size()));
-    file.close();
-    if (!file) throw std::system_error(errno, std::generic_category(), path);
-}
-
-void write_records(std::vector<Task>& tasks, const ProveCommand& command, const Streams& streams) {
-    if (!command.certificate.empty()) {
-        std::vector<proofs::second::Certificate> certificates;
-        for (Task& task : tasks) std::ranges::move(task.certificates, std::back_inserter(certificates));
-        write_file(command.certificate, to_text(certificates_json(certificates)) + "\n");
-    }
-    if (command.coq.empty()) return;
-    std::string text = proofs::coq_preamble();
-    std::size_t without = 0;
-    for (const Task& task : tasks) {
-        for (const std::string& lemma : task.lemmas) text += lemma;
-        without += task.without_lemma;
-    }
-    write_file(command.coq, text);
-    if (without > 0 && !command.as_json) {
-        streams.output(fmt::format(
-            "{} cases have no lemma: they have hypotheses, maps of several variables, or are too long\n",
-            without));
-    }
 }
 
 }  // namespace
@@ -302,6 +189,8 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
                                    line.confirmed ? "confirmed" : "open",
                                    line.id.empty() ? "a statement without a name" : line.id, line.line + 1,
                                    line.proved, line.cases));
+        if (!line.where.empty())
+            streams.output(fmt::format("    only where {}\n", fmt::join(line.where, ", ")));
         if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
     }
     streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));
@@ -309,11 +198,11 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
 }
 
 Outcome prove(const ProveCommand& command, const Streams& streams) {
-    const std::vector<Text> texts = read_texts(command, streams);
+    const std::vector<ProofText> texts = read_texts(command, streams);
     if (command.only_format) return format_all(texts, streams);
-    std::vector<Task> tasks;
+    std::vector<ProofTask> tasks;
     std::vector<std::pair<std::string, Count>> rows;
-    for (const Text& text : texts) {
+    for (const ProofText& text : texts) {
         rows.emplace_back(text.name, Count{});
         rows.back().second.unread = text.document.errors.size();
         for (const Error& error : text.document.errors) streams.errors(text.diagnostic(error));
@@ -329,7 +218,7 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
                                     : fmt::format("\r\x1b[K[{}/{}] {}", number + 1, tasks.size(), name));
     };
     progress(0);
-    run_tasks(tasks, command, [&](const Task& task) {
+    run_tasks(tasks, command, [&](const ProofTask& task) {
         Count& count = rows[static_cast<std::size_t>(task.text - texts.data())].second;
         count.add(count_of(task.decisions));
         if (streams.shows_progress && !command.as_json) streams.errors("\r\x1b[K");
@@ -346,7 +235,7 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
     if (!command.as_json && (command.paths.size() + command.statements.size() > 1 || tasks.size() > 1)) {
         streams.output(summary_text(rows));
     }
-    write_records(tasks, command, streams);
+    write_records(texts, tasks, command, streams);
     Count total;
     for (const auto& [name, count] : rows) total.add(count);
     if (total.disagreements > 0) return Outcome::disagreement;

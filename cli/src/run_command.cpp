@@ -6,6 +6,7 @@
 
 #include "answer.hpp"
 #include "operations/map_options.hpp"
+#include "prove/proof_task.hpp"
 
 namespace blossom::cli {
 
@@ -72,7 +73,14 @@ Outcome report(const Refusal& refusal, const Command& command, const Streams& st
 void apply(const GivenOption& given, const Command& command, const Streams& streams, Json& request) {
     std::vector<std::string> values;
     values.reserve(given.values.size());
-    for (const std::string& value : given.values) values.push_back(resolved(value, streams, command.limits));
+    for (const std::string& value : given.values) {
+        if (!given.option->files) {
+            values.push_back(resolved(value, streams, command.limits));
+            continue;
+        }
+        for (const std::string& file : statement_files(value))
+            values.push_back(resolved(file == "-" ? file : "@" + file, streams, command.limits));
+    }
     try {
         given.option->apply(request, values, command.limits);
     } catch (const Error& error) {

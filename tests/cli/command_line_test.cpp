@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run.hpp"
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
 #include "support/catch.hpp"
@@ -15,36 +16,6 @@ using namespace blossom;
 using namespace blossom::cli;
 
 namespace {
-
-struct Run {
-    int status;
-    std::string output;
-    std::string errors;
-};
-
-Run run(const std::vector<std::string>& arguments, std::string input = "", bool coloured = false) {
-    Run result{};
-    const auto source = [&](std::span<char> room) {
-        const std::size_t count = std::min(room.size(), input.size());
-        std::copy_n(input.begin(), count, room.begin());
-        input.erase(0, count);
-        return count;
-    };
-    const auto into = [](std::string& text) {
-        return [&text](std::string_view part) {
-            text += part;
-            return true;
-        };
-    };
-    result.status = static_cast<int>(
-        cli::run(arguments, {source, into(result.output), into(result.errors), coloured, coloured}));
-    return result;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    CAPTURE(text, part);
-    return text.find(part) != std::string::npos;
-}
 
 const std::string cubic = "1 + 2t + 4t^2 - t^3";
 

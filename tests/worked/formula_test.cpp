@@ -58,6 +58,6 @@ TEST_CASE("LaTeX and MathML come from the same tree") {
           "<math displaystyle=\"true\"><mfrac><mn>1</mn><mn>3</mn></mfrac></math>");
     CHECK(to_mathml(power(t, number(2))) == "<math><msup><mi>t</mi><mn>2</mn></msup></math>");
     CHECK(to_latex(symbol("delta")) == "\\delta");
-    CHECK(to_latex(symbol("a_b")) == "\\mathrm{a\\_b}");
+    CHECK(to_latex(symbol("a_b")) == "\\mathit{a\\_b}");
     CHECK(to_mathml(words("a < b & c")) == "<math><mtext>a &lt; b &amp; c</mtext></math>");
 }

@@ -68,19 +68,19 @@ TEST_CASE("each notation writes blossom values alike in every rendering") {
         const Notation notation{style, false};
         CAPTURE(text);
         CHECK(has(render_text(page, notation), text));
-        CHECK(has(render_html(page, notation), text));
-        CHECK(has(render_latex(page, notation), latex));
+        CHECK(has(render_html({&page, 1}, notation), text));
+        CHECK(has(render_latex({&page, 1}, notation), latex));
         CHECK(has(render_markdown(page, notation), latex));
         CHECK(has(render_json(page, notation), text));
     }
     const Notation counted{BlossomStyle::parentheses, true};
     CHECK(has(render_text(page, counted), "p(0^<2>) = 1"));
-    CHECK(has(render_latex(page, counted), "{0}^{\\langle 2\\rangle}"));
+    CHECK(has(render_latex({&page, 1}, counted), "{0}^{\\langle 2\\rangle}"));
 }
 
 TEST_CASE("LaTeX is a whole document, or a fragment of it") {
     const Document page = small_page();
-    const std::string whole = render_latex(page);
+    const std::string whole = render_latex({&page, 1});
     const std::string fragment = render_latex_fragment(page);
     CHECK(whole.starts_with("\\documentclass"));
     CHECK(has(whole, latex_preamble()));
@@ -108,7 +108,8 @@ TEST_CASE("Markdown has tables, formulas and pictures as files or as their point
 }
 
 TEST_CASE("an HTML page is one file that names its language, headings and pictures") {
-    const std::string page = render_html(small_page());
+    const Document document = small_page();
+    const std::string page = render_html({&document, 1});
     CHECK(page.starts_with("<!DOCTYPE html><html lang=\"en\">"));
     CHECK(count(page, "<h1>") == 1);
     CHECK(count(page, "<h2>") == 4);
@@ -126,7 +127,7 @@ TEST_CASE("an HTML page is one file that names its language, headings and pictur
 TEST_CASE("what is written is escaped in every rendering") {
     Document page;
     page.title = "a < b & c_d";
-    CHECK(has(render_html(page), "<h1>a &lt; b &amp; c_d</h1>"));
-    CHECK(has(render_latex(page), "a \\textless{} b \\& c\\_d"));
+    CHECK(has(render_html({&page, 1}), "<h1>a &lt; b &amp; c_d</h1>"));
+    CHECK(has(render_latex({&page, 1}), "a \\textless{} b \\& c\\_d"));
     CHECK(has(render_markdown(page), "a \\< b & c\\_d"));
 }

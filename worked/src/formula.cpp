@@ -74,6 +74,30 @@ Formula binomial_of(Formula n, Formula k) {
 
 Formula factorial_of(Formula n) { return node(FormulaKind::factorial, {std::move(n)}); }
 
+Formula application(Formula head, std::vector<Formula> arguments) {
+    arguments.insert(arguments.begin(), std::move(head));
+    return node(FormulaKind::application, std::move(arguments));
+}
+
+Formula list_of(std::vector<Formula> parts, std::string separator) {
+    if (parts.size() == 1) return std::move(parts.front());
+    return node(FormulaKind::list, std::move(parts), std::move(separator));
+}
+
+Formula repeated(Formula argument, Formula times) {
+    return node(FormulaKind::repeated, {std::move(argument), std::move(times)});
+}
+
+Formula pair_of(Formula first, Formula second) {
+    return node(FormulaKind::pair, {std::move(first), std::move(second)});
+}
+
+Formula size_of(Formula set) { return node(FormulaKind::size, {std::move(set)}); }
+
+Formula cases_of(Formula value, Formula condition, Formula otherwise) {
+    return node(FormulaKind::cases, {std::move(value), std::move(condition), std::move(otherwise)});
+}
+
 Formula tuple(std::vector<Formula> parts) { return node(FormulaKind::tuple, std::move(parts)); }
 
 Formula set_of(std::vector<Formula> parts) { return node(FormulaKind::set, std::move(parts)); }
@@ -84,6 +108,12 @@ Formula interval_of(Formula begin, Formula end) {
 
 Formula summation(Formula below, Formula of) {
     return node(FormulaKind::summation, {std::move(below), std::move(of)});
+}
+
+Formula summation(std::string sign, Formula below, std::optional<Formula> above, Formula of) {
+    Formula result = node(FormulaKind::summation, {std::move(below), std::move(of)}, std::move(sign));
+    if (above) result.parts.push_back(std::move(*above));
+    return result;
 }
 
 Formula equation(std::vector<Formula> sides) { return relation("=", std::move(sides)); }

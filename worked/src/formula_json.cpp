@@ -26,6 +26,8 @@ std::string_view kind_name(FormulaKind kind) {
             return "index";
         case FormulaKind::call:
             return "call";
+        case FormulaKind::application:
+            return "application";
         case FormulaKind::derivative:
             return "derivative";
         case FormulaKind::blossom:
@@ -38,6 +40,16 @@ std::string_view kind_name(FormulaKind kind) {
             return "factorial";
         case FormulaKind::tuple:
             return "tuple";
+        case FormulaKind::list:
+            return "list";
+        case FormulaKind::repeated:
+            return "repeated";
+        case FormulaKind::pair:
+            return "pair";
+        case FormulaKind::size:
+            return "size";
+        case FormulaKind::cases:
+            return "cases";
         case FormulaKind::set:
             return "set";
         case FormulaKind::interval:

@@ -112,12 +112,12 @@ std::vector<GalleryPage> gallery_pages() {
     const Coordinates inside{half, Rational(1, 4), Rational(1, 4)};
     add("triangle-evaluation", triangle_evaluation(space_triangle(), inside));
     add("triangle-subdivision", triangle_subdivision(plane_triangle(), inside));
-    add("proof", claim_decided("theorem fj-eq20 \"the blossom from points of the curve alone\"\n"
+    add("proof", claims_decided("theorem fj-eq20 \"the blossom from points of the curve alone\"\n"
                                "map b degree 2\n"
-                               "claim b[s, t] == (4*b((s + t)/2) - b(s) - b(t))/2\n"));
-    add("refutation", claim_decided("theorem goldman-thm9 \"a derivative needs the vector delta\"\n"
+                               "claim b[s, t] == (4*b((s + t)/2) - b(s) - b(t))/2\n").front());
+    add("refutation", claims_decided("theorem goldman-thm9 \"a derivative needs the vector delta\"\n"
                                     "map a degree 2\n"
-                                    "claim a'(t) == 2*a[t, 1]\n"));
+                                    "claim a'(t) == 2*a[t, 1]\n").front());
     return pages;
 }
 
@@ -128,8 +128,8 @@ std::vector<SiteFile> gallery_files() {
         const auto& [name, document] = pages[i];
         const Notation notation{document.style};
         const std::string picture = "pictures/" + name;
-        files.push_back({name + ".html", render_html(document, notation, links_of(pages, i))});
-        files.push_back({name + ".tex", render_latex(document, notation)});
+        files.push_back({name + ".html", render_html({&document, 1}, notation, links_of(pages, i))});
+        files.push_back({name + ".tex", render_latex({&document, 1}, notation)});
         files.push_back({name + ".md", render_markdown(document, notation, picture)});
         files.push_back({name + ".json", render_json(document, notation)});
         const std::vector<std::string> pictures = render_pictures(document, notation);

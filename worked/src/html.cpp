@@ -23,6 +23,7 @@ public:
 
     void write(pugi::xml_node main, const Document& document) {
         append_words(main, "h1", document.title);
+        blocks(main, document.general);
         blocks(main, document.statement);
         if (!document.source.empty()) {
             append_words(main, "p", "Source: " + document.source).append_attribute("class") = "source";
@@ -167,10 +168,12 @@ private:
 
 }  // namespace
 
-std::string render_html(const Document& document, const Notation& notation, const std::vector<Link>& links) {
-    HtmlPage page(document.title);
+std::string render_html(std::span<const Document> documents, const Notation& notation,
+                        const std::vector<Link>& links) {
+    HtmlPage page(documents.front().title);
     page.append_navigation(links);
-    HtmlWriter(notation).write(page.main(), document);
+    HtmlWriter writer(notation);
+    for (const Document& document : documents) writer.write(page.main(), document);
     return page.text();
 }
 

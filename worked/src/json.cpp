@@ -90,6 +90,7 @@ public:
                   {"statement", blocks(document.statement)},
                   {"steps", std::move(steps)},
                   {"result", blocks(document.result)}};
+        if (!document.general.empty()) json["general"] = blocks(document.general);
         for (const NamedPoint& point : document.points) {
             json["points"][point.name] = numbers(point.barycentric);
         }

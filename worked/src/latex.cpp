@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "latex_words.hpp"
 #include "layout.hpp"
 #include "letters.hpp"
 #include "overloaded.hpp"
@@ -19,7 +20,7 @@ public:
     explicit LatexWriter(const Notation& notation) : notation_(notation) {}
 
     std::string write(const Document& document) const {
-        std::string text = "\\section*{" + latex_text(document.title) + "}\n" + blocks(document.statement);
+        std::string text = "\\section*{" + latex_text(document.title) + "}\n" + blocks(document.general) + blocks(document.statement);
         if (!document.source.empty())
             text += "\n{\\small Source: " + latex_text(document.source) + ".\\par}\n";
         for (std::size_t i = 0; i < document.steps.size(); ++i) {
@@ -116,21 +117,23 @@ private:
                R"(}\par\nopagebreak\smallskip\noindent)";
     }
 
-    std::string words(const Text& text) const {
-        std::string result;
-        for (const Text::Part& part : text.parts()) {
-            result += std::visit(
-                Overloaded{[](const std::string& words) { return latex_text(words); },
-                           [&](const Formula& formula) { return "$" + to_latex(formula, notation_) + "$"; }},
-                part);
-        }
-        return result;
-    }
+    std::string words(const Text& text) const { return latex_words(text, notation_); }
 
     const Notation& notation_;
 };
 
 }  // namespace
+
+std::string latex_words(const Text& text, const Notation& notation) {
+    std::string result;
+    for (const Text::Part& part : text.parts()) {
+        result += std::visit(
+            Overloaded{[](const std::string& words) { return latex_text(words); },
+                       [&](const Formula& formula) { return "$" + to_latex(formula, notation) + "$"; }},
+            part);
+    }
+    return result;
+}
 
 std::string latex_preamble() {
     return "\\usepackage[T1]{fontenc}\n"
@@ -157,12 +160,14 @@ std::string render_latex_fragment(const Document& document, const Notation& nota
     return LatexWriter(notation).write(document);
 }
 
-std::string render_latex(const Document& document, const Notation& notation) {
+std::string render_latex(std::span<const Document> documents, const Notation& notation) {
+    std::string body;
+    for (const Document& document : documents) body += render_latex_fragment(document, notation);
     return "\\documentclass[11pt,a4paper,fleqn]{article}\n" + latex_preamble() +
            "\\setlength{\\parindent}{0pt}\\setlength{\\parskip}{.5ex plus "
            ".3ex}\n\\allowdisplaybreaks\\raggedbottom\n"
            "\\begin{document}\n" +
-           render_latex_fragment(document, notation) + "\\end{document}\n";
+           body + "\\end{document}\n";
 }
 
 }  // namespace blossom::worked

@@ -10,7 +10,7 @@ namespace {
 using Kind = Layout::Kind;
 
 /// How tightly the top of a formula holds together.
-enum class Binding { relation, sum, product, power, atom };
+enum class Binding { relation, sum, summation, product, power, atom };
 
 class Builder {
 public:
@@ -37,6 +37,8 @@ public:
                 return {Kind::subscript, "", {bound(parts[0], Binding::atom), build(parts[1])}};
             case FormulaKind::call:
                 return applied(name_layout(formula.name), fenced("()", listed(parts)));
+            case FormulaKind::application:
+                return applied(build(parts[0]), fenced("()", listed({parts.begin() + 1, parts.end()})));
             case FormulaKind::derivative:
                 return derivative_layout(formula);
             case FormulaKind::blossom:
@@ -51,13 +53,22 @@ public:
                 return row({bound(parts[0], Binding::atom), {Kind::sign, "!", {}}});
             case FormulaKind::tuple:
                 return fenced("()", listed(parts));
+            case FormulaKind::list:
+                return listed(parts, formula.name);
+            case FormulaKind::repeated:
+                return repeated(parts[0], build(parts[1]));
+            case FormulaKind::pair:
+                return fenced("⟨⟩", listed(parts));
+            case FormulaKind::size:
+                return fenced("||", build(parts[0]));
+            case FormulaKind::cases:
+                return {Kind::cases, "", {build(parts[0]), build(parts[1]), build(parts[2])}};
             case FormulaKind::set:
                 return fenced("{}", listed(parts));
             case FormulaKind::interval:
                 return fenced("[]", listed(parts));
             case FormulaKind::summation:
-                return row({{Kind::under, "", {{Kind::sign, "∑", {}}, build(parts[0])}},
-                            bound(parts[1], Binding::product)});
+                return summation_layout(formula);
             case FormulaKind::relation:
                 return row(relation_parts(formula));
         }
@@ -73,7 +84,7 @@ public:
                 layouts.push_back({layouts.empty() ? Kind::sign : Kind::binary, negative ? "−" : "+", {}});
             }
             const bool value = part.kind == FormulaKind::blossom;
-            layouts.push_back(value ? build(part) : bound(without_sign(part), Binding::product));
+            layouts.push_back(value ? build(part) : bound(without_sign(part), Binding::summation));
         }
         return layouts;
     }
@@ -92,9 +103,15 @@ private:
             case FormulaKind::relation:
                 return Binding::relation;
             case FormulaKind::sum:
-            case FormulaKind::summation:
                 return Binding::sum;
+            case FormulaKind::summation:
+            case FormulaKind::cases:
+                return Binding::summation;
             case FormulaKind::product:
+                // What stands behind the sign of a sum would belong to it.
+                return std::min(binding(formula.parts.back()), Binding::product) == Binding::summation
+                           ? Binding::summation
+                           : Binding::product;
             case FormulaKind::fraction:
                 return Binding::product;
             case FormulaKind::number:
@@ -140,10 +157,10 @@ private:
 
     Layout name_layout(const std::string& name) const { return build(symbol(name)); }
 
-    Layout listed(const std::vector<Formula>& parts) const {
+    Layout listed(const std::vector<Formula>& parts, const std::string& separator = ",") const {
         std::vector<Layout> layouts;
         for (const Formula& part : parts) {
-            if (!layouts.empty()) layouts.push_back({Kind::comma, ",", {}});
+            if (!layouts.empty()) layouts.push_back({Kind::comma, separator, {}});
             layouts.push_back(build(part));
         }
         return row(std::move(layouts));
@@ -166,16 +183,17 @@ private:
 
     Layout product_layout(const Formula& formula) const {
         if (is_negative(formula)) {
-            return row({{Kind::sign, "−", {}}, bound(without_sign(formula), Binding::product)});
+            return row({{Kind::sign, "−", {}}, bound(without_sign(formula), Binding::summation)});
         }
         std::vector<Layout> layouts;
         for (const Formula& factor : formula.parts) {
-            const bool fences = binding(factor) < Binding::product;
+            const Binding wanted = &factor == &formula.parts.back() ? Binding::summation : Binding::product;
+            const bool fences = binding(factor) < wanted;
             if (!layouts.empty()) {
                 const bool dot = !fences && (begins_with_digit(factor) || factor.kind == FormulaKind::tuple);
                 layouts.push_back(dot ? Layout{Kind::binary, "·", {}} : Layout{Kind::times, "", {}});
             }
-            layouts.push_back(bound(factor, Binding::product));
+            layouts.push_back(bound(factor, wanted));
         }
         return row(std::move(layouts));
     }
@@ -201,12 +219,16 @@ private:
         return applied(std::move(head), fenced("()", listed(formula.parts)));
     }
 
+    Layout summation_layout(const Formula& formula) const {
+        const std::vector<Formula>& parts = formula.parts;
+        Layout sign{Kind::under, "", {{Kind::sign, formula.name.empty() ? "∑" : formula.name, {}}, build(parts[0])}};
+        if (parts.size() == 3) sign.parts.push_back(build(parts[2]));
+        return row({std::move(sign), bound(parts[1], Binding::summation)});
+    }
+
     /// One argument, with its multiplicity.
-    Layout repeated(const Formula& argument, std::size_t times) const {
-        if (times == 1) return build(argument);
-        return {Kind::superscript,
-                "",
-                {bound(argument, Binding::atom), fenced("⟨⟩", {Kind::number, std::to_string(times), {}})}};
+    Layout repeated(const Formula& argument, Layout times) const {
+        return {Kind::superscript, "", {bound(argument, Binding::atom), fenced("⟨⟩", std::move(times))}};
     }
 
     std::vector<Layout> argument_layouts(const std::vector<Formula>& arguments) const {
@@ -214,7 +236,9 @@ private:
         for (auto begin = arguments.begin(); begin != arguments.end();) {
             auto end = begin + 1;
             while (notation_.multiplicities && end != arguments.end() && *end == *begin) ++end;
-            layouts.push_back(repeated(*begin, static_cast<std::size_t>(end - begin)));
+            const auto times = end - begin;
+            layouts.push_back(times == 1 ? build(*begin)
+                                         : repeated(*begin, {Kind::number, std::to_string(times), {}}));
             begin = end;
         }
         return layouts;

@@ -24,7 +24,8 @@ struct Layout {
         superscript,
         subscript,
         fenced,  ///< text: the two fences; parts: the inside
-        under,   ///< parts[0] with parts[1] below
+        under,   ///< parts[0] with parts[1] below, and parts[2] above if there is one
+        cases,   ///< parts[0] if parts[1], otherwise parts[2]
         stack,   ///< parts[0] above parts[1] in parentheses
         row,
     };

@@ -92,7 +92,7 @@ std::string row_text(const std::vector<Layout>& parts) {
                 }
                 break;
             case Kind::comma:
-                text += ", ";
+                text += part.text + " ";
                 break;
             case Kind::apply:
                 break;
@@ -130,7 +130,11 @@ std::string text_of(const Layout& layout) {
         case Kind::fenced:
             return fenced_text(layout);
         case Kind::under:
-            return text_of(layout.parts[0]) + "[" + text_of(layout.parts[1]) + "] ";
+            return text_of(layout.parts[0]) + "[" + text_of(layout.parts[1]) +
+                   (layout.parts.size() == 3 ? ".." + text_of(layout.parts[2]) : "") + "] ";
+        case Kind::cases:
+            return "{" + text_of(layout.parts[0]) + " if " + text_of(layout.parts[1]) + ", " + text_of(layout.parts[2]) +
+                   " otherwise}";
         case Kind::stack:
             return "C(" + text_of(layout.parts[0]) + ", " + text_of(layout.parts[1]) + ")";
         case Kind::row:

@@ -16,18 +16,23 @@ std::string_view looked_up(const std::array<Entry, n>& table, std::string_view k
     return entry == table.end() ? std::string_view() : entry->second;
 }
 
-constexpr std::array<Entry, 8> greek{{{"delta", "δ"},
-                                      {"alpha", "α"},
-                                      {"beta", "β"},
-                                      {"lambda", "λ"},
-                                      {"mu", "μ"},
-                                      {"tau", "τ"},
-                                      {"sigma", "σ"},
-                                      {"xi", "ξ"}}};
+/// What LaTeX has commands for.
+constexpr std::array<Entry, 34> greek{
+    {{"alpha", "α"},  {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},   {"epsilon", "ε"}, {"zeta", "ζ"},
+     {"eta", "η"},    {"theta", "θ"}, {"iota", "ι"},  {"kappa", "κ"},   {"lambda", "λ"},  {"mu", "μ"},
+     {"nu", "ν"},     {"xi", "ξ"},    {"pi", "π"},    {"rho", "ρ"},     {"sigma", "σ"},   {"tau", "τ"},
+     {"upsilon", "υ"}, {"phi", "φ"},   {"chi", "χ"},   {"psi", "ψ"},     {"omega", "ω"},   {"Gamma", "Γ"},
+     {"Delta", "Δ"},  {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},      {"Pi", "Π"},      {"Sigma", "Σ"},
+     {"Phi", "Φ"},    {"Psi", "Ψ"},   {"Omega", "Ω"}, {"det", "det"}}};
 
-constexpr std::array<Entry, 16> signs{{{"−", "-"},
+constexpr std::array<Entry, 21> signs{{{"−", "-"},
                                        {"·", "\\cdot"},
                                        {"∑", "\\sum"},
+                                       {"∏", "\\prod"},
+                                       {"∂", "\\partial"},
+                                       {"∖", "\\setminus"},
+                                       {"≥", "\\ge"},
+                                       {"∉", "\\notin"},
                                        {"↦", "\\mapsto"},
                                        {"≤", "\\le"},
                                        {"≠", "\\ne"},
@@ -98,8 +103,10 @@ std::string escaped_for_latex(char c) {
 Letter letter(std::string_view name) {
     const std::string_view sign = looked_up(greek, name);
     if (!sign.empty()) return {std::string(sign), "\\" + std::string(name)};
+    const std::string_view known = looked_up(signs, name);
+    if (!known.empty()) return {std::string(name), std::string(known)};
     if (name.size() == 1) return {std::string(name), latex_text(name)};
-    return {std::string(name), "\\mathrm{" + latex_text(name) + "}"};
+    return {std::string(name), "\\mathit{" + latex_text(name) + "}"};
 }
 
 std::string latex_text(std::string_view text) {

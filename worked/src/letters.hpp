@@ -11,7 +11,7 @@ struct Letter {
     std::string latex;
 };
 
-/// "delta" as the Greek letter, "t" as itself, a longer name as one upright word.
+/// "delta" as the Greek letter, "t" and signs such as "…" as themselves, a longer name as one word.
 Letter letter(std::string_view name);
 
 /// `text` with the characters that mean something to LaTeX escaped.

@@ -66,6 +66,21 @@ void append_stack(pugi::xml_node parent, const Layout& layout) {
     append_fence(row, ")");
 }
 
+void append_cases(pugi::xml_node parent, const Layout& layout) {
+    pugi::xml_node row = parent.append_child("mrow");
+    row.append_child("mo").text().set("{");
+    pugi::xml_node table = row.append_child("mtable");
+    table.append_attribute("columnalign") = "left";
+    pugi::xml_node first = table.append_child("mtr");
+    append(first.append_child("mtd"), layout.parts[0]);
+    pugi::xml_node condition = first.append_child("mtd");
+    append_token(condition, "mtext", "if\u00a0");
+    append(condition, layout.parts[1]);
+    pugi::xml_node second = table.append_child("mtr");
+    append(second.append_child("mtd"), layout.parts[2]);
+    append_token(second.append_child("mtd"), "mtext", "otherwise");
+}
+
 void append(pugi::xml_node parent, const Layout& layout) {
     switch (layout.kind) {
         case Kind::number:
@@ -108,7 +123,10 @@ void append(pugi::xml_node parent, const Layout& layout) {
             append_fenced(parent, layout);
             break;
         case Kind::under:
-            append_all(parent, "munder", layout);
+            append_all(parent, layout.parts.size() == 3 ? "munderover" : "munder", layout);
+            break;
+        case Kind::cases:
+            append_cases(parent, layout);
             break;
         case Kind::stack:
             append_stack(parent, layout);

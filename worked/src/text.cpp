@@ -18,7 +18,7 @@ public:
 
     std::string print(const Document& document) const {
         std::string text = underlined(document.title, '=');
-        text += blocks(document.statement);
+        text += blocks(document.general) + blocks(document.statement);
         if (!document.source.empty()) text += wrapped("Source: " + document.source, width_) + "\n\n";
         for (std::size_t i = 0; i < document.steps.size(); ++i) {
             text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +

@@ -62,7 +62,7 @@ public:
 
 private:
     const Json& request_;
-    std::optional<Map> map_;  ///< none for a statement
+    std::optional<Map> map_;
 };
 
 GivenMap one_polynomial_of(const Asked& asked) {
@@ -181,8 +181,12 @@ Document continuity_chapter(const Asked& asked) {
     return worked::continuity_at(required_spline(asked), asked.parameter(), asked.limits);
 }
 
-Document proof_chapter(const Asked& asked) {
-    return worked::claim_decided(*asked.find("statement")->text(), asked.limits);
+/// A page for each claim of the statement, or of several.
+std::vector<Document> proof_pages(const Json& statement, const Limits& limits) {
+    if (statement.text()) return worked::claims_decided(*statement.text(), limits);
+    std::vector<Document> pages;
+    for (const Json& one : *statement.array()) std::ranges::move(proof_pages(one, limits), std::back_inserter(pages));
+    return pages;
 }
 
 /// Says of a rational curve what its points mean, unless its page says so itself.
@@ -206,7 +210,7 @@ struct Chapter {
     Document (*make)(const Asked& asked);
 };
 
-constexpr std::array<Chapter, 12> chapters{{{"agree", agreement_chapter},
+constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
                                             {"blossom", agreement_chapter},
                                             {"evaluate", evaluation_chapter},
                                             {"derivative", derivative_chapter},
@@ -216,29 +220,30 @@ constexpr std::array<Chapter, 12> chapters{{{"agree", agreement_chapter},
                                             {"elevate", elevation_chapter},
                                             {"insert-knots", insertion_chapter},
                                             {"segments", segments_chapter},
-                                            {"continuity", continuity_chapter},
-                                            {"prove", proof_chapter}}};
+                                            {"continuity", continuity_chapter}}};
 
 }  // namespace
 
 bool has_chapter(std::string_view operation) {
-    return std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
+    return operation == prove_operation().name || std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
 }
 
 std::string no_chapter(std::string_view operation) {
     std::string known;
     for (const Chapter& chapter : chapters) {
-        known += (known.empty() ? "" : ", ") + std::string(chapter.operation);
+        known += std::string(chapter.operation) + ", ";
     }
+    known += prove_operation().name;
     return "there is no chapter for the operation " + quoted(operation) + "; there is for " + known;
 }
 
-Document chapter_of(const Json& request, const Limits& limits) {
+std::vector<Document> chapters_of(const Json& request, const Limits& limits) {
     static_cast<void>(result_of(request, limits));
     const std::string& name = *request.find("op")->text();
+    if (name == prove_operation().name) return proof_pages(*request.find("statement"), limits);
     const auto* chapter = std::ranges::find(chapters, name, &Chapter::operation);
     if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(name), "/op");
-    return with_weights(chapter->make(Asked(request, limits)), request, limits);
+    return {with_weights(chapter->make(Asked(request, limits)), request, limits)};
 }
 
 }  // namespace blossom::cli

@@ -5,14 +5,15 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "json.hpp"
 
 namespace blossom::cli {
 
-/// The chapter that works out a request. The request is answered first, so that what is wrong with it is
+/// The chapter that works out a request, or of statements one for each claim. The request is answered first, so that what is wrong with it is
 /// reported as for itself. Errors: those of the request; `unknown_op` for one without chapter.
-worked::Document chapter_of(const Json& request, const Limits& limits);
+std::vector<worked::Document> chapters_of(const Json& request, const Limits& limits);
 
 /// Whether there is one for the operation of this name.
 bool has_chapter(std::string_view operation);

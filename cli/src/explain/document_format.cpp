@@ -25,25 +25,48 @@ worked::BlossomStyle read_style(const Json& value) {
                 "the notation is parentheses, brackets or multiplicative, not " + quoted(name));
 }
 
+using Documents = std::vector<worked::Document>;
+
+/// One document after the other.
+template <class Write>
+std::string joined(const Documents& documents, std::string_view between, const Write& write) {
+    std::string text;
+    for (const worked::Document& document : documents) text += (text.empty() ? "" : std::string(between)) + write(document);
+    return text;
+}
+
+/// The object of a document; of several documents a list.
+std::string json_text(const Documents& documents, const worked::Notation& notation) {
+    const std::string objects =
+        joined(documents, ",\n", [&](const worked::Document& document) { return render_json(document, notation); });
+    return documents.size() == 1 ? objects : "[" + objects + "]\n";
+}
+
 struct Format {
     std::string_view name;
-    std::string (*write)(const worked::Document& document, const worked::Notation& notation,
-                         std::size_t columns);
+    std::string (*write)(const Documents& documents, const worked::Notation& notation, std::size_t columns);
 };
 
 constexpr std::array<Format, 6> formats{
-    {{"text", [](const worked::Document& document, const worked::Notation& notation,
-                 std::size_t columns) { return render_text(document, notation, columns); }},
-     {"markdown", [](const worked::Document& document, const worked::Notation& notation,
-                     std::size_t) { return render_markdown(document, notation); }},
-     {"latex", [](const worked::Document& document, const worked::Notation& notation,
-                  std::size_t) { return render_latex(document, notation); }},
-     {"latex-fragment", [](const worked::Document& document, const worked::Notation& notation,
-                           std::size_t) { return render_latex_fragment(document, notation); }},
-     {"html", [](const worked::Document& document, const worked::Notation& notation,
-                 std::size_t) { return render_html(document, notation); }},
-     {"json", [](const worked::Document& document, const worked::Notation& notation, std::size_t) {
-          return render_json(document, notation);
+    {{"text", [](const Documents& documents, const worked::Notation& notation, std::size_t columns) {
+          return joined(documents, "\n", [&](const worked::Document& document) {
+              return render_text(document, notation, columns);
+          });
+      }},
+     {"markdown", [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return joined(documents, "\n",
+                        [&](const worked::Document& document) { return render_markdown(document, notation); });
+      }},
+     {"latex", [](const Documents& documents, const worked::Notation& notation,
+                  std::size_t) { return render_latex(documents, notation); }},
+     {"latex-fragment", [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return joined(documents, "",
+                        [&](const worked::Document& document) { return render_latex_fragment(document, notation); });
+      }},
+     {"html", [](const Documents& documents, const worked::Notation& notation,
+                 std::size_t) { return render_html(documents, notation); }},
+     {"json", [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return json_text(documents, notation);
       }}}};
 
 std::string read_format(const Json& value) {
@@ -66,11 +89,12 @@ DocumentFormat DocumentFormat::read(Fields& request, const Limits& limits) {
     return format;
 }
 
-Json DocumentFormat::written(const worked::Document& document) const {
-    const worked::Notation notation{style_.value_or(document.style),
-                                    multiplicities_.value_or(largest_degree(document) > widest_degree)};
+Json DocumentFormat::written(const std::vector<worked::Document>& documents) const {
+    const bool wide = std::ranges::any_of(
+        documents, [](const worked::Document& document) { return largest_degree(document) > widest_degree; });
+    const worked::Notation notation{style_.value_or(documents.front().style), multiplicities_.value_or(wide)};
     const auto* format = std::ranges::find(formats, format_, &Format::name);
-    return Json::Object{{"format", format_}, {"document", format->write(document, notation, columns_)}};
+    return Json::Object{{"format", format_}, {"document", format->write(documents, notation, columns_)}};
 }
 
 std::vector<Option> document_options() {

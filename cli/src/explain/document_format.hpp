@@ -19,8 +19,8 @@ public:
     /// Errors: `wrong_kind` for a format or a notation that is not known.
     static DocumentFormat read(Fields& request, const Limits& limits);
 
-    /// The fields "format" and "document" of a result.
-    Json written(const worked::Document& document) const;
+    /// The fields "format" and "document" of a result, of one or more documents that follow each other.
+    Json written(const std::vector<worked::Document>& documents) const;
 
 private:
     std::string format_;

@@ -31,7 +31,7 @@ Json answer(Fields& request, const Limits& limits) {
     const DocumentFormat format = DocumentFormat::read(request, limits);
     request.finish();
     const worked::Sheet made = exercise_sheet(sheet);
-    return format.written(solutions ? made.solutions : made.problems);
+    return format.written({solutions ? made.solutions : made.problems});
 }
 
 }  // namespace

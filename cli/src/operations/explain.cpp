@@ -7,11 +7,11 @@ namespace blossom::cli {
 namespace {
 
 Json answer(Fields& request, const Limits& limits) {
-    const worked::Document document =
-        request.required("request", [&](const Json& explained) { return chapter_of(explained, limits); });
+    const std::vector<worked::Document> documents =
+        request.required("request", [&](const Json& explained) { return chapters_of(explained, limits); });
     const DocumentFormat format = DocumentFormat::read(request, limits);
     request.finish();
-    return format.written(document);
+    return format.written(documents);
 }
 
 }  // namespace

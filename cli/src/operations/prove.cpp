@@ -44,9 +44,19 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     return decisions;
 }
 
+/// Those of one text, or of several.
+std::vector<DecidedLine> all_decisions(const Json& value, const Limits& limits) {
+    if (!value.array()) return decisions_of(read_text(value), limits);
+    std::vector<DecidedLine> decisions;
+    for (auto& lines : read_list(value, [&](const Json& text) { return decisions_of(read_text(text), limits); }))
+        std::ranges::move(lines, std::back_inserter(decisions));
+    if (decisions.empty()) throw Error(ErrorCode::wrong_arity, "there is no statement");
+    return decisions;
+}
+
 Json answer(Fields& request, const Limits& limits) {
-    const auto decisions = request.required(
-        "statement", [&](const Json& value) { return decisions_of(read_text(value), limits); });
+    const auto decisions =
+        request.required("statement", [&](const Json& value) { return all_decisions(value, limits); });
     request.finish();
     // Of several lines the first that is refuted speaks for all.
     const auto refuted = std::ranges::find_if(decisions, [](const DecidedLine& line) {

@@ -21,8 +21,8 @@ struct WrittenCase {
     proofs::Relation relation;
 };
 
-/// The statement as it was given, a line each.
-Table statement_table(const proofs::Block& block);
+/// The statement as it was given, a line each, with one of its claims.
+Table statement_table(const DecidedClaim& claim);
 
 /// "for n = 3" in words, or "" without parameters.
 Text parameters_text(const std::vector<std::pair<std::string, long long>>& parameters);

@@ -16,8 +16,8 @@ struct BlockCase::Walk {
     CaseOutcome& outcome;
     SparsePolynomial difference;
     std::vector<SparsePolynomial> nonzero;
-    std::vector<Substitution> steps = {};
-    std::vector<std::string> pivots = {};  ///< "a != b": what the branches on the way require
+    std::vector<Substitution> steps;
+    std::vector<std::string> pivots;  ///< "a != b": what the branches on the way require
     std::size_t agreed = 0;
 };
 
@@ -127,8 +127,9 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
     outcome.left = expand(relation.left);
     const Fraction right = expand(relation.right);
     decision.terms = outcome.left.numerator.size();
-    Walk way{relation, decision, outcome, expander_.field().difference(outcome.left, right).numerator,
-             outcome.conditions};
+    Walk way{
+        relation,           decision, outcome, expander_.field().difference(outcome.left, right).numerator,
+        outcome.conditions, {},       {}};
     try {
         outcome.root = walk(root, way);
     } catch (const Error& error) {

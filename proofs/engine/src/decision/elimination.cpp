@@ -257,8 +257,10 @@ std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchS
         const SparsePolynomial leading = coefficients_in(polynomial, i)[degree];
         if (leading.total_degree() > 0) continue;
         SparsePolynomial relation = polynomial * SparsePolynomial(Rational(1) / leading.coefficient(0));
-        const SparsePolynomial repeated = gcd(relation, derivative(relation, i));
-        if (repeated.degree_in(i) > 0) relation = divide_exactly(relation, repeated);
+        if (may_have_repeated_factor(relation, i)) {
+            const SparsePolynomial repeated = gcd(relation, derivative(relation, i));
+            if (repeated.degree_in(i) > 0) relation = divide_exactly(relation, repeated);
+        }
         const std::size_t simple = relation.degree_in(i);
         best = Candidate{equation, {i, simple, std::move(relation)}, {}, 0, simple};
     }

@@ -116,11 +116,13 @@ private:
     /// The value of the symbol of a step, where all others of its relation have one.
     bool solve(std::size_t number) {
         const std::size_t symbol = steps_[number].symbol;
+        if (relations_[number].degree_in(symbol) == 0) return true;
         const auto powers = coefficients_in(relations_[number], symbol);
         for (const SparsePolynomial& power : powers) {
             if (power.total_degree() > 0) return leave(symbol);
         }
         std::vector<Rational> coefficients;
+        coefficients.reserve(powers.size());
         for (const SparsePolynomial& power : powers)
             coefficients.push_back(power.is_zero() ? Rational(0) : power.coefficient(0));
         if (coefficients.size() == 2) {

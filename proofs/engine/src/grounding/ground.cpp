@@ -1,6 +1,8 @@
 #include <blossom/proofs/ground.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/number_text.hpp>
 
+#include <algorithm>
 #include <functional>
 
 #include "grounder.hpp"
@@ -119,7 +121,11 @@ std::vector<Parameters> parameter_choices(const Block& block, const Limits& limi
     Grounder grounder(limits);
     std::vector<const Range*> ranges;
     for (const Statement& statement : block.statements) {
-        if (statement.kind == StatementKind::parameter) ranges.push_back(&statement.ranges.front());
+        if (statement.kind != StatementKind::parameter) continue;
+        const Range& range = statement.ranges.front();
+        const auto same = [&](const Range* other) { return other->name == range.name; };
+        if (std::ranges::any_of(ranges, same)) refuse(quoted(range.name) + " is declared already", range.offset);
+        ranges.push_back(&range);
     }
     std::vector<Parameters> choices;
     Parameters chosen;

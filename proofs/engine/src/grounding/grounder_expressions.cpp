@@ -190,8 +190,8 @@ Value Grounder::name(const Expression& e) {
     const Declared* declared = bare ? names_->bare(e.name) : names_->family(e.name);
     if (bare ? declared && declared->meaning == Meaning::let : names_->clauses(e.name) != nullptr)
         return let_value(full, e);
-    if (!bare && declared && text_->strict && !is_declared_member(*declared, e))
-        refuse(full + " is not among the declared members of " + e.name + "_i", e.offset);
+    if (!bare && text_->strict && !(declared && is_declared_member(*declared, e)))
+        refuse(full + " is not declared; in a strict text every name is", e.offset);
     return variable(full, declared, e.offset);
 }
 
@@ -349,6 +349,7 @@ bool Grounder::binds(const Statement& clause, const std::vector<long long>& indi
 
 bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, const Expression& e) {
     std::vector<long long> indices;
+    indices.reserve(e.children.size());
     for (const Expression& index : e.children) indices.push_back(integer(index));
     const Bindings outer = bound_;
     const bool fits = std::ranges::any_of(clauses, [&](const Statement* clause) {

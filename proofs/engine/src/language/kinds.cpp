@@ -134,7 +134,7 @@ Kind Kinds::clause_kind(const Statement& clause) {
     for (const Expression& index : clause.sides[0].children) {
         const bool open = index.kind == ExpressionKind::name && index.children.empty();
         const Declared* known = open ? names_.bare(index.name) : nullptr;
-        if (open && !(known && known->meaning == Meaning::parameter)) {
+        if (open && (!known || known->meaning != Meaning::parameter)) {
             scope.add(index.name, integer_kind);
         } else {
             require_integer(index);

@@ -131,6 +131,8 @@ struct Document {
     std::vector<NamedMap> maps;
     std::vector<NamedPoint> points;
     std::vector<std::string> symbols;  ///< letters that its formulas define
+    /// What is claimed in general, in formulas with indices and ranges instead of numbers.
+    std::vector<Block> general;
     std::vector<Block> statement;
     std::vector<Step> steps;
     std::vector<Block> result;

@@ -3,6 +3,7 @@
 #include <blossom/rational/rational.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ enum class FormulaKind {
     power,       ///< parts[0] ^ parts[1]
     index,       ///< parts[0] with subscript parts[1]
     call,        ///< the map `name` at parts
+    application, ///< parts[0], which is more than a name, at the other parts
     derivative,  ///< the derivative of order `value` of the map `name` at parts[0]
     blossom,     ///< the blossom `name` at parts, as many as its degree; of a spline that of a segment whose
                  ///< span has the index `value` - 1, or for 0 of any, where all agree
@@ -26,9 +28,14 @@ enum class FormulaKind {
     binomial,    ///< parts[0] over parts[1]
     factorial,   ///< parts[0]!
     tuple,       ///< (parts)
+    list,        ///< parts with `name`, "," or ";", between them
+    repeated,    ///< the argument parts[0], parts[1] times
+    pair,        ///< <parts[0], parts[1]>
+    size,        ///< |parts[0]|
+    cases,       ///< parts[0] if parts[1] holds, otherwise parts[2]
     set,         ///< {parts}
     interval,    ///< [parts[0], parts[1]]
-    summation,   ///< the sum over parts[0] of parts[1]
+    summation,   ///< the sum, or as `name` says the product, over parts[0] of parts[1]; to parts[2] if there is one
     relation,    ///< parts connected by `name`, for instance "="
 };
 
@@ -61,10 +68,19 @@ Formula blossom_of(std::string name, std::vector<Formula> arguments);
 Formula elementary(std::size_t order, std::vector<Formula> arguments);
 Formula binomial_of(Formula n, Formula k);
 Formula factorial_of(Formula n);
+Formula application(Formula head, std::vector<Formula> arguments);
 Formula tuple(std::vector<Formula> parts);
+/// Of one part that part.
+Formula list_of(std::vector<Formula> parts, std::string separator = ",");
+Formula repeated(Formula argument, Formula times);
+Formula pair_of(Formula first, Formula second);
+Formula size_of(Formula set);
+Formula cases_of(Formula value, Formula condition, Formula otherwise);
 Formula set_of(std::vector<Formula> parts);
 Formula interval_of(Formula begin, Formula end);
 Formula summation(Formula below, Formula of);
+/// The sum or product, by its sign "∑" or "∏", from `below` to `above`, if there is one.
+Formula summation(std::string sign, Formula below, std::optional<Formula> above, Formula of);
 /// sides[0] = sides[1] = ...; of one side that side.
 Formula equation(std::vector<Formula> sides);
 Formula relation(std::string sign, std::vector<Formula> sides);

@@ -4,6 +4,7 @@
 #include <blossom/worked/notation.hpp>
 
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,9 +24,9 @@ std::string render_markdown(const Document& document, const Notation& notation =
 /// The pictures of a document in their order, each as an SVG file of its own.
 std::vector<std::string> render_pictures(const Document& document, const Notation& notation = {});
 
-/// LaTeX: a complete document, or the fragment that an own one takes in with \input after the preamble of
+/// LaTeX: a complete document of several examples, or the fragment that an own one takes in with \input after the preamble of
 /// `latex_preamble`.
-std::string render_latex(const Document& document, const Notation& notation = {});
+std::string render_latex(std::span<const Document> documents, const Notation& notation = {});
 std::string render_latex_fragment(const Document& document, const Notation& notation = {});
 std::string latex_preamble();
 
@@ -35,8 +36,9 @@ struct Link {
     std::string text;
 };
 
-/// One file of HTML that needs no other: formulas in MathML, pyramids and pictures in SVG, no script.
-std::string render_html(const Document& document, const Notation& notation = {},
+/// One file of HTML with one or more examples that needs no other: formulas in MathML, pyramids and pictures in SVG, no
+/// script.
+std::string render_html(std::span<const Document> documents, const Notation& notation = {},
                         const std::vector<Link>& links = {});
 
 /// The document as data: every formula as a tree, every number exact.

@@ -7,14 +7,14 @@
 
 /// The maps of a counterexample: how their degrees and variables are written.
 
-namespace blossom::cli {
+namespace blossom::proofs {
 
-bool is_tensor(const proofs::WitnessMap& map);
+bool is_tensor(const WitnessMap& map);
 
 /// "degree 2" or "degrees 2, 1"
-std::string degrees_text(const proofs::WitnessMap& map);
+std::string degrees_text(const WitnessMap& map);
 
 /// The names that the text of the map uses, in order.
-std::vector<std::string> variables_of(const proofs::WitnessMap& map);
+std::vector<std::string> variables_of(const WitnessMap& map);
 
-}  // namespace blossom::cli
+}  // namespace blossom::proofs

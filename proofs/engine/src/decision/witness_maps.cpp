@@ -1,17 +1,17 @@
-#include "witness_maps.hpp"
+#include <blossom/proofs/witness_maps.hpp>
 
-namespace blossom::cli {
+namespace blossom::proofs {
 
-bool is_tensor(const proofs::WitnessMap& map) { return map.directions.size() > 1; }
+bool is_tensor(const WitnessMap& map) { return map.directions.size() > 1; }
 
-std::string degrees_text(const proofs::WitnessMap& map) {
+std::string degrees_text(const WitnessMap& map) {
     std::string text;
     for (const auto& [degree, dimension] : map.directions)
         text += (text.empty() ? "" : ", ") + std::to_string(degree);
     return (is_tensor(map) ? "degrees " : "degree ") + text;
 }
 
-std::vector<std::string> variables_of(const proofs::WitnessMap& map) {
+std::vector<std::string> variables_of(const WitnessMap& map) {
     std::size_t count = 0;
     for (const auto& [degree, dimension] : map.directions) count += dimension;
     if (count == 1) return {"t"};
@@ -21,4 +21,4 @@ std::vector<std::string> variables_of(const proofs::WitnessMap& map) {
     return names;
 }
 
-}  // namespace blossom::cli
+}  // namespace blossom::proofs

@@ -1,0 +1,142 @@
+#include <blossom/worked/general_statement.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+#include "latex_words.hpp"
+#include "layout.hpp"
+#include "letters.hpp"
+
+namespace blossom::worked {
+
+namespace {
+
+using Kind = Layout::Kind;
+
+/// About how many letters of a formula fit on a line of an article.
+constexpr double line_letters = 64;
+
+const Notation notation{BlossomStyle::brackets, false};
+
+/// About how many letters wide the formula is drawn.
+double width_of(const Layout& layout) {
+    std::vector<double> widths;
+    for (const Layout& part : layout.parts) widths.push_back(width_of(part));
+    constexpr double script = 0.7;
+    switch (layout.kind) {
+        case Kind::row:
+            return std::accumulate(widths.begin(), widths.end(), 0.0);
+        case Kind::number:
+        case Kind::identifier:
+        case Kind::words:
+            return static_cast<double>(columns(letter(layout.text).unicode));
+        case Kind::relation:
+        case Kind::binary:
+            return 3;
+        case Kind::sign:
+            return 1.5;
+        case Kind::apply:
+        case Kind::times:
+            return 0;
+        case Kind::comma:
+            return 1;
+        case Kind::fraction:
+        case Kind::stack:
+            return *std::ranges::max_element(widths) + 1;
+        case Kind::superscript:
+        case Kind::subscript:
+            return widths[0] + script * widths[1];
+        case Kind::fenced:
+            return widths[0] + 2;
+        case Kind::under:
+            return std::max(2.5, script * *std::max_element(widths.begin() + 1, widths.end()));
+        case Kind::cases:
+            return std::max(widths[0], widths[2]) + widths[1] + 8;
+    }
+    return 0;
+}
+
+/// On one line where it fits; otherwise a line for each side, and more where a side is too long. `ending` stands behind it.
+std::string display(const Formula& formula, const std::string& ending) {
+    std::string one_line;
+    std::string lines;
+    double whole = 0;
+    double line = 0;
+    for (const Piece& piece : pieces_of(formula, notation)) {
+        const double width = width_of(piece.layout);
+        const std::string text = latex_of(piece.layout);
+        if (lines.empty()) {
+            lines = "  &";
+        } else if (piece.begins_side || line + width > line_letters) {
+            lines += piece.begins_side ? " \\\\\n  &\\quad" : " \\\\\n  &\\qquad";
+            line = 4;
+            // What stands in front makes the sign one between two parts.
+            lines += " {}";
+        }
+        one_line += text;
+        lines += text;
+        whole += width;
+        line += width;
+    }
+    if (whole <= line_letters) return "\\[\n  " + one_line + ending + "\n\\]\n";
+    return "\\begin{align*}\n" + lines + ending + "\n\\end{align*}\n";
+}
+
+std::string sentence(const Text& text) { return latex_words(text, notation); }
+
+/// The same, with long formulas on lines of their own; what ends them stands there too.
+std::string sentences(const Text& text) {
+    constexpr double most_inline = 32;
+    std::string result;
+    std::size_t begun = 0;  ///< the bytes of the next words that stand behind a formula already
+    const std::vector<Text::Part>& parts = text.parts();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (const auto* words = std::get_if<std::string>(&parts[i])) {
+            result += latex_text(std::string_view(*words).substr(begun));
+            begun = 0;
+            continue;
+        }
+        const Formula& formula = std::get<Formula>(parts[i]);
+        if (width_of(layout_of(formula, notation)) <= most_inline) {
+            result += sentence(formula);
+            continue;
+        }
+        const auto* next = i + 1 < parts.size() ? std::get_if<std::string>(&parts[i + 1]) : nullptr;
+        begun = next ? std::min(next->find_first_not_of(".,"), next->size()) : 0;
+        if (result.ends_with(' ')) result.pop_back();
+        result += "\n" + display(formula, next ? next->substr(0, begun) : "");
+        if (next && next->substr(begun).starts_with(' ')) ++begun;
+    }
+    if (result.ends_with('\n')) result.pop_back();
+    return result;
+}
+
+/// A title as the beginning of a paragraph, which ends with a stop.
+std::string heading(const proofs::Block& block) {
+    std::string title = block.title.empty() ? block.id : block.title;
+    if (title.empty()) return "";
+    if (title.find_last_of(".!?") != title.size() - 1) title += ".";
+    return "\\textbf{" + latex_text(title) + "}\n";
+}
+
+}  // namespace
+
+std::string render_latex_theorem(const proofs::Block& block, const std::vector<proofs::Decision>& decisions) {
+    const Text declarations = declarations_in_words(block);
+    // Formulas within words break nowhere: the spaces between them give way.
+    std::string text = "{\\emergencystretch=3em\\noindent\n" + heading(block);
+    if (!declarations.empty()) text += sentences(declarations) + "\n";
+    std::string opening = declarations.empty() ? "" : "Then";
+    for (const proofs::Decision& decision : decisions) {
+        const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement], opening);
+        if (!claim.before.empty()) text += latex_text(claim.before) + "\n";
+        text += display(claim.claim, claim.after.empty() ? "." : "");
+        if (!claim.after.empty()) text += sentence(claim.after) + "\n";
+        text += "\\emph{" + sentence(verdict_in_words(block, decision)) + "}\n";
+        if (const auto* found = decision.counterexample()) text += sentence(counterexample_in_words(*found)) + "\n";
+        opening = "Moreover,";
+    }
+    return text + "\\par}\n";
+}
+
+}  // namespace blossom::worked
