@@ -124,7 +124,10 @@ NodeId Grounder::derivative_of(const Expression& e, Application result) {
     const bool differentiates =
         by_directions ||
         std::ranges::any_of(e.children, [&](const Expression& order) { return count(order) > 0; });
-    if (!differentiates) return value_of(e, {.map = result.map, .offset = result.offset});
+    if (!differentiates) {
+        result.form = Application::Form::value;
+        return value_of(e, std::move(result));
+    }
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
         const NodeArgument point = place_of(e, map, i);
         const std::size_t order = by_directions ? e.children.size() : count(e.children[i]);

@@ -36,7 +36,7 @@ std::uint64_t RandomNumbers::next() {
 
 // Mostly integers, which keep exact results short.
 Rational RandomNumbers::number() {
-    constexpr std::uint64_t choices = 4 * 46;
+    constexpr std::uint64_t choices = std::uint64_t{4} * 46;
     std::uint64_t drawn = below(choices);
     if (drawn / 4 == last_ / 4) drawn = below(choices);
     last_ = drawn;
