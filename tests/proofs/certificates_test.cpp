@@ -148,6 +148,17 @@ TEST_CASE("steps that do not follow from the hypotheses are refused") {
     CHECK(problem_after(certificate_of_only_case("given a == b\nclaim a*c == b*c\n"), [](Certificate& c) {
               c.text = "given a == 2*b\nclaim a*c == b*c\n";
           }) != "");
+    // A cofactor that may vanish: a == 0 leaves x free.
+    CHECK(problem_after(certificate_of_only_case("given a*x == a\nassume a != 0\nclaim x == 1\n"), [](Certificate& c) {
+              c.text = "given a*x == a\nclaim x == 1\n";
+              c.conditions.clear();
+              c.root.steps = {{"x", 1, {{Rational(1), {{"a", 1}, {"x", 1}}}, {Rational(-1), {{"a", 1}}}}}};
+          }) == "step 1: the cofactor of the symbol may vanish");
+    // With the condition it holds, and what the text does not say is told.
+    Certificate weaker = certificate_of_only_case("given a*x == a\nassume a != 0\nclaim x == 1\n");
+    CHECK(proofs::second::confirmed_theorems(std::vector{weaker}, {}).at(0).where.empty());
+    weaker.text = "given a*x == a\nclaim x == 1\n";
+    CHECK(proofs::second::confirmed_theorems(std::vector{weaker}, {}).at(0).where == std::vector<std::string>{"a != 0"});
     const Certificate power = certificate_of_only_case(root);
     CHECK(problem_after(power, [](Certificate& c) { c.root.steps[0].degree = 1; }) != "");
     CHECK(problem_after(power, [](Certificate& c) { c.root.steps[0].relation = {{Rational(1), {{"w", 2}}}}; }) != "");

@@ -111,6 +111,13 @@ TEST_CASE("all clauses of an abbreviation have one kind") {
     CHECK(complaint("point r in 2\npoint s in 3\nlet w_0 = r\nlet w_1 = s\nclaim 1 == 1").starts_with("4:11 "));
     CHECK(complaint("number w_0..w_3\nlet w_5 = delta\nclaim 1 == 1") ==
           "2:11 w_i is declared as a number, and abbreviates a vector of dimension 1");
+    const std::string points = "point u_1, u_2, w_1 in 2\n";
+    CHECK(complaint(points + "let w_5 = sum(i, 1, 2, u_i)\nclaim 1 == 1") ==
+          "2:11 w_i is declared as a point of dimension 2, and abbreviates a pair of dimension 2");
+    CHECK(complaint(points + "let w_5 = u_1 - u_2\nclaim 1 == 1") ==
+          "2:11 w_i is declared as a point of dimension 2, and abbreviates a vector of dimension 2");
+    CHECK(verdicts(points + "let w_5 = mean(i, 1, 2, u_i)\nmap q degree 1 on simplex 2\n"
+                            "claim q(w_5) == (q(u_1) + q(u_2))/2") == "proved");
     CHECK(complaint("let S = subsets(3, 1)\nclaim 1 == 1").starts_with("1:9 a collection of sets found"));
     CHECK(verdicts("map b degree 1\nlet w_0 = 1 + delta\nlet w_1 = delta\nclaim b(w_0 - w_1) == b(1)") == "proved");
 }

@@ -126,7 +126,7 @@ TEST_CASE("a strict text declares every name, and warns of none") {
     CHECK(verdicts("strict\nnumber x\nclaim x == x\nclaim x_7 == x_7") == "proved proved");
     CHECK(verdicts("strict\nnumber x_1..x_3\nclaim x_3 == x_3") == "proved");
     CHECK(complaint("strict\nnumber x_1..x_3\nclaim x_4 == x_4") ==
-          "3:7 x_4 is not among the declared members of x_i");
+          "3:7 x_4 is not declared; in a strict text every name is");
     CHECK(verdicts("number x_1..x_3\nclaim x_4 == x_4") == "proved");
     CHECK(verdicts("strict\nmap f degree 1\ngiven f(x) == x for all x\nclaim sum(i, 1, 2, f(i)) == 3") == "proved");
     CHECK(warnings("strict\nclaim x == x") == "");
