@@ -105,7 +105,7 @@ Kind Kinds::over(const Expression& e) {
 Kind Kinds::determinant(const Expression& e) {
     require_integer(e.children[2]);
     if (binder_name(e, 0) == binder_name(e, 1))
-        refuse_call("rows and columns of a determinant have different names", e.children[1].offset);
+        refuse_kind("rows and columns of a determinant have different names", e.children[1].offset);
     Scope scope(*this);
     for (const std::size_t i : {0U, 1U}) scope.add(binder_name(e, i), {KindName::integer, 0});
     return require_number(e.children[3]);
