@@ -68,13 +68,12 @@ std::string problem_of(const Certificate& certificate, const Limits& limits);
 struct Confirmed {
     std::string id;
     std::string title;
-    std::size_t line = 0;    ///< among the claim and refute lines of the block, from 0
-    bool confirmed = false;  ///< in all cases of its ranges
-    std::size_t cases = 0;   ///< of its ranges
-    std::size_t proved = 0;  ///< of these
-    std::vector<std::string> where =
-        {};               ///< "a != 0": what is assumed beyond the text, a pivot that was left open
-    std::string problem;  ///< the first one met, or nothing
+    std::size_t line = 0;            ///< among the claim and refute lines of the block, from 0
+    bool confirmed = false;          ///< in all cases of its ranges
+    std::size_t cases = 0;           ///< of its ranges
+    std::size_t proved = 0;          ///< of these
+    std::vector<std::string> where;  ///< "a != 0": assumptions beyond the text, pivots that were left open
+    std::string problem;             ///< the first one met, or nothing
 };
 
 /// For each line `claim` of each text, in the order of the first certificate of each text. A text that cannot

@@ -22,16 +22,15 @@ namespace blossom::proofs::second {
 /// Both sides of a claim, and its hypotheses and assumptions, as elements of a field, by plain recursion over
 /// the tree.
 ///
-/// A Field has `using Element = ...` (a regular type) and
+/// A Field has `using Element = ...`, a regular type, and these members:
 ///
-///     Element number(const Rational&);
-///     Element symbol(const std::string& name);   // asked for once a symbol and evaluation
-///     Element bound(const std::string& name);    // asked for once a bound variable, case and call of
-///     hypotheses() Element sum(const Element&, const Element&); Element product(const Element&, const
-///     Element&); Element negative(const Element&); Element quotient(const Element&, const Element&); Element
-///     power(const Element&, std::size_t); Element derivative(const std::function<Element(const Element&)>&,
-///     const Element& at, std::size_t order); std::vector<Element> coefficients(const
-///     std::function<Element(const Element&)>&, std::size_t degree); bool is_zero(const Element&);
+/// - `number(Rational)`, `symbol(name)` and `bound(name)` give elements. Each symbol is requested one time
+/// per evaluation,
+///   each bound variable one time per case and call of `hypotheses()`;
+/// - `sum(a, b)`, `product(a, b)`, `negative(a)`, `quotient(a, b)` and `power(a, exponent)`;
+/// - `derivative(f, at, order)` of a function of an element;
+/// - `coefficients(f, degree)`: those of the polynomial f, lowest first;
+/// - `is_zero(a)`.
 ///
 /// After an error that the field or the evaluation throws it may only be destroyed.
 template <class Field>
