@@ -153,10 +153,11 @@ Outcome format_all(const std::vector<ProofText>& texts, const Streams& streams) 
 
 /// One line of JSON a claim.
 Json line_of(const ProofTask& task, const proofs::Decision& decision) {
-    Json line = Json::Object{{"id", task.block->id},
-                             {"file", task.text->name},
-                             {"line", task.text->line(decision.offset)},
-                             {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
+    Json line =
+        Json::Object{{"id", task.block->id},
+                     {"file", task.text->name},
+                     {"line", task.text->line(decision.offset)},
+                     {"kind", decision.expectation == proofs::Expectation::proof ? "claim" : "refute"}};
     const Json result = to_json(*task.block, decision);
     for (const auto& [name, value] : *result.object()) line[name] = value;
     Json::Array warnings;

@@ -13,63 +13,67 @@ namespace {
 
 using Kind = Layout::Kind;
 
-/// About how many letters of a formula fit on a line of an article.
-constexpr double line_letters = 64;
+/// The width of a letter, by which widths are estimated.
+constexpr std::size_t letter_width = 10;
+
+/// About what fits on a line of an article.
+constexpr std::size_t line_width = 64 * letter_width;
 
 const Notation notation{BlossomStyle::brackets, false};
 
-/// About how many letters wide the formula is drawn.
-double width_of(const Layout& layout) {
-    std::vector<double> widths;
+/// About how wide the formula is drawn.
+std::size_t width_of(const Layout& layout) {
+    std::vector<std::size_t> widths;
     for (const Layout& part : layout.parts) widths.push_back(width_of(part));
-    constexpr double script = 0.7;
+    const auto as_script = [](std::size_t width) { return width * 7 / 10; };
     switch (layout.kind) {
         case Kind::row:
-            return std::accumulate(widths.begin(), widths.end(), 0.0);
+            return std::accumulate(widths.begin(), widths.end(), std::size_t{0});
         case Kind::number:
         case Kind::identifier:
         case Kind::words:
-            return static_cast<double>(columns(letter(layout.text).unicode));
+            return letter_width * columns(letter(layout.text).unicode);
         case Kind::relation:
         case Kind::binary:
-            return 3;
+            return 3 * letter_width;
         case Kind::sign:
-            return 1.5;
+            return letter_width + letter_width / 2;
         case Kind::apply:
         case Kind::times:
             return 0;
         case Kind::comma:
-            return 1;
+            return letter_width;
         case Kind::fraction:
         case Kind::stack:
-            return *std::ranges::max_element(widths) + 1;
+            return *std::ranges::max_element(widths) + letter_width;
         case Kind::superscript:
         case Kind::subscript:
-            return widths[0] + script * widths[1];
+            return widths[0] + as_script(widths[1]);
         case Kind::fenced:
-            return widths[0] + 2;
+            return widths[0] + 2 * letter_width;
         case Kind::under:
-            return std::max(2.5, script * *std::max_element(widths.begin() + 1, widths.end()));
+            return std::max(2 * letter_width, as_script(*std::max_element(widths.begin() + 1, widths.end())));
         case Kind::cases:
-            return std::max(widths[0], widths[2]) + widths[1] + 8;
+            return std::max(widths[0], widths[2]) + widths[1] + 8 * letter_width;
     }
     return 0;
 }
 
-/// On one line where it fits; otherwise a line for each side, and more where a side is too long. `ending` stands behind it.
+/// On one line where it fits; otherwise a line for each side, and more where a side is too long. `ending`
+/// stands behind it.
 std::string display(const Formula& formula, const std::string& ending) {
     std::string one_line;
     std::string lines;
-    double whole = 0;
-    double line = 0;
+    std::size_t whole = 0;
+    std::size_t line = 0;
     for (const Piece& piece : pieces_of(formula, notation)) {
-        const double width = width_of(piece.layout);
+        const std::size_t width = width_of(piece.layout);
         const std::string text = latex_of(piece.layout);
         if (lines.empty()) {
             lines = "  &";
-        } else if (piece.begins_side || line + width > line_letters) {
+        } else if (piece.begins_side || line + width > line_width) {
             lines += piece.begins_side ? " \\\\\n  &\\quad" : " \\\\\n  &\\qquad";
-            line = 4;
+            line = 4 * letter_width;
             // What stands in front makes the sign one between two parts.
             lines += " {}";
         }
@@ -78,7 +82,7 @@ std::string display(const Formula& formula, const std::string& ending) {
         whole += width;
         line += width;
     }
-    if (whole <= line_letters) return "\\[\n  " + one_line + ending + "\n\\]\n";
+    if (whole <= line_width) return "\\[\n  " + one_line + ending + "\n\\]\n";
     return "\\begin{align*}\n" + lines + ending + "\n\\end{align*}\n";
 }
 
@@ -86,7 +90,7 @@ std::string sentence(const Text& text) { return latex_words(text, notation); }
 
 /// The same, with long formulas on lines of their own; what ends them stands there too.
 std::string sentences(const Text& text) {
-    constexpr double most_inline = 32;
+    constexpr std::size_t most_inline = 32 * letter_width;
     std::string result;
     std::size_t begun = 0;  ///< the bytes of the next words that stand behind a formula already
     const std::vector<Text::Part>& parts = text.parts();
@@ -128,12 +132,16 @@ std::string render_latex_theorem(const proofs::Block& block, const std::vector<p
     if (!declarations.empty()) text += sentences(declarations) + "\n";
     std::string opening = declarations.empty() ? "" : "Then";
     for (const proofs::Decision& decision : decisions) {
-        const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement], opening);
+        // Nothing is said to hold that was not decided so.
+        const std::string claimed = opening.empty() ? "The claim is that" : opening + " the claim is that";
+        const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement],
+                                                  decision.as_expected() ? opening : claimed);
         if (!claim.before.empty()) text += latex_text(claim.before) + "\n";
         text += display(claim.claim, claim.after.empty() ? "." : "");
         if (!claim.after.empty()) text += sentence(claim.after) + "\n";
         text += "\\emph{" + sentence(verdict_in_words(block, decision)) + "}\n";
-        if (const auto* found = decision.counterexample()) text += sentence(counterexample_in_words(*found)) + "\n";
+        if (const auto* found = decision.counterexample())
+            text += sentence(counterexample_in_words(*found)) + "\n";
         opening = "Moreover,";
     }
     return text + "\\par}\n";
