@@ -189,6 +189,8 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
                                    line.confirmed ? "confirmed" : "open",
                                    line.id.empty() ? "a statement without a name" : line.id, line.line + 1,
                                    line.proved, line.cases));
+        if (!line.where.empty())
+            streams.output(fmt::format("    only where {}\n", fmt::join(line.where, ", ")));
         if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
     }
     streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));

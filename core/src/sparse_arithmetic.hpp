@@ -57,6 +57,8 @@ struct SparseArithmetic {
         return packed_monomials::greatest_exponents(a.monomials_, a.words_, a.bits_);
     }
 
+    [[noreturn]] static void exponent_too_large();
+
     static const std::vector<std::uint64_t>& monomials(const SparsePolynomial& a) { return a.monomials_; }
 
     /// The polynomial with these terms over a denominator, in its canonical form.

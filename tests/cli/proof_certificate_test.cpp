@@ -199,7 +199,7 @@ TEST_CASE("what is no certificate is refused") {
     CHECK(refused(R"({"certificate": 1, "proofs": []})") ==
           "/certificate this certificate has version 1; this program reads version 2");
     CHECK(refused(R"({"certificate": 2})").find("proofs") != std::string::npos);
-    CHECK(refused(R"({"certificate": 2, "proofs": [{}]})").starts_with("/proofs/0 "));
+    CHECK(refused(R"({"certificate": 2, "proofs": [{}]})").starts_with("/proofs/0/id "));
     CHECK(refused(R"({"certificate": 2, "proofs": [], "seal": ""})").starts_with("/seal "));
     const std::string before = R"({"certificate": 2, "proofs": [{"id": "", "title": "", "text": "claim 1 == 1",
         "line": 0, "parameters": {}, "conditions": [], "proof": )";
@@ -207,7 +207,7 @@ TEST_CASE("what is no certificate is refused") {
     const std::string proof = R"({"steps": [], "end": "agree"})";
     CHECK(refused(before + proof + after) == "");
     CHECK(refused(before + R"({"steps": [], "end": "true"})" + after).starts_with("/proofs/0/proof/end "));
-    CHECK(refused(before + R"({"steps": [], "end": "split"})" + after).starts_with("/proofs/0/proof "));
+    CHECK(refused(before + R"({"steps": [], "end": "split"})" + after).starts_with("/proofs/0/proof/pivot "));
     CHECK(refused(before + R"({"steps": [], "end": "agree", "branches": []})" + after)
               .starts_with("/proofs/0/proof/branches "));
     CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": 1, "relation": [[]]}], "end": "agree"})" + after) ==
@@ -238,7 +238,7 @@ TEST_CASE("proofs as lemmas of Coq") {
           "\nLemma example : forall x_b_0 x_b_1 x_x x_y : Q, \n"
           "  ~ (x_x + (x_y * (-1 # 1))) == 0 ->\n"
           "  (1 * x_b_0 * (1) + 1 * x_b_1 * ((x_x / (x_x + (x_y * (-1 # 1))))))\n"
-          "  == (1 * x_b_0 * ((x_x / (x_x + (x_y * (-1 # 1)))))^0 + 1 * x_b_1 * "
+          "  == (x_b_0 * ((x_x / (x_x + (x_y * (-1 # 1)))))^0 + x_b_1 * "
           "((x_x / (x_x + (x_y * (-1 # 1)))))^1).\n"
           "Proof. intros; field; repeat split; assumption. Qed.\n");
     CHECK(lemma_of(statements[3]) == "none");

@@ -19,6 +19,8 @@ public:
     }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
+    Folder(Folder&&) = delete;
+    Folder& operator=(Folder&&) = delete;
     ~Folder() { std::filesystem::remove_all(path_); }
 
     std::string at(const std::string& name) const { return (path_ / name).string(); }

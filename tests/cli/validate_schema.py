@@ -37,7 +37,25 @@ def golden_requests():
         yield json.loads(line)["request"]
 
 
-requests = [*documented_requests(), *golden_requests()]
+def statements():
+    """Of everything that an answer to `prove` may hold: conditions, roots, open cases, cases of all verdicts, several lines."""
+    for text in (
+        "theorem one \"title\"\nfor n in 1..2\nclaim x^n/x == x^(n-1)",
+        "for n in 1..2\nclaim n == i for i in 1..n",
+        "given w^2 == 1/2\nclaim w == 1",
+        "given w^2 == 1/2\nclaim w^4 == 1/4\nclaim w == x",
+        "given a*x == a\nclaim x == 1",
+        "for n in 1..3\nmap b degree n\nrefute b[s, t] == 1",
+        "refute some 1 == 2",
+        "map q degree 2 on simplex 2 net c over P, Q, R\npoint P, Q, R in 2\nclaim q(P) == c_{0,2,0}",
+        "strict\nclaim x == x",
+        "claim delta == 1",
+        "given 1 == 2\nclaim 1 == 1",
+    ):
+        yield {"op": "prove", "statement": text}
+
+
+requests = [*documented_requests(), *golden_requests(), *statements()]
 requests += [{**request, "numbers": rounding} for request in requests for rounding in ("double", "hexfloat")]
 lines = "".join(json.dumps(request) + "\n" for request in requests)
 answers = subprocess.run([program, "batch"], input=lines, capture_output=True, text=True, check=False).stdout
@@ -47,6 +65,26 @@ assert len(responses) == len(requests) > 60, len(responses)
 # Refused by their form alone, so that the schema must refuse them too.
 form_errors = {"inexact_number", "missing_field", "unknown_field", "unknown_op", "wrong_kind"}
 problems = 0
+members = set()
+
+
+def collect(value):
+    if isinstance(value, dict):
+        members.update(value)
+        for one in value.values():
+            collect(one)
+    elif isinstance(value, list):
+        for one in value:
+            collect(one)
+
+
+for response in responses:
+    collect(response)
+for name in ("by_case", "holds_if", "roots", "ranges", "statement", "title", "lines", "error", "counterexample"):
+    if name not in members:
+        problems += 1
+        print("no answer shows", name)
+
 for request, response in zip(requests, responses):
     found = [f"response: {error.message}" for error in validator("response").iter_errors(response)]
     valid = validator("request").is_valid(request)

@@ -72,7 +72,8 @@ TEST_CASE("division by few and many terms is undone by multiplication, and a rem
             SparsePolynomial result;
             while (result.size() < terms) {
                 std::vector<std::size_t> exponents(6);
-                for (std::size_t& exponent : exponents) exponent = random.one_in(2) ? 0 : random.below(greatest);
+                for (std::size_t& exponent : exponents)
+                    exponent = random.one_in(2) ? 0 : random.below(greatest);
                 result += SparsePolynomial::term(
                     Rational(Integer(random.between(1, 9)), Integer(random.between(1, 4))), exponents);
             }

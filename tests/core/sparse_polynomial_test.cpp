@@ -240,7 +240,7 @@ TEST_CASE("exponents take the bits that they need", "[sparse_polynomial]") {
     }
     const std::vector<std::size_t> most(5, 32767);
     CHECK(SparsePolynomial::term(1, most).degree(0) == 5 * 32767);
-    CHECK(failure_code([&] { SparsePolynomial::term(1, most)* x; }) == ErrorCode::limit_exceeded);
+    CHECK(failure_code([&] { SparsePolynomial::term(1, most) * x; }) == ErrorCode::limit_exceeded);
 }
 
 TEST_CASE("powers of independent terms are those by products", "[sparse_polynomial]") {

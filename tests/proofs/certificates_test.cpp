@@ -192,6 +192,10 @@ TEST_CASE("branches that are missing, left open or wrongly ended are refused") {
             CHECK(spoiled([](Branch& branch) { branch = {{}, Branch::End::agree, {}, {}}; }) != "");
         CHECK(spoiled([](Branch& branch) { branch = {{}, Branch::End::open, {}, {}}; }) != "");
     }
+    // A claim that holds in one branch only.
+    CHECK(problem_after(certificate_of_only_case("given a*b == 0\nclaim a*b*c == 0\n"), [](Certificate& c) {
+              c.text = "given a*b == 0\nclaim a*c == 0\n";
+          }) == "branch 1: the two sides do not reduce to the same");
     // Not one branch in which the sides agree: nothing is proved.
     CHECK(problem_after(certificate_of_only_case("given a == 1\nclaim a == 1\n"), [](Certificate& c) {
               c.text = "given a == 1\ngiven a == 2\nclaim a == 1\n";

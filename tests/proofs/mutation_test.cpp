@@ -97,6 +97,7 @@ std::optional<bool> is_false(const Block& block, Random& random) {
             if (total_degree(grounded) > 6) continue;
             PlainEvaluation evaluate(grounded, random_symbols(grounded, random));
             for (const auto& relation : grounded.claims) {
+                if (relation.error) return std::nullopt;
                 if (evaluate(relation.left) != evaluate(relation.right)) return true;
             }
         }
@@ -140,6 +141,7 @@ bool is_confirmed(const Block& block, const proofs::Counterexample& witness) {
         }
         PlainEvaluation evaluate(grounded, values);
         for (const auto& relation : grounded.claims) {
+            if (relation.error) continue;
             if (to_string(evaluate(relation.left)) == witness.left && to_string(evaluate(relation.right)) == witness.right &&
                 witness.left != witness.right)
                 return true;

@@ -70,7 +70,12 @@ TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a
     CHECK(verdicts("let b_2 = x\nclaim b_2 == x\nclaim b_3 == x") == "proved refuted");
     CHECK(verdicts("let v_{0,l} = v_l\nclaim v_{0,3} == v_3\nclaim v_3 == 0") == "proved refuted");
     CHECK(complaint("let v_{0,l} = v_l\nclaim v_{1,3} == v_3").starts_with("2:7 "));
-    CHECK(verdicts("let w_{i,i} = 1\nlet w_{i,j} = 0\nclaim w_{2,2} == 1\nclaim w_{2,3} == 0") == "proved proved");
+    CHECK(verdicts("number w_{1,1}..w_{1,9}\nlet w_{i,i} = i\nclaim w_{2,2} == 2\nclaim w_{2,3} == 3") == "proved refuted");
+    CHECK(complaint("let w_{i,i} = i\nclaim w_{2,3} == 3").starts_with("2:7 no line \"let\" fits w_{2,3}"));
+    CHECK(verdicts("let b_2 = 3\nclaim b_2 + b_1 == b_1 + 3\nclaim b_1 == 3") == "proved refuted");
+    CHECK(complaint("let b_2 = delta\nmap f degree 1\nclaim f[b_3] == 0").starts_with("3:9 no line \"let\" fits b_3"));
+    CHECK(verdicts("let k_1 = 2\nclaim x^k_1 == x*x") == "proved");
+    CHECK(complaint("let k_1 = 2\nclaim x^k_2 == x*x").starts_with("2:9 an expression with variables found"));
     CHECK(verdicts("number w_0..w_4\nlet w_2 = 5\nclaim w_2 == 5\nclaim w_1 == w_1\nclaim w_1 == 5") ==
           "proved proved refuted");
 }

@@ -69,8 +69,8 @@ TEST_CASE("a limit of time ends one case, not the others") {
     proofs::DecisionOptions options;
     options.seconds = 1;
     const auto document = proofs::parse(
-        "for n in 0..1\nclaim if(n == 0, 1, determinant(i, j, 6, a_{i,j})*determinant(i, j, 6, b_{i,j})) == "
-        "if(n == 0, 1, determinant(i, j, 6, sum(k, 1, 6, a_{i,k}*b_{k,j})))");
+        "for n in 0..1\nclaim if(n == 0, 1, determinant(i, j, 7, a_{i,j})*determinant(i, j, 7, b_{i,j})) == "
+        "if(n == 0, 1, determinant(i, j, 7, sum(k, 1, 7, a_{i,k}*b_{k,j})))");
     REQUIRE(document.errors.empty());
     Limits limits;
     limits.expansion_terms = 100'000'000;

@@ -21,8 +21,6 @@ public:
             complain(begin(place), "error", "not read", text.diagnostic(error));
         }
     }
-    Suite(const Suite&) = delete;
-    Suite& operator=(const Suite&) = delete;
 
     void append(const ProofTask& task) {
         for (const proofs::Decision& decision : task.decisions) append(task, decision);

@@ -376,7 +376,7 @@ class Scope:
                 if len(set(line[2])) != len(line[2]):
                     raise Err("redeclared", "a variable twice")
                 for v in line[2]:
-                    if v in self.decl or v == "delta":
+                    if v == "delta" or v in self.decl and self.decl[v][0] != "number":
                         raise Err("redeclared", "variable " + v)
 
     def pattern(self, indices):

@@ -11,8 +11,8 @@
 
 namespace blossom::worked {
 
-/// Whether every map of a ground statement has one argument, a number, so that its values can be written, no number is
-/// called like a coefficient, and nothing but maps is differentiated.
+/// Whether every map of a ground statement has one argument, a number, so that its values can be written, no
+/// number is called like a coefficient, and nothing but maps is differentiated.
 bool is_written(const proofs::GroundBlock& block);
 
 /// The nodes of a ground statement as formulas, in its variables or with numbers for them.

@@ -13,48 +13,45 @@ namespace {
 
 using Kind = Layout::Kind;
 
-/// The width of a letter, by which widths are estimated.
-constexpr std::size_t letter_width = 10;
-
-/// About what fits on a line of an article.
-constexpr std::size_t line_width = 64 * letter_width;
+/// Widths are in tenths of a letter; about so much of a formula fits on a line of an article.
+constexpr std::size_t line_width = 640;
 
 const Notation notation{BlossomStyle::brackets, false};
 
 /// About how wide the formula is drawn.
 std::size_t width_of(const Layout& layout) {
+    const auto script = [](std::size_t width) { return width * 7 / 10; };
     std::vector<std::size_t> widths;
     for (const Layout& part : layout.parts) widths.push_back(width_of(part));
-    const auto as_script = [](std::size_t width) { return width * 7 / 10; };
     switch (layout.kind) {
         case Kind::row:
             return std::accumulate(widths.begin(), widths.end(), std::size_t{0});
         case Kind::number:
         case Kind::identifier:
         case Kind::words:
-            return letter_width * columns(letter(layout.text).unicode);
+            return 10 * columns(letter(layout.text).unicode);
         case Kind::relation:
         case Kind::binary:
-            return 3 * letter_width;
+            return 30;
         case Kind::sign:
-            return letter_width + letter_width / 2;
+            return 15;
         case Kind::apply:
         case Kind::times:
             return 0;
         case Kind::comma:
-            return letter_width;
+            return 10;
         case Kind::fraction:
         case Kind::stack:
-            return *std::ranges::max_element(widths) + letter_width;
+            return *std::ranges::max_element(widths) + 10;
         case Kind::superscript:
         case Kind::subscript:
-            return widths[0] + as_script(widths[1]);
+            return widths[0] + script(widths[1]);
         case Kind::fenced:
-            return widths[0] + 2 * letter_width;
+            return widths[0] + 20;
         case Kind::under:
-            return std::max(2 * letter_width, as_script(*std::max_element(widths.begin() + 1, widths.end())));
+            return std::max(std::size_t{25}, script(*std::max_element(widths.begin() + 1, widths.end())));
         case Kind::cases:
-            return std::max(widths[0], widths[2]) + widths[1] + 8 * letter_width;
+            return std::max(widths[0], widths[2]) + widths[1] + 80;
     }
     return 0;
 }
@@ -73,7 +70,7 @@ std::string display(const Formula& formula, const std::string& ending) {
             lines = "  &";
         } else if (piece.begins_side || line + width > line_width) {
             lines += piece.begins_side ? " \\\\\n  &\\quad" : " \\\\\n  &\\qquad";
-            line = 4 * letter_width;
+            line = 40;
             // What stands in front makes the sign one between two parts.
             lines += " {}";
         }
@@ -90,7 +87,7 @@ std::string sentence(const Text& text) { return latex_words(text, notation); }
 
 /// The same, with long formulas on lines of their own; what ends them stands there too.
 std::string sentences(const Text& text) {
-    constexpr std::size_t most_inline = 32 * letter_width;
+    constexpr std::size_t most_inline = 320;
     std::string result;
     std::size_t begun = 0;  ///< the bytes of the next words that stand behind a formula already
     const std::vector<Text::Part>& parts = text.parts();

@@ -4,8 +4,9 @@
 
 namespace blossom::proofs::second {
 
-BranchState::BranchState(std::vector<PlainPolynomial> equations, const std::vector<PlainPolynomial>& nonzero,
-                         PlainPolynomial difference, Budget& budget)
+BranchState::BranchState(const std::vector<PlainPolynomial>& equations,
+                         const std::vector<PlainPolynomial>& nonzero, PlainPolynomial difference,
+                         Budget& budget)
     : budget_(&budget) {
     for (const PlainPolynomial& factor : nonzero) add_nonzero(factor);
     for (const PlainPolynomial& equation : equations) add_equation(equation);
@@ -16,7 +17,7 @@ std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const
     const bool has_power =
         std::ranges::any_of(power_steps_, [&](const PowerStep& step) { return step.symbol == symbol; });
     const bool again = std::ranges::find(solved_, symbol) != solved_.end();
-    if (again && !(has_power && degree == 1)) return "the symbol is solved for a second time";
+    if (again && (!has_power || degree != 1)) return "the symbol is solved for a second time";
     const PlainPolynomial usable = reduced(relation);
     budget_->spend(equations_.size());
     const bool follows = std::ranges::any_of(equations_, [&](const PlainPolynomial& equation) {

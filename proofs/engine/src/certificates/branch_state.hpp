@@ -12,7 +12,7 @@ namespace blossom::proofs::second {
 /// sides. All are reduced by the steps so far and hold up to factors that do not vanish.
 class BranchState {
 public:
-    BranchState(std::vector<PlainPolynomial> equations, const std::vector<PlainPolynomial>& nonzero,
+    BranchState(const std::vector<PlainPolynomial>& equations, const std::vector<PlainPolynomial>& nonzero,
                 PlainPolynomial difference, Budget& budget);
 
     /// Replaces a symbol by what a relation says of it. Says what is wrong with that, or nothing.

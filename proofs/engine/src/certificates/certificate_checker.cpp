@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace blossom::proofs::second {
 
@@ -59,8 +60,7 @@ public:
             field_.require_nonzero(apart);
         }
         expand_sides(reading);
-        nonzero_ = field_.divisors();
-        symbols_ = field_.names().size();
+        note_divisors_and_symbols();
     }
 
     std::string problem() {
@@ -69,7 +69,10 @@ public:
                 limits_.variables - std::min(limits_.variables, field_.names().size() - symbols_);
             conditions_.push_back(named_polynomial(condition, field_, symbols_, new_names).primitive());
             if (conditions_.back().is_zero()) return "a condition is 0";
+            const PlainPolynomial written = conditions_.back();
             if (replaces_) conditions_.push_back(field_.numerator(value_of(condition)).primitive());
+            if (!follows_from(written, nonzero_) && !follows_from(conditions_.back(), nonzero_))
+                added_.push_back(text_of(written, field_.names()) + " != 0");
         }
         for (const PlainPolynomial& factor : nonzero_) {
             if (!is_covered(factor)) {
@@ -84,6 +87,8 @@ public:
         if (problem.empty() && !agrees_somewhere_) problem = "no branch is left in which the sides agree";
         return problem;
     }
+
+    const std::vector<std::string>& added_conditions() const { return added_; }
 
 private:
     /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That
@@ -101,7 +106,13 @@ private:
         difference_ = field_.numerator(field_.sum(left, field_.negative(evaluation.right())));
     }
 
-    bool gives_polynomial(const Step& step) const {
+    /// Those of the case, before conditions add others.
+    void note_divisors_and_symbols() {
+        nonzero_ = field_.divisors();
+        symbols_ = field_.names().size();
+    }
+
+    bool gives_polynomial(const Step& step) {
         if (step.degree != 1 || !field_.number_of(step.symbol)) return false;
         std::size_t terms = 0;
         for (const NamedTerm& term : step.relation) {
@@ -112,7 +123,10 @@ private:
                 ++terms;
             }
         }
-        return terms == 1;
+        const PlainPolynomial relation = named_polynomial(step.relation, field_, field_.names().size(), 0);
+        return terms == 1 && std::ranges::any_of(equations_, [&](const PlainPolynomial& equation) {
+                   return equation.primitive() == relation.primitive();
+               });
     }
 
     void replace(const Step& step) {
@@ -143,13 +157,14 @@ private:
         return sum;
     }
 
-    /// Whether a factor divides a product of conditions.
-    bool is_covered(PlainPolynomial factor) {
-        for (const PlainPolynomial& condition : conditions_) {
-            if (factor.is_number() || exact_quotient(condition, factor, field_.budget())) return true;
-            if (condition.is_number()) continue;
-            while (auto exact = exact_quotient(factor, condition, field_.budget()))
-                factor = std::move(*exact);
+    bool is_covered(const PlainPolynomial& factor) { return follows_from(factor, conditions_); }
+
+    /// Whether a polynomial divides a product of others.
+    bool follows_from(PlainPolynomial factor, const std::vector<PlainPolynomial>& others) {
+        for (const PlainPolynomial& other : others) {
+            if (factor.is_number() || exact_quotient(other, factor, field_.budget())) return true;
+            if (other.is_number()) continue;
+            while (auto exact = exact_quotient(factor, other, field_.budget())) factor = std::move(*exact);
         }
         return factor.is_number();
     }
@@ -170,7 +185,7 @@ private:
         if (branch.end != Branch::End::split && !branch.branches.empty()) return wrong("an end has branches");
         switch (branch.end) {
             case Branch::End::agree:
-                agrees_somewhere_ = true;
+                if (!state.is_impossible()) agrees_somewhere_ = true;
                 return state.agrees() ? "" : wrong("the two sides do not reduce to the same");
             case Branch::End::impossible:
                 return state.is_impossible() ? "" : wrong("nothing shows that the branch is impossible");
@@ -219,7 +234,8 @@ private:
     std::vector<PlainPolynomial> nonzero_;
     std::vector<PlainPolynomial> conditions_;
     bool agrees_somewhere_ = false;
-    bool replaces_ = false;  ///< symbols by what the first steps say of them
+    bool replaces_ = false;           ///< symbols by what the first steps say of them
+    std::vector<std::string> added_;  ///< conditions that the text does not make
 };
 
 /// What is wrong with how a certificate names its block, whose first line may be a head.
@@ -255,7 +271,7 @@ std::pair<std::size_t, std::vector<std::pair<std::string, long long>>> key_of(co
 }  // namespace
 
 struct CertificateChecker::Text {
-    Text(const std::string& of, const Limits& limits) : text(of), reading(text, limits) {
+    Text(std::string of, const Limits& limits) : text(std::move(of)), reading(text, limits) {
         for (Case& which : reading.cases()) {
             keys.insert(key_of(which));
             if (reading.claims()[which.line].kind == Statement::Kind::claim)
@@ -287,7 +303,10 @@ std::string CertificateChecker::problem_of(const Certificate& certificate) {
         std::string problem = problem_of_head(certificate);
         if (!problem.empty()) return problem;
         if (!text.keys.contains(key_of(certificate.which))) return "the text has no such case";
-        return CaseCheck(text.reading, certificate, limits_).problem();
+        CaseCheck check(text.reading, certificate, limits_);
+        problem = check.problem();
+        added_conditions_ = check.added_conditions();
+        return problem;
     } catch (const Error& error) {
         if (error.code() == ErrorCode::limit_exceeded) throw;
         return error.message().empty() ? "an error without a message" : error.message();

@@ -21,9 +21,13 @@ public:
     ~CertificateChecker();
     CertificateChecker(const CertificateChecker&) = delete;
     CertificateChecker& operator=(const CertificateChecker&) = delete;
+    CertificateChecker(CertificateChecker&&) = delete;
+    CertificateChecker& operator=(CertificateChecker&&) = delete;
 
     /// Nothing if the certificate proves its case; otherwise a sentence that says what is wrong.
     std::string problem_of(const Certificate& certificate);
+    /// What the certificate checked last assumes beyond its text: "a != 0", a pivot that was left open.
+    const std::vector<std::string>& added_conditions() const { return added_conditions_; }
     /// All cases of all lines `claim` of a text. Errors: those of the second reader.
     const std::vector<Case>& claimed_cases(const std::string& text);
 
@@ -32,6 +36,7 @@ private:
     Text& read(const std::string& text);
 
     Limits limits_;
+    std::vector<std::string> added_conditions_;
     std::unique_ptr<Text> text_;
 };
 

@@ -27,6 +27,12 @@ std::vector<Confirmed> confirmed_lines(std::span<const Certificate* const> certi
         const std::string problem = checker.problem_of(*certificate);
         if (problem.empty()) {
             proved[certificate->which.line].push_back(certificate->which.parameters);
+            const auto known = lines.find(certificate->which.line);
+            for (const std::string& condition : checker.added_conditions()) {
+                if (known == lines.end()) break;
+                std::vector<std::string>& where = known->second.where;
+                if (std::ranges::find(where, condition) == where.end()) where.push_back(condition);
+            }
             continue;
         }
         const auto line = lines.find(certificate->which.line);

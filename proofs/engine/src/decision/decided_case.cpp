@@ -16,8 +16,8 @@ struct BlockCase::Walk {
     CaseOutcome& outcome;
     SparsePolynomial difference;
     std::vector<SparsePolynomial> nonzero;
-    std::vector<Substitution> steps = {};
-    std::vector<std::string> pivots = {};  ///< "a != b": what the branches on the way require
+    std::vector<Substitution> steps;
+    std::vector<std::string> pivots;  ///< "a != b": what the branches on the way require
     std::size_t agreed = 0;
 };
 
@@ -127,8 +127,9 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
     outcome.left = expand(relation.left);
     const Fraction right = expand(relation.right);
     decision.terms = outcome.left.numerator.size();
-    Walk way{relation, decision, outcome, expander_.field().difference(outcome.left, right).numerator,
-             outcome.conditions};
+    Walk way{
+        relation,           decision, outcome, expander_.field().difference(outcome.left, right).numerator,
+        outcome.conditions, {},       {}};
     try {
         outcome.root = walk(root, way);
     } catch (const Error& error) {
@@ -172,6 +173,8 @@ Branch BlockCase::walk(Branch& branch, Walk& way) {
     for (const Substitution& step : branch.steps) {
         way.difference = elimination_.reduced(way.difference, step);
         for (SparsePolynomial& polynomial : way.nonzero) polynomial = elimination_.reduced(polynomial, step);
+        const SparsePolynomial leading = coefficients_in(step.relation, step.symbol)[step.degree];
+        if (leading.total_degree() > 0) way.nonzero.push_back(leading);
         way.steps.push_back(step);
     }
     Branch walked = walk_below(branch, way);
@@ -202,6 +205,13 @@ bool BlockCase::is_possible(Branch& branch) {
     return is_possible(branch.branches[0]) || is_possible(branch.branches[1]);
 }
 
+/// A branch that does not fit makes the whole case open in which its pivot was required to vanish.
+Branch BlockCase::open_branch() {
+    Branch branch;
+    branch.end = Branch::End::open;
+    return branch;
+}
+
 Branch BlockCase::walk_split(Branch& branch, Walk& way) {
     Branch walked;
     walked.end = Branch::End::split;
@@ -212,16 +222,14 @@ Branch BlockCase::walk_split(Branch& branch, Walk& way) {
     way.pivots.pop_back();
     way.nonzero.pop_back();
     if (way.outcome.witness) return walked;
-    elimination_.grow(branch.branches[1]);
-    if (branch.branches[1].end == Branch::End::open) {
-        leave_open(branch.pivot, way);
-        walked.branches.emplace_back();
-        walked.branches.back().end = Branch::End::open;
-        return walked;
-    }
+    if (walked.branches[0].end == Branch::End::open) return open_branch();
     way.pivots.push_back(condition_text(branch.pivot, "=="));
     walked.branches.push_back(walk(branch.branches[1], way));
     way.pivots.pop_back();
+    if (walked.branches[1].end == Branch::End::open) {
+        leave_open(branch.pivot, way);
+        walked.branches[1] = open_branch();
+    }
     return walked;
 }
 

@@ -44,6 +44,7 @@ private:
     Branch walk(Branch& branch, Walk& way);
     Branch walk_below(Branch& branch, Walk& way);
     Branch walk_split(Branch& branch, Walk& way);
+    static Branch open_branch();
     bool is_possible(Branch& branch);
     void end_of_branch(Walk& way);
     void leave_open(const SparsePolynomial& pivot, Walk& way);

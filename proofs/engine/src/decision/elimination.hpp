@@ -30,6 +30,7 @@ struct Equation {
 struct BranchState {
     std::vector<Equation> equations;  ///< still to be used
     std::set<std::size_t> nonzero;    ///< factors that do not vanish, by number
+    std::set<std::size_t> zero;       ///< pivots that vanish, by number
     std::set<std::size_t> solved;     ///< symbols that have a linear step
     std::vector<Substitution> monic;  ///< steps of a higher degree, by now
     bool by_split = false;            ///< a pivot was required to vanish: what does not fit stays open

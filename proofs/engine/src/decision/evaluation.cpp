@@ -60,7 +60,7 @@ Rational Evaluator::application(const Application& application) {
     for (const NodeId coefficient : map.coefficients) coefficients.push_back((*this)(coefficient));
     const bool value = application.form == Application::Form::value;
     Rational scale = application.scale;
-    const Rational result = contracted(
+    Rational result = contracted(
         map.directions, std::move(coefficients), [&](std::size_t i, std::span<const Rational> row) {
             return value ? form_value<Rational>(map.directions[i], row, arguments[i].front())
                          : polar_form<Rational>(map.directions[i], row, arguments[i]);

@@ -59,6 +59,7 @@ Ring engine_blossom(std::span<const Ring> coefficients, std::span<const Argument
 /// The value of the form, sum of coefficient * coordinates^alpha * mass^(n - |alpha|), from powers.
 Ring value_of_form(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
     std::vector<std::vector<Ring>> powers_of;
+    powers_of.reserve(argument.coordinates.size());
     for (const Ring& coordinate : argument.coordinates)
         powers_of.push_back(powers(coordinate, direction.degree));
     const std::vector<Ring> powers_of_mass = powers(argument.mass, direction.degree);

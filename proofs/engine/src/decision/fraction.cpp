@@ -222,7 +222,8 @@ FractionField::Factorisation FractionField::factorise(const SparsePolynomial& po
             if (const std::size_t exponent = divide_out(rest, factor, std::size_t(-1)); exponent > 0)
                 result.factors.emplace_back(number_of(factor), exponent);
         };
-        for (std::size_t i = 0; i < factors_.size(); ++i) try_factor(SparsePolynomial(factors_[i]));
+        std::size_t number = 0;
+        while (number < factors_.size()) try_factor(SparsePolynomial(factors_[number++]));
         const std::vector<std::size_t> degrees = rest.degrees();
         for (std::size_t i = 0; i < degrees.size() && !is_constant(rest); ++i) {
             if (degrees[i] == 0) continue;

@@ -116,8 +116,7 @@ private:
         std::string name = block_.maps[application.map].name;
         const auto& arguments = application.arguments.front();
         const bool by_directions = application.places.front().coordinates.size() > 1;
-        for (std::size_t i = 0; i < application.orders.size(); ++i) {
-            const std::size_t order = application.orders[i];
+        for (const std::size_t order : application.orders) {
             if (!by_directions) name += ", " + std::to_string(order);
             const std::size_t first = arguments.size() - std::min(order, arguments.size());
             for (std::size_t k = first; by_directions && k < arguments.size(); ++k)

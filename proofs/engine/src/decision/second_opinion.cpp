@@ -8,8 +8,8 @@ namespace blossom::proofs {
 
 namespace {
 
-constexpr std::size_t points_of_comparison = 2;
-constexpr std::uint64_t seed_of_points = 20240229;
+constexpr std::size_t comparison_points = 2;
+constexpr std::uint64_t comparison_seed = 20240229;
 
 second::NamedPolynomial named(const SparsePolynomial& polynomial, const std::vector<Symbol>& symbols) {
     second::NamedPolynomial terms;
@@ -114,7 +114,7 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
     for (const Substitution& step : outcome.steps) hint.dependent.push_back(block.symbols[step.symbol].name);
     hint.point = outcome.point;
     const second::Comparison compared =
-        second::compare(*reading_, which, hint, points_of_comparison, seed_of_points);
+        second::compare(*reading_, which, hint, comparison_points, comparison_seed);
     if (compared.result == second::Comparison::Result::no_point) {
         throw Error(ErrorCode::limit_exceeded,
                     "no point was found that satisfies the hypotheses, so that the text read anew could not "

@@ -27,6 +27,7 @@ NodeArgument Grounder::placed(const NodeArgument& argument, const GroundMap& map
     std::vector<NodeId> coordinates;
     for (const auto& row : map.barycentric) {
         std::vector<NodeId> summands;
+        summands.reserve(row.size());
         for (std::size_t i = 0; i < row.size(); ++i) summands.push_back(multiply({row[i], entries[i]}));
         coordinates.push_back(add(std::move(summands)));
     }
@@ -73,7 +74,9 @@ NodeId Grounder::application(const Expression& e) {
     }
     const auto found = maps_.find(e.name);
     if (found == maps_.end()) refuse("the map " + quoted(e.name) + " is declared below this line", e.offset);
-    Application result{.map = found->second, .offset = e.offset};
+    Application result;
+    result.map = found->second;
+    result.offset = e.offset;
     if (e.kind == ExpressionKind::blossom) return blossom(e, std::move(result));
     return e.children.empty() ? value_of(e, std::move(result)) : derivative_of(e, std::move(result));
 }
@@ -121,7 +124,10 @@ NodeId Grounder::derivative_of(const Expression& e, Application result) {
     const bool differentiates =
         by_directions ||
         std::ranges::any_of(e.children, [&](const Expression& order) { return count(order) > 0; });
-    if (!differentiates) return value_of(e, {.map = result.map, .offset = result.offset});
+    if (!differentiates) {
+        result.form = Application::Form::value;
+        return value_of(e, std::move(result));
+    }
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
         const NodeArgument point = place_of(e, map, i);
         const std::size_t order = by_directions ? e.children.size() : count(e.children[i]);

@@ -56,7 +56,7 @@ Value Grounder::call(const Expression& e) {
 
 /// if(i == j, a, b): only the branch that is taken is read.
 Value Grounder::chosen(const Expression& e) {
-    const Value result = value(e.children[holds(e.children[0]) ? 1 : 2]);
+    Value result = value(e.children[holds(e.children[0]) ? 1 : 2]);
     if (kinds_->of(e).is_geometric()) return as_argument(result);
     return result;
 }

@@ -120,7 +120,7 @@ std::vector<Direction> Grounder::directions(const Statement& statement) {
 
 void Grounder::declare_map(const Statement& statement) {
     for (const std::string& name : statement.names) {
-        GroundMap map{name, directions(statement), {}};
+        GroundMap map{name, directions(statement), {}, {}, {}};
         if (!statement.net.empty()) {
             add_net(statement, map);
         } else {
@@ -183,7 +183,7 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
 /// variable t, which abbreviations in it contain too.
 void Grounder::declare_polynomial(const Statement& statement) {
     const std::size_t variables = statement.names.size() - 1;
-    GroundMap map{statement.names[0], {}, {}};
+    GroundMap map{statement.names[0], {}, {}, {}, {}};
     for (const Expression& degree : statement.expressions) map.directions.push_back({count(degree), 1});
     if (map.directions.size() == 1) map.directions[0].dimension = variables;
     if (map.directions.size() != 1 && map.directions.size() != variables) {

@@ -48,12 +48,11 @@ NodeId Grounder::constant(Rational value) {
 }
 
 std::size_t Grounder::symbol(const std::string& key, Symbol symbol) {
-    const auto [entry, fresh] = symbols_.try_emplace(key, block_.symbols.size());
-    if (fresh) {
-        require_within(block_.symbols.size() + 1, limits_.variables, "variables", "the number of variables");
-        block_.symbols.push_back(std::move(symbol));
-    }
-    return entry->second;
+    const auto known = symbols_.find(key);
+    if (known != symbols_.end()) return known->second;
+    require_within(block_.symbols.size() + 1, limits_.variables, "variables", "the number of variables");
+    block_.symbols.push_back(std::move(symbol));
+    return symbols_[key] = block_.symbols.size() - 1;
 }
 
 NodeId Grounder::symbol_node(std::size_t number) { return push({NodeKind::symbol, {}, number, {}, 0}); }

@@ -39,6 +39,12 @@ struct Kind {
     friend bool operator==(const Kind&, const Kind&) = default;
 };
 
+inline constexpr Kind integer_kind{KindName::integer, 0};
+inline constexpr Kind number_kind{KindName::number, 0};
+
+/// Throws `syntax`.
+[[noreturn]] void refuse_kind(const std::string& message, std::size_t offset);
+
 /// "a vector of dimension 2"
 std::string to_text(const Kind& kind);
 
@@ -92,6 +98,7 @@ private:
     void infer_abbreviations(const Block& block);
     Kind clause_kind(const Statement& clause);
     void check(const Statement& statement);
+    void check_members(const Statement& statement);
     void check_polynomial(const Statement& statement);
     void check_relation(const Statement& statement);
     void add_map(const std::string& name, Dimensions dimensions) { maps_[name] = std::move(dimensions); }

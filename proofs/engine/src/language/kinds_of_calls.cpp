@@ -12,10 +12,6 @@ namespace blossom::proofs {
 
 namespace {
 
-[[noreturn]] void refuse_call(const std::string& message, std::size_t offset) {
-    throw Error(ErrorCode::syntax, message, "", offset);
-}
-
 [[noreturn]] void wrong_arity(std::size_t found, const std::string& what, std::size_t offset) {
     throw Error(ErrorCode::wrong_arity, std::to_string(found) + " " + what, "", offset);
 }
@@ -23,7 +19,7 @@ namespace {
 const std::string& binder_name(const Expression& call, std::size_t i) {
     const Expression& binder = call.children[i];
     if (binder.kind != ExpressionKind::name || !binder.children.empty())
-        refuse_call("the first argument of " + call.name + " is the name that runs", binder.offset);
+        refuse_kind("the first argument of " + call.name + " is the name that runs", binder.offset);
     return binder.name;
 }
 
@@ -56,11 +52,11 @@ Kind Kinds::call(const Expression& e) {
     if (e.name == "size") {
         const Kind kind = infer(arguments[0]);
         if (kind.name != KindName::set && kind.name != KindName::sets)
-            refuse_call(to_text(kind) + " found, expected a set", arguments[0].offset);
+            refuse_kind(to_text(kind) + " found, expected a set", arguments[0].offset);
     } else if (e.name == "sign") {
         const Kind kind = infer(arguments[0]);
         if (kind.name != KindName::permutation)
-            refuse_call(to_text(kind) + " found, expected a permutation", arguments[0].offset);
+            refuse_kind(to_text(kind) + " found, expected a permutation", arguments[0].offset);
     } else {
         for (const Expression& argument : arguments) require_integer(argument);
         if (e.name == "permutations") return {KindName::permutations, 0};
@@ -80,7 +76,7 @@ Kind Kinds::element_of(const Expression& e) {
         case KindName::permutations:
             return {KindName::permutation, 0};
         default:
-            refuse_call(to_text(kind) + " found, expected a set", e.offset);
+            refuse_kind(to_text(kind) + " found, expected a set", e.offset);
     }
 }
 
@@ -98,9 +94,9 @@ Kind Kinds::over(const Expression& e) {
     scope.add(binder, element);
     const Kind kind = infer(e.children.back());
     if (e.name == "prod" && kind.is_geometric())
-        refuse_call("points and vectors cannot be multiplied", e.children.back().offset);
+        refuse_kind("points and vectors cannot be multiplied", e.children.back().offset);
     if (!kind.is_number() && !kind.is_geometric() && kind.name != KindName::unknown)
-        refuse_call(to_text(kind) + " found, expected a number, point, vector or pair",
+        refuse_kind(to_text(kind) + " found, expected a number, point, vector or pair",
                     e.children.back().offset);
     if (e.name == "sum" && kind.name == KindName::point) return {KindName::pair, kind.dimension};
     return kind;
@@ -109,7 +105,7 @@ Kind Kinds::over(const Expression& e) {
 Kind Kinds::determinant(const Expression& e) {
     require_integer(e.children[2]);
     if (binder_name(e, 0) == binder_name(e, 1))
-        refuse_call("rows and columns of a determinant have different names", e.children[1].offset);
+        refuse_kind("rows and columns of a determinant have different names", e.children[1].offset);
     Scope scope(*this);
     for (const std::size_t i : {0U, 1U}) scope.add(binder_name(e, i), {KindName::integer, 0});
     return require_number(e.children[3]);
@@ -117,7 +113,7 @@ Kind Kinds::determinant(const Expression& e) {
 
 void Kinds::comparison(const Expression& e) {
     if (e.kind != ExpressionKind::comparison)
-        refuse_call("the first argument of if is a comparison of integers, such as i == j", e.offset);
+        refuse_kind("the first argument of if is a comparison of integers, such as i == j", e.offset);
     require_integer(e.children[0]);
     if (e.name == "in" || e.name == "not in") {
         require_set(e.children[1]);
@@ -135,17 +131,17 @@ Kind Kinds::choice(const Expression& e) {
     if (a.is_number() && b.is_number()) return {KindName::number, 0};
     if (a.is_geometric() && b.is_geometric() && a.dimension == b.dimension)
         return {KindName::pair, a.dimension};
-    refuse_call("the two choices are " + to_text(a) + " and " + to_text(b), e.offset);
+    refuse_kind("the two choices are " + to_text(a) + " and " + to_text(b), e.offset);
 }
 
 Kind Kinds::bspline(const Expression& e) {
     for (const std::size_t i : {0U, 1U, 3U}) require_integer(e.children[i]);
     const Expression& knots = e.children[2];
     if (knots.kind != ExpressionKind::name || !knots.children.empty())
-        refuse_call("the third argument of bspline is the name of the knots", knots.offset);
+        refuse_kind("the third argument of bspline is the name of the knots", knots.offset);
     Expression knot = knots;
     knot.children.push_back({ExpressionKind::number, knots.offset, "0", {}, {}});
-    if (!member(knot).is_number()) refuse_call("the knots of bspline are numbers", knots.offset);
+    if (!member(knot).is_number()) refuse_kind("the knots of bspline are numbers", knots.offset);
     require_number(e.children[4]);
     return {KindName::number, 0};
 }
@@ -153,10 +149,10 @@ Kind Kinds::bspline(const Expression& e) {
 const Dimensions& Kinds::required_map(const Expression& e) const {
     const auto local = scope_.find(e.name);
     if (local != scope_.end() && !local->second.empty())
-        refuse_call(quoted(e.name) + " is " + to_text(local->second.back()) + " here, not a map", e.offset);
+        refuse_kind(quoted(e.name) + " is " + to_text(local->second.back()) + " here, not a map", e.offset);
     const Dimensions* dimensions = map_named(e.name);
     if (dimensions) return *dimensions;
-    refuse_call("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
+    refuse_kind("there is no map or function " + quoted(e.name) + "; declare it, as in \"map " + e.name +
                     " degree n\"",
                 e.offset);
 }
@@ -198,7 +194,7 @@ void Kinds::orders(const Expression& e, const Dimensions& dimensions) {
         for (const Expression& direction : e.children) {
             const Kind kind = infer(direction);
             if (kind != Kind{KindName::vector, dimensions[0]}) {
-                refuse_call(to_text(kind) + " found, expected " +
+                refuse_kind(to_text(kind) + " found, expected " +
                                 to_text(Kind{KindName::vector, dimensions[0]}) +
                                 ", the direction of a derivative",
                             direction.offset);
@@ -254,7 +250,7 @@ void Kinds::family(const Expression& e, std::size_t dimension) {
     }
     for (const Expression& excluded : e.groups[1]) {
         if (excluded.kind == ExpressionKind::name && excluded.name == e.name && excluded.children.empty())
-            refuse_call("the index " + e.name + " of the family is compared with itself", excluded.offset);
+            refuse_kind("the index " + e.name + " of the family is compared with itself", excluded.offset);
         require_integer(excluded);
     }
     for (const Expression& set : e.groups[2]) require_set(set);
@@ -268,7 +264,7 @@ void Kinds::argument(const Expression& e, std::size_t dimension) {
     if (kind.name == KindName::unknown) return;
     const bool fits = kind.is_number() ? dimension == 1 : kind.is_geometric() && kind.dimension == dimension;
     if (fits) return;
-    refuse_call(to_text(kind) + " found, expected an argument of dimension " + std::to_string(dimension),
+    refuse_kind(to_text(kind) + " found, expected an argument of dimension " + std::to_string(dimension),
                 e.offset);
 }
 
@@ -281,7 +277,7 @@ Kind Kinds::derivative(const Expression& e) {
     const bool is_variable =
         variable.kind == ExpressionKind::name && infer(variable).name == KindName::number &&
         (local || (bare ? !known || known->meaning == Meaning::number : !names_.clauses(variable.name)));
-    if (!is_variable) refuse_call("a derivative is taken with respect to a variable", variable.offset);
+    if (!is_variable) refuse_kind("a derivative is taken with respect to a variable", variable.offset);
     if (e.children.size() == 3) require_integer(e.children[2]);
     return {KindName::number, 0};
 }

@@ -48,6 +48,11 @@ bool contains_name(const Expression& e) {
 
 Names::Names(const Block& block) {
     for (const Statement& statement : block.statements) declare(statement);
+    // The control points of a net are numbers, unless a line says more of them.
+    for (const Statement& statement : block.statements) {
+        if (!statement.net.empty() && !family(statement.net) && !clauses(statement.net))
+            families_.emplace(statement.net, Declared{Meaning::number, {&statement}, {}});
+    }
 }
 
 const Declared* Names::bare(const std::string& name) const {
@@ -73,7 +78,8 @@ const std::vector<const Statement*>* Names::clauses(const std::string& name) con
 
 void Names::declare_bare(const std::string& name, Meaning meaning, const Statement& statement,
                          std::size_t offset) {
-    const bool reserved = name == "delta" || name == "all" || is_function(name) || (name == "D" && meaning == Meaning::map);
+    const bool reserved =
+        name == "delta" || name == "all" || is_function(name) || (name == "D" && meaning == Meaning::map);
     if (reserved) {
         refuse_name(quoted(name) + " is a word of the language and cannot be declared", offset);
     }
@@ -111,7 +117,7 @@ void Names::declare_let(const Statement& statement) {
     // Two names of indices fit the same members, unless one of them is a parameter.
     const auto is_any = [&](const Expression& index) {
         const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
-        return is_open_index(index) && !(known && known->meaning == Meaning::parameter);
+        return is_open_index(index) && (!known || known->meaning != Meaning::parameter);
     };
     const auto same = [&](const Expression& x, const Expression& y) {
         return (is_any(x) && is_any(y)) || x == y;
@@ -157,6 +163,21 @@ bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t in
     return std::ranges::any_of(clauses, [&](const Statement* clause) {
         const auto& patterns = clause->sides[0].children;
         return patterns.size() == indices && std::ranges::any_of(patterns, contains_name);
+    });
+}
+
+bool may_fit(const std::vector<const Statement*>& clauses, const Expression& member) {
+    const auto differ = [](const Expression& pattern, const Expression& index) {
+        return pattern.kind == ExpressionKind::number && index.kind == ExpressionKind::number &&
+               pattern.name != index.name;
+    };
+    return std::ranges::any_of(clauses, [&](const Statement* clause) {
+        const auto& patterns = clause->sides[0].children;
+        if (patterns.size() != member.children.size()) return false;
+        for (std::size_t i = 0; i < patterns.size(); ++i) {
+            if (differ(patterns[i], member.children[i])) return false;
+        }
+        return true;
     });
 }
 

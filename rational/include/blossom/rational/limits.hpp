@@ -11,6 +11,7 @@ namespace blossom {
 class Deadline {
 public:
     Deadline() = default;
+    static Deadline none() { return {}; }
     static Deadline after_seconds(std::size_t seconds) {
         Deadline deadline;
         deadline.moment_ = Clock::now() + std::chrono::seconds(seconds);
@@ -34,11 +35,11 @@ struct Limits {
     std::size_t polarization_terms = 1 << 20;   ///< terms of one polarization sum, prod(m_i + 1)
     std::size_t regrouping_work = 500'000'000;  ///< multiply-adds of one regrouped polarization, n^4 / 4
     std::size_t expansion_terms = 1 << 18;      ///< terms of one polynomial in several variables
-    std::size_t expansion_work = 100'000'000;   ///< term operations of one symbolic computation
+    std::size_t expansion_work = 200'000'000;   ///< term operations of one symbolic computation
     std::size_t numbers = 1 << 22;              ///< numbers that make up one map or one result
     std::size_t output_digits = 250'000'000;    ///< decimal digits of one whole result, estimated from above
     std::size_t line_bytes = 16 << 20;          ///< one line of a batch
-    Deadline deadline = {};                     ///< of a symbolic computation
+    Deadline deadline = Deadline::none();       ///< of a symbolic computation
 };
 
 /// Throws `limit_exceeded` unless `value <= limit`.

@@ -72,7 +72,9 @@ struct Confirmed {
     bool confirmed = false;  ///< in all cases of its ranges
     std::size_t cases = 0;   ///< of its ranges
     std::size_t proved = 0;  ///< of these
-    std::string problem;     ///< the first one met, or nothing
+    std::vector<std::string> where =
+        {};               ///< "a != 0": what is assumed beyond the text, a pivot that was left open
+    std::string problem;  ///< the first one met, or nothing
 };
 
 /// For each line `claim` of each text, in the order of the first certificate of each text. A text that cannot

@@ -62,9 +62,9 @@ struct GroundMap {
     std::string name;
     std::vector<Direction> directions;
     std::vector<NodeId> coefficients;
-    std::vector<NodeId> conditions = {};  ///< what must not vanish for the map to be defined
-    std::vector<std::vector<NodeId>> barycentric =
-        {};  ///< of a net: the rows that take (x_1, ..., x_s, mass) there
+    std::vector<NodeId> conditions;  ///< what must not vanish for the map to be defined
+    std::vector<std::vector<NodeId>>
+        barycentric;  ///< of a net: the rows that take (x_1, ..., x_s, mass) there
 };
 
 /// p(...) at one argument per direction; p[...] at `degree` arguments per direction; or a derivative, which
@@ -74,9 +74,9 @@ struct Application {
     std::size_t map = 0;
     Form form = Form::value;
     Rational scale = 1;
-    std::vector<std::size_t> orders = {};  ///< of a derivative: how many of the last arguments are directions
-    std::vector<NodeArgument> places = {};  ///< of a derivative: where it is taken
-    std::vector<std::vector<NodeArgument>> arguments = {};
+    std::vector<std::size_t> orders;   ///< of a derivative: how many of the last arguments are directions
+    std::vector<NodeArgument> places;  ///< of a derivative: where it is taken
+    std::vector<std::vector<NodeArgument>> arguments;
     std::size_t offset = 0;
 };
 

@@ -109,7 +109,7 @@ using ProofListener = std::function<void(const ProvedCase& proved)>;
 
 /// What deciding a block may take besides `Limits`, and who hears of proofs.
 struct DecisionOptions {
-    std::size_t seconds = 0;  ///< for one case of a line; 0: no limit
+    std::size_t seconds = 0;  ///< for all lines of one choice of the block's parameters; 0: no limit
     ProofListener on_proof;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 
 namespace blossom::proofs::second {
 
@@ -16,6 +17,12 @@ const Clause* Counting::fitting_clause(std::uint32_t abbreviation, const std::ve
         bool fits = true;
         for (std::size_t i = 0; i < indices.size() && fits; ++i) {
             fits = !clause.patterns[i] || integer(*clause.patterns[i], outer) == indices[i];
+        }
+        // A name that stands twice is one integer.
+        std::map<std::uint32_t, long long> named;
+        for (std::size_t i = 0, name = 0; i < indices.size() && fits; ++i) {
+            if (!clause.patterns[i])
+                fits = named.emplace(clause.pattern_names[name++], indices[i]).first->second == indices[i];
         }
         if (!fits) continue;
         scope.assign(clause.slots, Slot{});

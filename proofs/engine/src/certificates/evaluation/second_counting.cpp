@@ -162,11 +162,11 @@ Rational Counting::function(const Node& node, Scope& scope) {
                 throw Error(ErrorCode::outside_domain, "a binomial of a negative number", "", node.offset);
             require_within(static_cast<std::size_t>(n), reading_.limits().degree, "degree", "a binomial");
             if (k < 0 || k > n) return 0;
-            return Rational(blossom::binomial(static_cast<std::size_t>(n), static_cast<std::size_t>(k)));
+            return blossom::binomial(static_cast<std::size_t>(n), static_cast<std::size_t>(k));
         }
         case Form::factorial:
-            return Rational(blossom::factorial(
-                count(node.children[0], scope, reading_.limits().degree, "what a factorial is taken of")));
+            return blossom::factorial(
+                count(node.children[0], scope, reading_.limits().degree, "what a factorial is taken of"));
         case Form::image: {
             const IntegerSet& images = *scope[node.target].set;
             const long long place = integer(node.children[0], scope);

@@ -32,6 +32,8 @@ public:
     explicit AtEnd(Function function) : function_(std::move(function)) {}
     AtEnd(const AtEnd&) = delete;
     AtEnd& operator=(const AtEnd&) = delete;
+    AtEnd(AtEnd&&) = delete;
+    AtEnd& operator=(AtEnd&&) = delete;
     ~AtEnd() { function_(); }
 
 private:
@@ -60,6 +62,8 @@ public:
         }
         Level(const Level&) = delete;
         Level& operator=(const Level&) = delete;
+        Level(Level&&) = delete;
+        Level& operator=(Level&&) = delete;
         ~Level() { --work_.depth_; }
 
         static constexpr std::size_t most_nesting = 200;  ///< what a stack of 8 MiB bears in every build

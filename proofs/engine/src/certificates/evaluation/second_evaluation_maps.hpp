@@ -1,6 +1,6 @@
 #pragma once
 
-#include "second_evaluation.hpp"
+#include "second_evaluation_class.hpp"
 
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/number_text.hpp>
@@ -143,6 +143,7 @@ std::vector<typename Field::Element> Evaluation<Field>::coefficients_from(const 
     }
     // Monomials are numbered in the lexicographic order of their exponents.
     std::vector<Element> found;
+    found.reserve(by_exponents.size());
     for (auto& [exponents, coefficient] : by_exponents) found.push_back(std::move(coefficient));
     return found;
 }
@@ -195,6 +196,7 @@ template <class Field>
 typename Field::Element Evaluation<Field>::map_value(const Node& node, Scope& scope) {
     const std::vector<Geometric> arguments = map_arguments(node, 0, scope);
     std::vector<std::vector<Element>> weights;
+    weights.reserve(arguments.size());
     for (std::size_t i = 0; i < arguments.size(); ++i) {
         weights.push_back(value_weights(shape(node.target).directions[i], arguments[i]));
     }
@@ -212,10 +214,12 @@ std::vector<typename Field::Element> Evaluation<Field>::value_weights(const Dire
         return powers;
     };
     std::vector<std::vector<Element>> powers;
+    powers.reserve(at.coordinates.size());
     for (const Element& coordinate : at.coordinates) powers.push_back(powers_of(coordinate));
     std::vector<Element> masses;
     if (!at.unit_mass) masses = powers_of(at.mass);
     std::vector<Element> weights;
+    weights.reserve(direction.monomials.size());
     for (const std::vector<std::size_t>& exponents : direction.monomials) {
         std::size_t left = direction.degree;
         std::optional<Element> weight;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "second_evaluation.hpp"
+#include "second_evaluation_class.hpp"
 
 #include <blossom/rational/number_text.hpp>
 

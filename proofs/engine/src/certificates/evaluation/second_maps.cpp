@@ -83,6 +83,7 @@ MapShape shape_of_map(const Reading& reading, std::uint32_t map, Counting& count
     const Limits& limits = reading.limits();
     Scope none;
     std::vector<std::size_t> degrees;
+    degrees.reserve(declaration.degrees.size());
     for (const NodeId degree : declaration.degrees) {
         degrees.push_back(counting.count(degree, none, limits.degree, "a degree"));
     }

@@ -248,6 +248,7 @@ AlgebraNumber Algebra::inverse_by_system(const AlgebraNumber& a, std::size_t lev
         }
     }
     std::vector<Rational> solution;
+    solution.reserve(size);
     for (const std::vector<Rational>& row : rows) solution.push_back(row[size]);
     return AlgebraNumber(std::move(solution));
 }

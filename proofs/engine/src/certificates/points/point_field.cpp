@@ -15,6 +15,8 @@ public:
     explicit PassingLevel(Algebra& algebra) : algebra_(algebra) {}
     PassingLevel(const PassingLevel&) = delete;
     PassingLevel& operator=(const PassingLevel&) = delete;
+    PassingLevel(PassingLevel&&) = delete;
+    PassingLevel& operator=(PassingLevel&&) = delete;
     ~PassingLevel() { algebra_.drop_level(); }
 
 private:
@@ -34,8 +36,9 @@ std::uint64_t RandomNumbers::next() {
 
 // Mostly integers, which keep exact results short.
 Rational RandomNumbers::number() {
-    std::uint64_t drawn = below(4 * 46);
-    if (drawn / 4 == last_ / 4) drawn = below(4 * 46);
+    constexpr std::uint64_t choices = std::uint64_t{4} * 46;
+    std::uint64_t drawn = below(choices);
+    if (drawn / 4 == last_ / 4) drawn = below(choices);
     last_ = drawn;
     const auto size = static_cast<std::int64_t>(drawn / 4) + 2;
     const Rational value(drawn % 2 == 0 ? size : -size);

@@ -16,7 +16,7 @@ void drop_zeros(PointPolynomial& polynomial) {
 /// Quotient and remainder; the leading coefficient of the divisor must have an inverse.
 std::pair<PointPolynomial, PointPolynomial> divided(const Algebra& algebra, PointPolynomial dividend,
                                                     const PointPolynomial& divisor) {
-    if (dividend.size() < divisor.size()) return {{}, std::move(dividend)};
+    if (dividend.size() < divisor.size()) return {PointPolynomial(), std::move(dividend)};
     const AlgebraNumber leading = algebra.inverse(divisor.back());
     PointPolynomial quotient(dividend.size() - divisor.size() + 1);
     for (std::size_t place = quotient.size(); place-- > 0;) {
@@ -174,13 +174,13 @@ DividedByRoot divided_by_root(const Algebra& algebra, const PointPolynomial& pol
     return result;
 }
 
-void LinearSystem::subtract(std::vector<AlgebraNumber>& row, const std::vector<AlgebraNumber>& pivot_row,
+void LinearSystem::subtract(std::vector<AlgebraNumber>& from, const std::vector<AlgebraNumber>& pivot_row,
                             std::size_t column) const {
-    const AlgebraNumber factor = row[column];
+    const AlgebraNumber factor = from[column];
     if (factor.is_zero()) return;
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t i = 0; i < from.size(); ++i) {
         if (!pivot_row[i].is_zero())
-            row[i] = algebra_.difference(row[i], algebra_.product(factor, pivot_row[i]));
+            from[i] = algebra_.difference(from[i], algebra_.product(factor, pivot_row[i]));
     }
 }
 

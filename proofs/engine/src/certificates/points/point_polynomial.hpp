@@ -47,7 +47,7 @@ public:
     std::vector<AlgebraNumber> solution() const;
 
 private:
-    void subtract(std::vector<AlgebraNumber>& row, const std::vector<AlgebraNumber>& pivot_row,
+    void subtract(std::vector<AlgebraNumber>& from, const std::vector<AlgebraNumber>& pivot_row,
                   std::size_t column) const;
 
     const Algebra& algebra_;

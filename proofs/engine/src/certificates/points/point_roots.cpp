@@ -51,16 +51,17 @@ bool PointSearch::solve_by_root(const Equation& equation, bool only_linear) {
         }
     }
     if (only_linear) return false;
-    for (const auto& [name, polynomial] : nonlinear) {
+    return std::ranges::any_of(nonlinear, [&](const auto& candidate) {
+        const auto& [name, polynomial] = candidate;
         try {
             const Algebra& algebra = field_.algebra();
             const PointPolynomial absolute = shifted_back(algebra, polynomial, field_.value(name));
-            if (move_to(name, some_root(squarefree_part(algebra, absolute)), equation)) return true;
+            return move_to(name, some_root(squarefree_part(algebra, absolute)), equation);
         } catch (const Error& error) {
             if (error.code() != ErrorCode::division_by_zero) throw;
+            return false;
         }
-    }
-    return false;
+    });
 }
 
 // The symbols of the equation, and those of the equations that were solved for one of them, and so on.
@@ -73,10 +74,12 @@ std::vector<std::string> PointSearch::candidates(const Equation& equation) const
         }
     };
     reach(equation.line);
-    for (std::size_t i = 0; i < reached.size(); ++i) {
+    std::size_t place = 0;
+    while (place < reached.size()) {
         for (const Solved& solved : solved_) {
-            if (solved.symbol == reached[i]) reach(solved.equation.line);
+            if (solved.symbol == reached[place]) reach(solved.equation.line);
         }
+        ++place;
     }
     std::vector<std::string> found;
     std::set<std::string> taken;
@@ -127,8 +130,10 @@ std::vector<std::vector<AlgebraNumber>> PointSearch::derivatives_of_solved() {
     const std::size_t size = solved_.size();
     if (size == 0) return {};
     std::vector<std::string> names;
+    names.reserve(size);
     for (const Solved& solved : solved_) names.push_back(solved.symbol);
     std::vector<std::vector<AlgebraNumber>> rows;
+    rows.reserve(size);
     for (const Solved& solved : solved_)
         rows.push_back(linear_rows(solved.equation.line, names)[solved.equation.place]);
     std::vector<std::vector<AlgebraNumber>> inverse(size, std::vector<AlgebraNumber>(size));
@@ -150,6 +155,7 @@ std::vector<std::vector<AlgebraNumber>> PointSearch::derivatives_of_solved() {
 void PointSearch::correct_solved(const std::vector<std::vector<AlgebraNumber>>& inverse) {
     const Algebra& algebra = field_.algebra();
     std::vector<AlgebraNumber> errors;
+    errors.reserve(solved_.size());
     for (const Solved& solved : solved_) errors.push_back(residual(solved.equation));
     for (std::size_t i = 0; i < solved_.size(); ++i) {
         AlgebraNumber value = field_.value(solved_[i].symbol);

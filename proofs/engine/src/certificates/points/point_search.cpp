@@ -144,6 +144,7 @@ bool PointSearch::is_linear(const std::vector<std::size_t>& lines, const std::ve
     const RandomNumbers random = field_.random();
     std::vector<AlgebraNumber> expected;
     std::vector<AlgebraNumber> steps;
+    steps.reserve(unknowns.size());
     RandomNumbers step_random(turn_ + unknowns.size());
     for (std::size_t i = 0; i < unknowns.size(); ++i) steps.emplace_back(step_random.number());
     const Algebra& algebra = field_.algebra();
@@ -178,6 +179,7 @@ std::vector<std::vector<AlgebraNumber>> PointSearch::linear_rows(std::size_t lin
                                                                  const std::vector<std::string>& unknowns) {
     Algebra& algebra = field_.algebra();
     std::vector<AlgebraNumber> kept;
+    kept.reserve(unknowns.size());
     for (const std::string& name : unknowns) kept.push_back(field_.value(name));
     const std::vector<AlgebraNumber> generators = algebra.adjoin_first_order(unknowns.size());
     const AtEnd restore([&] {

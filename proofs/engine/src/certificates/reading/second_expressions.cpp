@@ -25,6 +25,8 @@ public:
     }
     NestingLevel(const NestingLevel&) = delete;
     NestingLevel& operator=(const NestingLevel&) = delete;
+    NestingLevel(NestingLevel&&) = delete;
+    NestingLevel& operator=(NestingLevel&&) = delete;
     ~NestingLevel() { --depth_; }
 
 private:
@@ -92,7 +94,7 @@ NodeId Parser::parse_operand() {
     if (token.kind == TokenKind::word) return parse_word();
     if (is_mark("(")) return parse_bracket();
     if (is_mark("<")) return parse_pair();
-    fail("a number, a name, \"(\" or \"<\"");
+    fail(R"(a number, a name, "(" or "<")");
 }
 
 NodeId Parser::parse_bracket() {

@@ -31,8 +31,13 @@ void NameTable::resolve(NodeId id) {
 }
 
 // By place: what is resolved may not add nodes, but may move their children.
+void NameTable::resolve_each_child(NodeId id) {
+    std::size_t place = 0;
+    while (place < node(id).children.size()) resolve(node(id).children[place++]);
+}
+
 void NameTable::resolve_children(NodeId id) {
-    for (std::size_t i = 0; i < node(id).children.size(); ++i) resolve(node(id).children[i]);
+    resolve_each_child(id);
     if (node(id).form != Form::basis) return;
     const FamilyName& family = families_[node(id).text];
     node(id).may_be_bound = bound_families_.contains(node(id).text);
@@ -79,7 +84,7 @@ void NameTable::resolve_name(NodeId id) {
 }
 
 void NameTable::resolve_member(NodeId id) {
-    for (std::size_t i = 0; i < node(id).children.size(); ++i) resolve(node(id).children[i]);
+    resolve_each_child(id);
     Node& member = node(id);
     member.may_be_bound = bound_families_.contains(member.text);
     const FamilyName& family = families_[member.text];

@@ -51,6 +51,7 @@ private:
     void resolve_statement(Statement& statement);
     void resolve_quantified(Statement& statement, Quantified& quantified);
     void resolve(NodeId id);
+    void resolve_each_child(NodeId id);
     void resolve_children(NodeId id);
     void resolve_name(NodeId id);
     void resolve_member(NodeId id);

@@ -68,8 +68,9 @@ void SymbolicField::divide_out_differences(PlainPolynomial& rest, Denominator& p
 
 std::vector<PlainPolynomial> SymbolicField::divisors() {
     std::vector<PlainPolynomial> result;
-    for (std::size_t k = 0; k < factors_.size(); ++k) {
-        const PlainPolynomial factor = factors_[k];
+    std::size_t number = 0;
+    while (number < factors_.size()) {
+        const PlainPolynomial factor = factors_[number++];
         const std::vector<std::size_t> symbols = factor.symbols();
         std::vector<std::size_t> hidden;
         std::ranges::set_intersection(symbols, hidden_symbols_, std::back_inserter(hidden));

@@ -35,6 +35,9 @@ public:
     explicit SymbolicField(const Limits& limits) : budget_(limits) {}
     SymbolicField(const SymbolicField&) = delete;
     SymbolicField& operator=(const SymbolicField&) = delete;
+    SymbolicField(SymbolicField&&) = delete;
+    SymbolicField& operator=(SymbolicField&&) = delete;
+    ~SymbolicField() = default;
 
     Element number(const Rational& value);
     /// The symbol of this name.

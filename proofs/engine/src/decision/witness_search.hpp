@@ -1,0 +1,58 @@
+#pragma once
+
+#include <blossom/proofs/ground.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "elimination.hpp"
+
+namespace blossom::proofs {
+
+/// The polynomial with a number in the place of a variable.
+SparsePolynomial specialised(const SparsePolynomial& polynomial, std::size_t variable, const Rational& value);
+
+/// Chooses values for the symbols of one branch.
+class WitnessSearch {
+public:
+    WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps,
+                  std::vector<SparsePolynomial> nonzero);
+
+    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that
+    /// roots may become rational. False if one that has a root has no rational one.
+    bool choose(std::size_t attempt);
+
+    /// Whether some root leaves everything different from zero that must be, where one variable has no
+    /// rational value: the product of all has no power that the relation divides.
+    bool is_witness() const;
+
+    const std::vector<Rational>& values() const { return values_; }
+    const std::vector<std::size_t>& algebraic() const { return algebraic_; }
+    const std::vector<SparsePolynomial>& relations() const { return relations_; }
+
+private:
+    void put(std::size_t symbol, const Rational& value);
+
+    bool is_possible(std::size_t symbol, const Rational& value) const;
+
+    /// Each polynomial rules out no more values than it has degree.
+    void give_value(std::size_t symbol, std::size_t first);
+
+    /// The value of the symbol of a step, where all others of its relation have one.
+    bool solve(std::size_t number);
+
+    static SparsePolynomial remainder(SparsePolynomial polynomial, const SparsePolynomial& relation,
+                                      std::size_t symbol);
+
+    bool leave(std::size_t symbol);
+
+    const GroundBlock& block_;
+    std::span<const Substitution> steps_;
+    std::vector<SparsePolynomial> nonzero_;
+    std::vector<SparsePolynomial> relations_;
+    std::vector<Rational> values_;
+    std::vector<std::size_t> algebraic_;
+};
+
+}  // namespace blossom::proofs
