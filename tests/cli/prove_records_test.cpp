@@ -19,6 +19,8 @@ public:
     }
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
+    Folder(Folder&&) = delete;
+    Folder& operator=(Folder&&) = delete;
     ~Folder() { std::filesystem::remove_all(path_); }
 
     std::string at(const std::string& name) const { return (path_ / name).string(); }
@@ -60,6 +62,7 @@ Then
 const std::string second_fragment = R"(% theorem one-2
 {\emergencystretch=3em\noindent
 \textbf{second.}
+The claim is that
 \[
   x = y.
 \]
@@ -121,17 +124,20 @@ standard input:6:9: the denominator is zero
 TEST_CASE("explain shows every claim of files and statements, in general first") {
     const Folder folder;
     const std::string file = folder.write("two.blossom", two_theorems);
-    const Run pages = run({"explain", "prove", file, "-e", "p(t) == q[t]", "--degree", "p=1", "--degree", "q=1",
-                           "--columns", "120"});
+    const Run pages = run({"explain", "prove", file, "-e", "p(t) == q[t]", "--degree", "p=1", "--degree",
+                           "q=1", "--columns", "120"});
     CHECK(pages.status == 0);
     CHECK(contains(pages.output, "A proof: first\n==="));
     CHECK(contains(pages.output, "A refutation: second\n==="));
-    CHECK(contains(pages.output, "Let p be a polynomial of formal degree 1. Let q be a polynomial of formal degree 1."));
-    const Run general = run({"explain", "prove", "-e", "for n in 1..2\nmap a degree n\nclaim a(t) == a[t{n}]"});
+    CHECK(contains(pages.output,
+                   "Let p be a polynomial of formal degree 1. Let q be a polynomial of formal degree 1."));
+    const Run general =
+        run({"explain", "prove", "-e", "for n in 1..2\nmap a degree n\nclaim a(t) == a[t{n}]"});
     CHECK(contains(general.output,
                    "  a(t) ≟ a[t^<n>]\n\nfor n = 1, 2.\n\nThe statement in the identity language."));
     CHECK(contains(general.output, "Here, for n = 2 this is, written out:\n\n  a(t) ≟ a[t, t]"));
-    CHECK(contains(run({"explain", "prove", "-", "--format", "html"}, two_theorems).output, "<h1>A refutation: second</h1>"));
+    CHECK(contains(run({"explain", "prove", "-", "--format", "html"}, two_theorems).output,
+                   "<h1>A refutation: second</h1>"));
     CHECK(contains(run({"explain", "prove", file, "--format", "json"}).output, "\n},\n{\n"));
     CHECK(run({"explain", "prove", folder.at("none.blossom")}).status == 2);
     const Run wrong = run({"explain", "prove", "-e", "x ==", "-e", "y == y"});

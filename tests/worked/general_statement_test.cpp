@@ -94,7 +94,8 @@ TEST_CASE("derivatives") {
 TEST_CASE("sums, products and means over ranges and sets") {
     CHECK(latex("sum(i, 0, n, a_i)*2 + sum(i, 1, n, a_i + 1)") ==
           R"(\left(\sum_{i = 0}^{n} {a}_{i}\right) \cdot 2 + \sum_{i = 1}^{n} ({a}_{i} + 1))");
-    CHECK(latex("2*sum(i, 1, n, sum(j, i, n, a_i*a_j))") == R"(2\,\sum_{i = 1}^{n} \sum_{j = i}^{n} {a}_{i}\,{a}_{j})");
+    CHECK(latex("2*sum(i, 1, n, sum(j, i, n, a_i*a_j))") ==
+          R"(2\,\sum_{i = 1}^{n} \sum_{j = i}^{n} {a}_{i}\,{a}_{j})");
     CHECK(latex("sum(S, subsets(n, k), prod(i, S, t_i))") ==
           R"(\sum_{S \subseteq \{1, \dots, n\}, |S| = k} \prod_{i \in S} {t}_{i})");
     CHECK(latex("sum(S, subsets(n, k), sum(T, subsets(S, 1), size(T)))") ==
@@ -117,8 +118,9 @@ TEST_CASE("functions with notations of their own") {
     CHECK(latex("determinant(i, j, n, x_{i,j})") == R"({\det({x}_{i, j})}_{i, j = 1}^{n})");
     CHECK(latex("if(i <= j, a, 0)") ==
           R"(\begin{cases} a & \text{if } i \le j \\ 0 & \text{otherwise} \end{cases})");
-    CHECK(latex("if(i not in S, a, 0)*2") ==
-          R"(\left(\begin{cases} a & \text{if } i \notin S \\ 0 & \text{otherwise} \end{cases}\right) \cdot 2)");
+    CHECK(
+        latex("if(i not in S, a, 0)*2") ==
+        R"(\left(\begin{cases} a & \text{if } i \notin S \\ 0 & \text{otherwise} \end{cases}\right) \cdot 2)");
 }
 
 TEST_CASE("what the prover writes is read as formulas") {
@@ -134,26 +136,32 @@ TEST_CASE("declarations are sentences") {
     CHECK(declared("map b, c degree n") == "Let b and c be polynomials of formal degree n.");
     CHECK(declared("map f degrees m, 2") == "Let f be a polynomial of formal degrees m, 2 in 2 variables.");
     CHECK(declared("map q degree 2 on simplex 2 net c over r, s, t\nframe r, s, t in 2") ==
-          "Let q be a polynomial of formal degree 2 on an affine space of dimension 2. Its control points over r, s "
-          "and t are q[r^<i₀>, s^<i₁>, t^<i₂>] = c_(i₀, i₁, i₂), for i₀ + i₁ + i₂ = 2. Let r, s and t be points in "
+          "Let q be a polynomial of formal degree 2 on an affine space of dimension 2. Its control points "
+          "over r, s "
+          "and t are q[r^<i₀>, s^<i₁>, t^<i₂>] = c_(i₀, i₁, i₂), for i₀ + i₁ + i₂ = 2. Let r, s and t be "
+          "points in "
           "general position, which span an affine space of dimension 2.");
     CHECK(declared("map p degree n net c over a, b") ==
-          "Let p be a polynomial of formal degree n. Its control points over a and b are p[a^<n − i>, b^<i>] = cᵢ, for "
+          "Let p be a polynomial of formal degree n. Its control points over a and b are p[a^<n − i>, b^<i>] "
+          "= cᵢ, for "
           "i = 0, …, n.");
     CHECK(declared("point r in 2\nvector d, e in 2\nnumber s, t_1..t_n") ==
-          "Let r be a point of an affine space of dimension 2. Let d and e be vectors of an affine space of dimension "
+          "Let r be a point of an affine space of dimension 2. Let d and e be vectors of an affine space of "
+          "dimension "
           "2. Let s, t₁, …, t_n be numbers.");
     CHECK(declared("poly P(x, y) degree 2 = x*y\nraise P to 3 as q") ==
           "Let P(x, y) = x y, of formal degree 2. Let q be P as a polynomial of formal degree 3.");
     CHECK(declared("let w_{0,i} = a_i\nlet w_{r,i} = w_{r-1,i}\nassume a != b\ngiven x == y for all x, y\n"
                    "given a_i == 0 for i in 0..n for all z_1..z_n") ==
-          "Let w_(0, i) = aᵢ, w_(r, i) = w_(r − 1, i). Suppose that a ≠ b. Suppose that x = y for all x and y, and that "
+          "Let w_(0, i) = aᵢ, w_(r, i) = w_(r − 1, i). Suppose that a ≠ b. Suppose that x = y for all x and "
+          "y, and that "
           "aᵢ = 0 for i = 0, …, n and all z₁, …, z_n.");
     CHECK(declared("for n in 1..2\nclaim x == x").empty());
 }
 
 TEST_CASE("a claim in words") {
-    const proofs::Block block = block_of("for n in 1..8\nrefute some a == b for i in 0..1 for j in 2..2\nclaim a == b");
+    const proofs::Block block =
+        block_of("for n in 1..8\nrefute some a == b for i in 0..1 for j in 2..2\nclaim a == b");
     const ClaimInWords refuted = claim_in_words(block, block.statements[1], "Then");
     CHECK(refuted.before == "Then it is not true in every case that");
     CHECK(to_text(refuted.claim) == "a = b");
@@ -168,7 +176,8 @@ TEST_CASE("verdicts say for which cases, and under which conditions") {
     CHECK(verdict("for n in 0..4\nclaim x^n == x") == "Refuted for n = 0, 2, 3, 4; it holds for n = 1.");
     CHECK(verdict("for n in 0..1\nfor k in 0..n\nclaim (n - k)*x == 0") ==
           "Refuted for (n, k) = (1, 0); it holds for (n, k) = (0, 0) and (1, 1).");
-    CHECK(verdict("for n in 0..1\nfor k in 0..n\nclaim n*k == k*n") == "Proved for n = 0, 1 and k = 0, …, n.");
+    CHECK(verdict("for n in 0..1\nfor k in 0..n\nclaim n*k == k*n") ==
+          "Proved for n = 0, 1 and k = 0, …, n.");
     CHECK(verdict("for n in 0..1\nclaim sum(i, 1, n, 1/x_i) == sum(i, 1, n, 1/x_i)") ==
           "Proved for n = 0, 1, if x₁ ≠ 0 for n = 1.");
     CHECK(verdict("claim 1/0 == x") == "Undecided: the denominator is zero.");

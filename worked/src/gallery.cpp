@@ -113,11 +113,13 @@ std::vector<GalleryPage> gallery_pages() {
     add("triangle-evaluation", triangle_evaluation(space_triangle(), inside));
     add("triangle-subdivision", triangle_subdivision(plane_triangle(), inside));
     add("proof", claims_decided("theorem fj-eq20 \"the blossom from points of the curve alone\"\n"
-                               "map b degree 2\n"
-                               "claim b[s, t] == (4*b((s + t)/2) - b(s) - b(t))/2\n").front());
+                                "map b degree 2\n"
+                                "claim b[s, t] == (4*b((s + t)/2) - b(s) - b(t))/2\n")
+                     .front());
     add("refutation", claims_decided("theorem goldman-thm9 \"a derivative needs the vector delta\"\n"
-                                    "map a degree 2\n"
-                                    "claim a'(t) == 2*a[t, 1]\n").front());
+                                     "map a degree 2\n"
+                                     "claim a'(t) == 2*a[t, 1]\n")
+                          .front());
     return pages;
 }
 

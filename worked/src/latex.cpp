@@ -20,7 +20,8 @@ public:
     explicit LatexWriter(const Notation& notation) : notation_(notation) {}
 
     std::string write(const Document& document) const {
-        std::string text = "\\section*{" + latex_text(document.title) + "}\n" + blocks(document.general) + blocks(document.statement);
+        std::string text = "\\section*{" + latex_text(document.title) + "}\n" + blocks(document.general) +
+                           blocks(document.statement);
         if (!document.source.empty())
             text += "\n{\\small Source: " + latex_text(document.source) + ".\\par}\n";
         for (std::size_t i = 0; i < document.steps.size(); ++i) {

@@ -221,7 +221,8 @@ private:
 
     Layout summation_layout(const Formula& formula) const {
         const std::vector<Formula>& parts = formula.parts;
-        Layout sign{Kind::under, "", {{Kind::sign, formula.name.empty() ? "∑" : formula.name, {}}, build(parts[0])}};
+        Layout sign{
+            Kind::under, "", {{Kind::sign, formula.name.empty() ? "∑" : formula.name, {}}, build(parts[0])}};
         if (parts.size() == 3) sign.parts.push_back(build(parts[2]));
         return row({std::move(sign), bound(parts[1], Binding::summation)});
     }

@@ -60,17 +60,18 @@ std::string latex_of(const Layout& layout) {
             return (are_numbers(parts) ? "\\tfrac" : "\\frac") + braced(parts[0]) + braced(parts[1]);
         case Kind::superscript:
             // Both scripts of a name stand above each other.
-            return (parts[0].kind == Kind::subscript ? latex_of(parts[0]) : braced(parts[0])) + "^" + braced(parts[1]);
+            return (parts[0].kind == Kind::subscript ? latex_of(parts[0]) : braced(parts[0])) + "^" +
+                   braced(parts[1]);
         case Kind::subscript:
             return braced(parts[0]) + "_" + braced(parts[1]);
         case Kind::fenced:
             return fenced_latex(layout);
         case Kind::under:
-            return latex_sign(parts[0].text) + "_" + braced(parts[1]) + (parts.size() == 3 ? "^" + braced(parts[2]) : "") +
-                   " ";
+            return latex_sign(parts[0].text) + "_" + braced(parts[1]) +
+                   (parts.size() == 3 ? "^" + braced(parts[2]) : "") + " ";
         case Kind::cases:
-            return "\\begin{cases} " + latex_of(parts[0]) + " & \\text{if } " + latex_of(parts[1]) + " \\\\ " +
-                   latex_of(parts[2]) + " & \\text{otherwise} \\end{cases}";
+            return "\\begin{cases} " + latex_of(parts[0]) + " & \\text{if } " + latex_of(parts[1]) +
+                   " \\\\ " + latex_of(parts[2]) + " & \\text{otherwise} \\end{cases}";
         case Kind::stack:
             return (are_numbers(parts) ? "\\tbinom" : "\\binom") + braced(parts[0]) + braced(parts[1]);
         case Kind::row:

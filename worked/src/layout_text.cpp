@@ -133,8 +133,8 @@ std::string text_of(const Layout& layout) {
             return text_of(layout.parts[0]) + "[" + text_of(layout.parts[1]) +
                    (layout.parts.size() == 3 ? ".." + text_of(layout.parts[2]) : "") + "] ";
         case Kind::cases:
-            return "{" + text_of(layout.parts[0]) + " if " + text_of(layout.parts[1]) + ", " + text_of(layout.parts[2]) +
-                   " otherwise}";
+            return "{" + text_of(layout.parts[0]) + " if " + text_of(layout.parts[1]) + ", " +
+                   text_of(layout.parts[2]) + " otherwise}";
         case Kind::stack:
             return "C(" + text_of(layout.parts[0]) + ", " + text_of(layout.parts[1]) + ")";
         case Kind::row:

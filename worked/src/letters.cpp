@@ -18,34 +18,20 @@ std::string_view looked_up(const std::array<Entry, n>& table, std::string_view k
 
 /// What LaTeX has commands for.
 constexpr std::array<Entry, 34> greek{
-    {{"alpha", "α"},  {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},   {"epsilon", "ε"}, {"zeta", "ζ"},
-     {"eta", "η"},    {"theta", "θ"}, {"iota", "ι"},  {"kappa", "κ"},   {"lambda", "λ"},  {"mu", "μ"},
-     {"nu", "ν"},     {"xi", "ξ"},    {"pi", "π"},    {"rho", "ρ"},     {"sigma", "σ"},   {"tau", "τ"},
-     {"upsilon", "υ"}, {"phi", "φ"},   {"chi", "χ"},   {"psi", "ψ"},     {"omega", "ω"},   {"Gamma", "Γ"},
-     {"Delta", "Δ"},  {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},      {"Pi", "Π"},      {"Sigma", "Σ"},
-     {"Phi", "Φ"},    {"Psi", "Ψ"},   {"Omega", "Ω"}, {"det", "det"}}};
+    {{"alpha", "α"},   {"beta", "β"},  {"gamma", "γ"},  {"delta", "δ"}, {"epsilon", "ε"}, {"zeta", "ζ"},
+     {"eta", "η"},     {"theta", "θ"}, {"iota", "ι"},   {"kappa", "κ"}, {"lambda", "λ"},  {"mu", "μ"},
+     {"nu", "ν"},      {"xi", "ξ"},    {"pi", "π"},     {"rho", "ρ"},   {"sigma", "σ"},   {"tau", "τ"},
+     {"upsilon", "υ"}, {"phi", "φ"},   {"chi", "χ"},    {"psi", "ψ"},   {"omega", "ω"},   {"Gamma", "Γ"},
+     {"Delta", "Δ"},   {"Theta", "Θ"}, {"Lambda", "Λ"}, {"Xi", "Ξ"},    {"Pi", "Π"},      {"Sigma", "Σ"},
+     {"Phi", "Φ"},     {"Psi", "Ψ"},   {"Omega", "Ω"},  {"det", "det"}}};
 
-constexpr std::array<Entry, 21> signs{{{"−", "-"},
-                                       {"·", "\\cdot"},
-                                       {"∑", "\\sum"},
-                                       {"∏", "\\prod"},
-                                       {"∂", "\\partial"},
-                                       {"∖", "\\setminus"},
-                                       {"≥", "\\ge"},
-                                       {"∉", "\\notin"},
-                                       {"↦", "\\mapsto"},
-                                       {"≤", "\\le"},
-                                       {"≠", "\\ne"},
-                                       {"≟", "\\overset{?}{=}"},
-                                       {"⊆", "\\subseteq"},
-                                       {"∈", "\\in"},
-                                       {"→", "\\to"},
-                                       {"′", "'"},
-                                       {"″", "''"},
-                                       {"‴", "'''"},
-                                       {"…", "\\dots"},
-                                       {"≈", "\\approx"},
-                                       {"×", "\\times"}}};
+constexpr std::array<Entry, 21> signs{{{"−", "-"},          {"·", "\\cdot"},    {"∑", "\\sum"},
+                                       {"∏", "\\prod"},     {"∂", "\\partial"}, {"∖", "\\setminus"},
+                                       {"≥", "\\ge"},       {"∉", "\\notin"},   {"↦", "\\mapsto"},
+                                       {"≤", "\\le"},       {"≠", "\\ne"},      {"≟", "\\overset{?}{=}"},
+                                       {"⊆", "\\subseteq"}, {"∈", "\\in"},      {"→", "\\to"},
+                                       {"′", "'"},          {"″", "''"},        {"‴", "'''"},
+                                       {"…", "\\dots"},     {"≈", "\\approx"},  {"×", "\\times"}}};
 
 /// What text, not formulas, may contain beyond ASCII.
 constexpr std::array<Entry, 14> text_signs{{{"−", "$-$"},

@@ -18,7 +18,8 @@ public:
         : notation_(notation), pictures_(pictures) {}
 
     std::string write(const Document& document) {
-        std::string text = "# " + escaped(document.title) + "\n\n" + blocks(document.general) + blocks(document.statement);
+        std::string text =
+            "# " + escaped(document.title) + "\n\n" + blocks(document.general) + blocks(document.statement);
         if (!document.source.empty()) text += "Source: " + escaped(document.source) + "\n\n";
         for (std::size_t i = 0; i < document.steps.size(); ++i) {
             text += "## " + std::to_string(i + 1) + ". " + escaped(document.steps[i].title) + "\n\n" +

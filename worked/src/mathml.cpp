@@ -81,6 +81,14 @@ void append_cases(pugi::xml_node parent, const Layout& layout) {
     append_token(second.append_child("mtd"), "mtext", "otherwise");
 }
 
+/// Both scripts of a name stand above each other.
+void append_superscript(pugi::xml_node parent, const Layout& layout) {
+    const Layout& base = layout.parts[0];
+    if (base.kind != Kind::subscript) return append_all(parent, "msup", layout);
+    pugi::xml_node node = parent.append_child("msubsup");
+    for (const Layout* part : {&base.parts[0], &base.parts[1], &layout.parts[1]}) append(node, *part);
+}
+
 void append(pugi::xml_node parent, const Layout& layout) {
     switch (layout.kind) {
         case Kind::number:
@@ -114,7 +122,7 @@ void append(pugi::xml_node parent, const Layout& layout) {
             append_all(parent, "mfrac", layout);
             break;
         case Kind::superscript:
-            append_all(parent, "msup", layout);
+            append_superscript(parent, layout);
             break;
         case Kind::subscript:
             append_all(parent, "msub", layout);

@@ -185,7 +185,8 @@ Document continuity_chapter(const Asked& asked) {
 std::vector<Document> proof_pages(const Json& statement, const Limits& limits) {
     if (statement.text()) return worked::claims_decided(*statement.text(), limits);
     std::vector<Document> pages;
-    for (const Json& one : *statement.array()) std::ranges::move(proof_pages(one, limits), std::back_inserter(pages));
+    for (const Json& one : *statement.array())
+        std::ranges::move(proof_pages(one, limits), std::back_inserter(pages));
     return pages;
 }
 
@@ -225,7 +226,8 @@ constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
 }  // namespace
 
 bool has_chapter(std::string_view operation) {
-    return operation == prove_operation().name || std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
+    return operation == prove_operation().name ||
+           std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
 }
 
 std::string no_chapter(std::string_view operation) {

@@ -11,8 +11,9 @@
 
 namespace blossom::cli {
 
-/// The chapter that works out a request, or of statements one for each claim. The request is answered first, so that what is wrong with it is
-/// reported as for itself. Errors: those of the request; `unknown_op` for one without chapter.
+/// The chapter that works out a request, or of statements one for each claim. The request is answered first,
+/// so that what is wrong with it is reported as for itself. Errors: those of the request; `unknown_op` for
+/// one without chapter.
 std::vector<worked::Document> chapters_of(const Json& request, const Limits& limits);
 
 /// Whether there is one for the operation of this name.

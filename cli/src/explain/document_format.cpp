@@ -31,7 +31,8 @@ using Documents = std::vector<worked::Document>;
 template <class Write>
 std::string joined(const Documents& documents, std::string_view between, const Write& write) {
     std::string text;
-    for (const worked::Document& document : documents) text += (text.empty() ? "" : std::string(between)) + write(document);
+    for (const worked::Document& document : documents)
+        text += (text.empty() ? "" : std::string(between)) + write(document);
     return text;
 }
 
@@ -51,20 +52,25 @@ struct Format {
 };
 
 constexpr std::array<Format, 6> formats{
-    {{"text", [](const Documents& documents, const worked::Notation& notation, std::size_t columns) {
+    {{"text",
+      [](const Documents& documents, const worked::Notation& notation, std::size_t columns) {
           return joined(documents, "\n", [&](const worked::Document& document) {
               return render_text(document, notation, columns);
           });
       }},
-     {"markdown", [](const Documents& documents, const worked::Notation& notation, std::size_t) {
-          return joined(documents, "\n",
-                        [&](const worked::Document& document) { return render_markdown(document, notation); });
+     {"markdown",
+      [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return joined(documents, "\n", [&](const worked::Document& document) {
+              return render_markdown(document, notation);
+          });
       }},
      {"latex", [](const Documents& documents, const worked::Notation& notation,
                   std::size_t) { return render_latex(documents, notation); }},
-     {"latex-fragment", [](const Documents& documents, const worked::Notation& notation, std::size_t) {
-          return joined(documents, "",
-                        [&](const worked::Document& document) { return render_latex_fragment(document, notation); });
+     {"latex-fragment",
+      [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return joined(documents, "", [&](const worked::Document& document) {
+              return render_latex_fragment(document, notation);
+          });
       }},
      {"html", [](const Documents& documents, const worked::Notation& notation,
                  std::size_t) { return render_html(documents, notation); }},

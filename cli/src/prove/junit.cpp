@@ -13,15 +13,14 @@ namespace {
 /// The cases of one text, and how many of them are not well.
 class Suite {
 public:
-    Suite(pugi::xml_node suites, const ProofText& text) : text_(text), node_(suites.append_child("testsuite")) {
+    Suite(pugi::xml_node suites, const ProofText& text)
+        : text_(text), node_(suites.append_child("testsuite")) {
         node_.append_attribute("name") = text.name.c_str();
         for (const Error& error : text.document.errors) {
             const std::string place = fmt::format("line {}", text.line(error.offset().value_or(0)));
             complain(begin(place), "error", "not read", text.diagnostic(error));
         }
     }
-    Suite(const Suite&) = delete;
-    Suite& operator=(const Suite&) = delete;
 
     void append(const ProofTask& task) {
         for (const proofs::Decision& decision : task.decisions) append(task, decision);
@@ -41,7 +40,8 @@ private:
         const proofs::Verdict verdict = decision.verdict();
         if (decision.as_expected()) return;
         const bool decided = verdict == proofs::Verdict::proved || verdict == proofs::Verdict::refuted;
-        complain(node, decided ? "failure" : "error", proofs::verdict_name(verdict), report_text(task, decision, {}));
+        complain(node, decided ? "failure" : "error", proofs::verdict_name(verdict),
+                 report_text(task, decision, {}));
     }
 
     pugi::xml_node begin(const std::string& name) {
@@ -52,7 +52,8 @@ private:
         return node;
     }
 
-    void complain(pugi::xml_node node, std::string_view element, std::string_view message, const std::string& report) {
+    void complain(pugi::xml_node node, std::string_view element, std::string_view message,
+                  const std::string& report) {
         ++(element == "failure" ? failures_ : errors_);
         pugi::xml_node complaint = node.append_child(std::string(element).c_str());
         complaint.append_attribute("message") = std::string(message).c_str();

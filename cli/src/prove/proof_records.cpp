@@ -64,8 +64,8 @@ void write_theorems(const std::vector<ProofTask>& tasks, const std::filesystem::
 
 }  // namespace
 
-void write_records(const std::vector<ProofText>& texts, std::vector<ProofTask>& tasks, const ProveCommand& command,
-                   const Streams& streams) {
+void write_records(const std::vector<ProofText>& texts, std::vector<ProofTask>& tasks,
+                   const ProveCommand& command, const Streams& streams) {
     if (!command.certificate.empty()) write_certificates(tasks, command.certificate);
     if (!command.latex.empty()) write_theorems(tasks, command.latex);
     if (!command.junit.empty()) write_file(command.junit, junit_report(texts, tasks));

@@ -53,8 +53,8 @@ struct ProofTask {
     bool done = false;
 };
 
-/// The files that a path means: itself, or all files *.blossom of a folder. Errors: std::system_error for a folder
-/// without one.
+/// The files that a path means: itself, or all files *.blossom of a folder. Errors: std::system_error for a
+/// folder without one.
 std::vector<std::string> statement_files(const std::string& path);
 
 /// What the command is given: its files, then its statements. Errors: `UsageError` for nothing.

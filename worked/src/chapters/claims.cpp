@@ -49,7 +49,8 @@ void append_general(Document& document, const proofs::Block& block, const proofs
     const Text declarations = declarations_in_words(block);
     if (!declarations.empty()) document.general.emplace_back(Paragraph{declarations});
     ClaimInWords claim = claim_in_words(block, line, "");
-    document.general.emplace_back(Paragraph{"The question is whether this holds for all maps and all values of the variables:"});
+    document.general.emplace_back(
+        Paragraph{"The question is whether this holds for all maps and all values of the variables:"});
     claim.claim.name = "≟";
     document.general.emplace_back(Display{{std::move(claim.claim)}});
     if (!claim.after.empty()) document.general.emplace_back(Paragraph{std::move(claim.after)});
@@ -99,7 +100,8 @@ Table statement_table(const DecidedClaim& claim) {
     const std::vector<proofs::Statement>& lines = claim.block.statements;
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const bool decided = lines[i].kind == StatementKind::claim || lines[i].kind == StatementKind::refute;
-        if (!decided || i == claim.decision.statement) table.rows.push_back({Cell(proofs::to_text(lines[i]).c_str())});
+        if (!decided || i == claim.decision.statement)
+            table.rows.push_back({Cell(proofs::to_text(lines[i]).c_str())});
     }
     return table;
 }
@@ -132,10 +134,12 @@ std::vector<Document> claims_decided(std::string_view statement, const Limits& l
             if (const Error* error = decision.error()) refuse(statement, *error);
             const auto found = written.find(decision.offset);
             pages.push_back(page_of({block, decision},
-                                    found == written.end() ? std::nullopt : std::optional(found->second), limits));
+                                    found == written.end() ? std::nullopt : std::optional(found->second),
+                                    limits));
         }
     }
-    if (pages.empty()) throw Error(ErrorCode::wrong_arity, R"(the statement has no line "claim" or "refute")", "/statement");
+    if (pages.empty())
+        throw Error(ErrorCode::wrong_arity, R"(the statement has no line "claim" or "refute")", "/statement");
     return pages;
 }
 

@@ -60,12 +60,14 @@ private:
             case StatementKind::vector:
                 return points(line, "a vector", "vectors", "of an affine space of dimension ");
             case StatementKind::frame:
-                return points(line, "a point", "points", "in general position, which span an affine space of dimension ");
+                return points(line, "a point", "points",
+                              "in general position, which span an affine space of dimension ");
             case StatementKind::number:
                 return points(line, "a number", "numbers", "");
             case StatementKind::polynomial:
                 begin("Let ");
-                say(equation({StatementFormulas::at_variables(line.names), formulas_(line.sides[0])}), ", of formal ");
+                say(equation({StatementFormulas::at_variables(line.names), formulas_(line.sides[0])}),
+                    ", of formal ");
                 return degrees(line);
             case StatementKind::raise:
                 begin("Let ");
@@ -105,17 +107,20 @@ private:
         const std::vector<Formula> points = formulas_.list(line.frame);
         for (std::size_t k = 0; k < points.size(); ++k) {
             indices.push_back(curve ? symbol("i") : index(symbol("i"), number(k)));
-            arguments.push_back(
-                repeated(points[k], curve && k == 0 ? sum({n, product({number(-1), symbol("i")})}) : indices.back()));
+            arguments.push_back(repeated(
+                points[k], curve && k == 0 ? sum({n, product({number(-1), symbol("i")})}) : indices.back()));
         }
         const std::vector<Formula> subscripts = curve ? std::vector{symbol("i")} : indices;
         say(". Its control points over ");
         append_list(text_, points);
-        say(" are ", equation({blossom_of(line.names[0], arguments), index(symbol(line.net), list_of(subscripts))}));
-        say(", for ", curve ? equation({symbol("i"), list_of({number(0), symbol("…"), n})}) : equation({sum(indices), n}));
+        say(" are ",
+            equation({blossom_of(line.names[0], arguments), index(symbol(line.net), list_of(subscripts))}));
+        say(", for ", curve ? equation({symbol("i"), list_of({number(0), symbol("…"), n})})
+                            : equation({sum(indices), n}));
     }
 
-    void points(const Statement& line, const std::string& one, const std::string& several, const std::string& of) {
+    void points(const Statement& line, const std::string& one, const std::string& several,
+                const std::string& of) {
         const std::vector<Formula> names = formulas_.list(line.expressions);
         begin("Let ");
         append_list(text_, names);

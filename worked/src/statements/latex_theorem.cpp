@@ -129,7 +129,10 @@ std::string render_latex_theorem(const proofs::Block& block, const std::vector<p
     if (!declarations.empty()) text += sentences(declarations) + "\n";
     std::string opening = declarations.empty() ? "" : "Then";
     for (const proofs::Decision& decision : decisions) {
-        const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement], opening);
+        // Nothing is said to hold that was not decided so.
+        const std::string claimed = opening.empty() ? "The claim is that" : opening + " the claim is that";
+        const ClaimInWords claim = claim_in_words(block, block.statements[decision.statement],
+                                                  decision.as_expected() ? opening : claimed);
         if (!claim.before.empty()) text += latex_text(claim.before) + "\n";
         text += display(claim.claim, claim.after.empty() ? "." : "");
         if (!claim.after.empty()) text += sentence(claim.after) + "\n";

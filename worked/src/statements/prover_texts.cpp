@@ -21,7 +21,8 @@ std::string with_product_signs(std::string_view text) {
     std::string result;
     bool in_number = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
-        const bool begins = i == 0 || (!is_digit(text[i - 1]) && !is_letter(text[i - 1]) && text[i - 1] != '_');
+        const bool begins =
+            i == 0 || (!is_digit(text[i - 1]) && !is_letter(text[i - 1]) && text[i - 1] != '_');
         in_number = is_digit(text[i]) && (in_number || begins);
         result += text[i];
         const bool ends = in_number && i + 1 < text.size() && !is_digit(text[i + 1]);

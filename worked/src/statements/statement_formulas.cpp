@@ -104,7 +104,8 @@ std::vector<Formula> StatementFormulas::terms(const Expression& e) {
 std::vector<Formula> StatementFormulas::factors(const Expression& e) {
     if (e.kind != ExpressionKind::product) {
         Formula only = (*this)(e);
-        if (only.kind == FormulaKind::product && e.kind == ExpressionKind::negative) return std::move(only.parts);
+        if (only.kind == FormulaKind::product && e.kind == ExpressionKind::negative)
+            return std::move(only.parts);
         return {std::move(only)};
     }
     std::vector<Formula> all = factors(e.children[0]);
@@ -130,7 +131,8 @@ Formula StatementFormulas::value(const Expression& e) {
         for (const Expression& along : e.children) head.push_back(index(symbol("D"), (*this)(along)));
     } else if (e.children.size() == 1) {
         const std::optional<std::size_t> order = small_integer(e.children[0]);
-        if (order && arguments.size() == 1) return derivative_of(e.name, *order, std::move(arguments.front()));
+        if (order && arguments.size() == 1)
+            return derivative_of(e.name, *order, std::move(arguments.front()));
         return application(power(symbol(e.name), tuple({(*this)(e.children[0])})), std::move(arguments));
     } else {
         for (std::size_t i = 0; i < e.children.size(); ++i) {
@@ -182,11 +184,12 @@ std::vector<Formula> StatementFormulas::entries(const Expression& e) {
 Formula StatementFormulas::family(const Expression& e) {
     const Formula i = symbol(e.name);
     const std::vector<Expression>& from = e.groups[0];
-    std::vector<Formula> conditions{from.size() == 2
-                                        ? relation("≤", {(*this)(from[0]), i, (*this)(from[1])})
-                                        : relation("∈", {i, (*this)(from[0])})};
-    for (const Expression& excluded : e.groups[1]) conditions.push_back(relation("≠", {i, (*this)(excluded)}));
-    for (const Expression& excluded : e.groups[2]) conditions.push_back(relation("∉", {i, (*this)(excluded)}));
+    std::vector<Formula> conditions{from.size() == 2 ? relation("≤", {(*this)(from[0]), i, (*this)(from[1])})
+                                                     : relation("∈", {i, (*this)(from[0])})};
+    for (const Expression& excluded : e.groups[1])
+        conditions.push_back(relation("≠", {i, (*this)(excluded)}));
+    for (const Expression& excluded : e.groups[2])
+        conditions.push_back(relation("∉", {i, (*this)(excluded)}));
     return index(tuple({(*this)(e.children[0])}), list_of(std::move(conditions)));
 }
 
@@ -207,7 +210,8 @@ const proofs::Statement* StatementFormulas::clause(std::string_view name) const 
     for (const proofs::Statement& line : block_.statements) {
         const bool names_it = line.kind == StatementKind::raise        ? line.names[1] == name
                               : line.kind == StatementKind::polynomial ? line.names[0] == name
-                              : line.kind == StatementKind::map ? std::ranges::find(line.names, name) != line.names.end()
+                              : line.kind == StatementKind::map
+                                  ? std::ranges::find(line.names, name) != line.names.end()
                               : line.kind == StatementKind::let ? line.sides[0].name == name
                                                                 : false;
         if (names_it) return &line;
@@ -219,7 +223,8 @@ bool StatementFormulas::takes_directions(std::string_view map) const {
     const proofs::Statement* line = clause(map);
     if (!line) return false;
     if (line->kind == proofs::StatementKind::raise) return takes_directions(line->names[0]);
-    if (line->kind == proofs::StatementKind::polynomial) return line->names.size() > 2 && line->expressions.size() == 1;
+    if (line->kind == proofs::StatementKind::polynomial)
+        return line->names.size() > 2 && line->expressions.size() == 1;
     return !line->dimension.empty() && small_integer(line->dimension[0]) != 1U;
 }
 

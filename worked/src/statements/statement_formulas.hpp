@@ -10,7 +10,8 @@
 
 namespace blossom::worked {
 
-/// The expressions of a block of the identity language as formulas, with its parameters and indices as they are.
+/// The expressions of a block of the identity language as formulas, with its parameters and indices as they
+/// are.
 class StatementFormulas {
 public:
     explicit StatementFormulas(const proofs::Block& block) : block_(block) {}

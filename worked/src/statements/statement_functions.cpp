@@ -48,7 +48,8 @@ Formula StatementFormulas::call(const Expression& e) {
     if (e.name == "determinant") return determinant(e);
     if (e.name == "bspline") return bspline(children);
     if (e.name == "if") return cases_of((*this)(children[1]), (*this)(children[0]), (*this)(children[2]));
-    if (e.name == "without") return relation("∖", {first_integers((*this)(children[0])), (*this)(children[1])});
+    if (e.name == "without")
+        return relation("∖", {first_integers((*this)(children[0])), (*this)(children[1])});
     if (e.name == "size") return size_of((*this)(children[0]));
     if (e.name == "partitions") return application(words("Part"), {set(children[0])});
     if (e.name == "permutations") return application(words("Perm"), {first_integers((*this)(children[0]))});
@@ -106,17 +107,19 @@ StatementFormulas::Collection StatementFormulas::members(const Expression& e, Fo
     if (is_call(e, "subsets")) {
         const Formula size = (*this)(e.children[1]);
         const Formula of = (*this)(e.children[0]);
-        Formula below = list_of({relation("⊆", {index, set(e.children[0])}), equation({size_of(index), size})});
-        return {std::move(below), {}, binomial_of(is_set(e.children[0]) ? size_of(of) : of, size), Bound::set};
+        Formula below =
+            list_of({relation("⊆", {index, set(e.children[0])}), equation({size_of(index), size})});
+        return {
+            std::move(below), {}, binomial_of(is_set(e.children[0]) ? size_of(of) : of, size), Bound::set};
     }
     Formula all = (*this)(e);
     Formula below = relation("∈", {std::move(index), all});
     if (is_call(e, "permutations"))
         return {std::move(below), {}, factorial_of((*this)(e.children[0])), Bound::permutation};
     const auto found = e.kind == ExpressionKind::name ? bound_.find(e.name) : bound_.end();
-    const Bound member = is_call(e, "partitions")                                       ? Bound::partition
+    const Bound member = is_call(e, "partitions")                                     ? Bound::partition
                          : found != bound_.end() && found->second == Bound::partition ? Bound::set
-                                                                                       : Bound::integer;
+                                                                                      : Bound::integer;
     return {std::move(below), {}, size_of(std::move(all)), member};
 }
 
@@ -130,7 +133,8 @@ Formula StatementFormulas::determinant(const Expression& e) {
 Formula StatementFormulas::bspline(const std::vector<Expression>& children) {
     const Formula span = (*this)(children[3]);
     const Formula knots = symbol(children[2].name);
-    const Formula next = span.kind == FormulaKind::number ? number(span.value + Rational(1)) : sum({span, number(1)});
+    const Formula next =
+        span.kind == FormulaKind::number ? number(span.value + Rational(1)) : sum({span, number(1)});
     return application(power(index(symbol("N"), list_of({(*this)(children[0]), (*this)(children[1])})),
                              interval_of(index(knots, span), index(knots, next))),
                        {(*this)(children[4])});

@@ -83,7 +83,8 @@ public:
 
 private:
     static std::string continued(Verdict verdict) {
-        return verdict == Verdict::proved ? "it holds" : "it is " + std::string(proofs::verdict_name(verdict));
+        return verdict == Verdict::proved ? "it holds"
+                                          : "it is " + std::string(proofs::verdict_name(verdict));
     }
 
     void append_for(const proofs::Cases& cases) {

@@ -11,32 +11,33 @@ namespace blossom::worked {
 
 /// What a formula says at its top.
 enum class FormulaKind {
-    number,      ///< `value`
-    symbol,      ///< `name`, a letter or a word; "delta" and other Greek letters are drawn as such
-    words,       ///< `name`, upright words within a formula
-    sum,         ///< parts added; a negative part is subtracted
-    product,     ///< parts multiplied
-    fraction,    ///< parts[0] / parts[1]
-    power,       ///< parts[0] ^ parts[1]
-    index,       ///< parts[0] with subscript parts[1]
-    call,        ///< the map `name` at parts
-    application, ///< parts[0], which is more than a name, at the other parts
-    derivative,  ///< the derivative of order `value` of the map `name` at parts[0]
-    blossom,     ///< the blossom `name` at parts, as many as its degree; of a spline that of a segment whose
-                 ///< span has the index `value` - 1, or for 0 of any, where all agree
-    elementary,  ///< the elementary symmetric function of order `value` of parts
-    binomial,    ///< parts[0] over parts[1]
-    factorial,   ///< parts[0]!
-    tuple,       ///< (parts)
-    list,        ///< parts with `name`, "," or ";", between them
-    repeated,    ///< the argument parts[0], parts[1] times
-    pair,        ///< <parts[0], parts[1]>
-    size,        ///< |parts[0]|
-    cases,       ///< parts[0] if parts[1] holds, otherwise parts[2]
-    set,         ///< {parts}
-    interval,    ///< [parts[0], parts[1]]
-    summation,   ///< the sum, or as `name` says the product, over parts[0] of parts[1]; to parts[2] if there is one
-    relation,    ///< parts connected by `name`, for instance "="
+    number,       ///< `value`
+    symbol,       ///< `name`, a letter or a word; "delta" and other Greek letters are drawn as such
+    words,        ///< `name`, upright words within a formula
+    sum,          ///< parts added; a negative part is subtracted
+    product,      ///< parts multiplied
+    fraction,     ///< parts[0] / parts[1]
+    power,        ///< parts[0] ^ parts[1]
+    index,        ///< parts[0] with subscript parts[1]
+    call,         ///< the map `name` at parts
+    application,  ///< parts[0], which is more than a name, at the other parts
+    derivative,   ///< the derivative of order `value` of the map `name` at parts[0]
+    blossom,      ///< the blossom `name` at parts, as many as its degree; of a spline that of a segment whose
+                  ///< span has the index `value` - 1, or for 0 of any, where all agree
+    elementary,   ///< the elementary symmetric function of order `value` of parts
+    binomial,     ///< parts[0] over parts[1]
+    factorial,    ///< parts[0]!
+    tuple,        ///< (parts)
+    list,         ///< parts with `name`, "," or ";", between them
+    repeated,     ///< the argument parts[0], parts[1] times
+    pair,         ///< <parts[0], parts[1]>
+    size,         ///< |parts[0]|
+    cases,        ///< parts[0] if parts[1] holds, otherwise parts[2]
+    set,          ///< {parts}
+    interval,     ///< [parts[0], parts[1]]
+    summation,    ///< the sum, or as `name` says the product, over parts[0] of parts[1]; to parts[2] if there
+                  ///< is one
+    relation,     ///< parts connected by `name`, for instance "="
 };
 
 /// A formula as a tree of what it means. Text, LaTeX and MathML are printed from it, and a test computes it

@@ -24,8 +24,8 @@ std::string render_markdown(const Document& document, const Notation& notation =
 /// The pictures of a document in their order, each as an SVG file of its own.
 std::vector<std::string> render_pictures(const Document& document, const Notation& notation = {});
 
-/// LaTeX: a complete document of several examples, or the fragment that an own one takes in with \input after the preamble of
-/// `latex_preamble`.
+/// LaTeX: a complete document of several examples, or the fragment that an own one takes in with \input after
+/// the preamble of `latex_preamble`.
 std::string render_latex(std::span<const Document> documents, const Notation& notation = {});
 std::string render_latex_fragment(const Document& document, const Notation& notation = {});
 std::string latex_preamble();
@@ -36,8 +36,8 @@ struct Link {
     std::string text;
 };
 
-/// One file of HTML with one or more examples that needs no other: formulas in MathML, pyramids and pictures in SVG, no
-/// script.
+/// One file of HTML with one or more examples that needs no other: formulas in MathML, pyramids and pictures
+/// in SVG, no script.
 std::string render_html(std::span<const Document> documents, const Notation& notation = {},
                         const std::vector<Link>& links = {});
 
