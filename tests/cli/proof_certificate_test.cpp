@@ -155,7 +155,7 @@ TEST_CASE("a certificate that says less than its claim needs is refused") {
     }
     const Json split = certificate_of(statements[7]);
     for (const std::string& branch : {impossible, open, agree}) {
-        for (const std::size_t place : {0, 1}) {
+        for (const std::size_t place : {0U, 1U}) {
             Json changed = split;
             Json& proof = entry_of(changed)["proof"];
             REQUIRE(*proof["end"].text() == "split");

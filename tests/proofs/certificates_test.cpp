@@ -130,7 +130,7 @@ TEST_CASE("steps that do not follow from the hypotheses are refused") {
     REQUIRE(good.root.steps.size() == 2);
     CHECK(problem_after(good, [](Certificate& c) { c.root.steps.clear(); }) == "the two sides do not reduce to the same");
     CHECK(problem_after(good, [](Certificate& c) { c.root.steps.pop_back(); }) != "");
-    for (const std::size_t i : {0, 1}) {
+    for (const std::size_t i : {0U, 1U}) {
         const auto spoiled = [&](const std::function<void(proofs::second::Step&)>& spoil) {
             return problem_after(good, [&](Certificate& c) { spoil(c.root.steps[i]); });
         };
