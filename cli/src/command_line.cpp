@@ -192,9 +192,11 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
     const CLI::Option* certificate =
         add_value(*command, "--certificate", "FILE", "write a record of each proof, for check-certificate");
     const CLI::Option* coq = add_value(*command, "--coq", "FILE", "write the proved cases as lemmas of Coq");
-    const CLI::Option* latex = add_value(*command, "--latex", "PATH",
-                                         "write each theorem in LaTeX, for \\input: a file, or a folder/ for a file each");
-    const CLI::Option* junit = add_value(*command, "--junit", "FILE", "write the verdicts as a report in JUnit's XML");
+    const CLI::Option* latex =
+        add_value(*command, "--latex", "PATH",
+                  "write each theorem in LaTeX, for \\input: a file, or a folder/ for a file each");
+    const CLI::Option* junit =
+        add_value(*command, "--junit", "FILE", "write the verdicts as a report in JUnit's XML");
     const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
     const CLI::Option* timeout = add_value(*command, "--timeout", "SECONDS",
                                            "give up a case of a claim after so long; by default never");

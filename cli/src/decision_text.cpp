@@ -33,8 +33,8 @@ std::string runs_text(const proofs::Cases& cases) {
 std::string ranges_text(const proofs::Block& block, const Decision& decision) {
     std::vector<std::string> ranges;
     for (const proofs::Range& range : proofs::ranges_of(block, block.statements[decision.statement])) {
-        ranges.push_back(
-            fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first), proofs::to_text(range.last)));
+        ranges.push_back(fmt::format("{} in {}..{}", range.name, proofs::to_text(range.first),
+                                     proofs::to_text(range.last)));
     }
     return fmt::format("{}", fmt::join(ranges, ", "));
 }
@@ -56,15 +56,15 @@ std::string tuples_text(const proofs::Cases& cases) {
     return fmt::format("({}) = {}", fmt::join(names, ", "), fmt::join(tuples, ", "));
 }
 
-std::string parameters_of(const proofs::Block& block, const Decision& decision,
-                          const proofs::Cases& cases) {
+std::string parameters_of(const proofs::Block& block, const Decision& decision, const proofs::Cases& cases) {
     const auto names = cases.front()->parameters.size();
     if (names == 0) return "";
     if (names == 1) return fmt::format("{} = {}", cases.front()->parameters.front().first, runs_text(cases));
     return cases.size() == decision.cases.size() ? ranges_text(block, decision) : tuples_text(cases);
 }
 
-/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different things.
+/// What the proved cases need that no line of the block says: "a != b", or by cases where they need different
+/// things.
 std::string conditions_text(const proofs::Block& block, const Decision& decision) {
     const std::vector<proofs::CaseGroup> groups = proofs::groups_by_condition(decision);
     std::vector<std::string> parts;
@@ -155,8 +155,10 @@ std::string readable(const proofs::Counterexample& counterexample) {
         parts.push_back(fmt::format("{} = {}", name, value));
     for (const proofs::WitnessMap& map : counterexample.maps) {
         std::string variables;
-        for (const std::string& name : proofs::variables_of(map)) variables += (variables.empty() ? "" : ", ") + name;
-        parts.push_back(fmt::format("{}({}) = {} ({})", map.name, variables, map.text, proofs::degrees_text(map)));
+        for (const std::string& name : proofs::variables_of(map))
+            variables += (variables.empty() ? "" : ", ") + name;
+        parts.push_back(
+            fmt::format("{}({}) = {} ({})", map.name, variables, map.text, proofs::degrees_text(map)));
     }
     for (const auto& [name, value] : counterexample.variables)
         parts.push_back(fmt::format("{} = {}", name, to_string(value)));

@@ -64,7 +64,8 @@ TEST_CASE("what no page can be made of is refused with the place") {
             R"( "degrees": [1, 1]}, "at": [[1, 2]]})",
             "wrong_kind", "/request/map");
     refused(R"({"op": "prove", "statement": []})", "wrong_arity", "/request/statement");
-    refused(R"({"op": "prove", "statement": ["claim x == x", "claim y ="]})", "syntax", "/request/statement/1");
+    refused(R"({"op": "prove", "statement": ["claim x == x", "claim y ="]})", "syntax",
+            "/request/statement/1");
 }
 
 TEST_CASE("a rational curve is said to be shown in homogeneous coordinates") {

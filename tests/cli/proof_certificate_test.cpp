@@ -172,8 +172,15 @@ TEST_CASE("a certificate that says less than its claim needs is refused") {
 }
 
 TEST_CASE("anything in the place of anything in a certificate is read or refused") {
-    const Json others[] = {Json(Json::Array{}), Json(Json::Object{}), Json("x"), Json("1/0"), Json("-1"),
-                           Json::Number{"-1"}, Json::Number{"1.5"}, Json::Number{"99999999999999999999"}, Json()};
+    const Json others[] = {Json(Json::Array{}),
+                           Json(Json::Object{}),
+                           Json("x"),
+                           Json("1/0"),
+                           Json("-1"),
+                           Json::Number{"-1"},
+                           Json::Number{"1.5"},
+                           Json::Number{"99999999999999999999"},
+                           Json()};
     for (const std::string& text : statements) {
         const Json certificate = certificate_of(text);
         const std::size_t count = values_in(certificate);
@@ -201,7 +208,8 @@ TEST_CASE("what is no certificate is refused") {
     CHECK(refused(R"({"certificate": 2})").find("proofs") != std::string::npos);
     CHECK(refused(R"({"certificate": 2, "proofs": [{}]})").starts_with("/proofs/0/id "));
     CHECK(refused(R"({"certificate": 2, "proofs": [], "seal": ""})").starts_with("/seal "));
-    const std::string before = R"({"certificate": 2, "proofs": [{"id": "", "title": "", "text": "claim 1 == 1",
+    const std::string before =
+        R"({"certificate": 2, "proofs": [{"id": "", "title": "", "text": "claim 1 == 1",
         "line": 0, "parameters": {}, "conditions": [], "proof": )";
     const std::string after = "}]}";
     const std::string proof = R"({"steps": [], "end": "agree"})";
@@ -210,13 +218,17 @@ TEST_CASE("what is no certificate is refused") {
     CHECK(refused(before + R"({"steps": [], "end": "split"})" + after).starts_with("/proofs/0/proof/pivot "));
     CHECK(refused(before + R"({"steps": [], "end": "agree", "branches": []})" + after)
               .starts_with("/proofs/0/proof/branches "));
-    CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": 1, "relation": [[]]}], "end": "agree"})" + after) ==
-          "/proofs/0/proof/steps/0/relation/0 a term begins with its coefficient");
-    CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": 1, "relation": [["1/0"]]}], "end": "agree"})" + after)
+    CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": 1, "relation": [[]]}], "end": "agree"})" +
+                  after) == "/proofs/0/proof/steps/0/relation/0 a term begins with its coefficient");
+    CHECK(refused(before +
+                  R"({"steps": [{"symbol": "a", "degree": 1, "relation": [["1/0"]]}], "end": "agree"})" +
+                  after)
               .starts_with("/proofs/0/proof/steps/0/relation/0/0 "));
-    CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": 1, "relation": [["1", ["a"]]]}], "end": "agree"})" +
+    CHECK(refused(before +
+                  R"({"steps": [{"symbol": "a", "degree": 1, "relation": [["1", ["a"]]]}], "end": "agree"})" +
                   after) == "/proofs/0/proof/steps/0/relation/0/1 a power is a name and an exponent");
-    CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": -1, "relation": []}], "end": "agree"})" + after)
+    CHECK(refused(before + R"({"steps": [{"symbol": "a", "degree": -1, "relation": []}], "end": "agree"})" +
+                  after)
               .starts_with("/proofs/0/proof/steps/0/degree "));
     std::string deep = proof;
     for (int i = 0; i < 300; ++i)

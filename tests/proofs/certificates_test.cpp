@@ -40,7 +40,8 @@ std::string problem_after(const Certificate& good, const std::function<void(Cert
 }
 
 const std::string divided = "map p degree 2\nclaim p[s, u] == (b-u)/(b-a)*p[s, a] + (u-a)/(b-a)*p[s, b]\n";
-const std::string solved = "map f, g degree 2\ngiven f(s) == g(s)\ngiven f'(s) == g'(s)\nclaim f[x, s] == g[x, s]\n";
+const std::string solved =
+    "map f, g degree 2\ngiven f(s) == g(s)\ngiven f'(s) == g'(s)\nclaim f[x, s] == g[x, s]\n";
 const std::string root = "given w^2 == 1/2\nclaim w^4 == 1/4\n";
 const std::string split = "given a*b == 0\ngiven (a + b)*c == 0\nclaim a*c == 0\n";
 
@@ -62,7 +63,8 @@ TEST_CASE("every proved case has a certificate that holds") {
         "theorem one \"first\"\nfor n in 1..3\nmap b degree n\nclaim b(t) == b[t{n}]\nrefute b(t) == 1\n"
         "theorem two\nclaim 1 == 1 for i in 1..2\nclaim x == x\n");
     CHECK(certificates.size() == 6);
-    for (const Certificate& certificate : certificates) CHECK(proofs::second::problem_of(certificate, {}) == "");
+    for (const Certificate& certificate : certificates)
+        CHECK(proofs::second::problem_of(certificate, {}) == "");
     const auto lines = proofs::second::confirmed_theorems(certificates, {});
     REQUIRE(lines.size() == 3);
     CHECK(lines[0].id == "one");
@@ -104,17 +106,19 @@ TEST_CASE("another text, head or case is refused") {
               "the text is of the theorem \"other\"");
         CHECK(problem_after(good, [](Certificate& c) { c.text = "theorem \"x\"\n" + c.text; }) != "");
         CHECK(problem_after(good, [](Certificate& c) { c.which.line = 1; }) == "the text has no such case");
-        CHECK(problem_after(good, [](Certificate& c) { c.which.parameters = {{"n", 1}}; }) == "the text has no such case");
+        CHECK(problem_after(good, [](Certificate& c) { c.which.parameters = {{"n", 1}}; }) ==
+              "the text has no such case");
     }
     // Without its hypotheses.
-    CHECK(problem_after(certificate_of_only_case(solved), [](Certificate& c) {
-              c.text.replace(c.text.find("given"), 5, "#");
-          }) != "");
+    CHECK(problem_after(certificate_of_only_case(solved),
+                        [](Certificate& c) { c.text.replace(c.text.find("given"), 5, "#"); }) != "");
 }
 
 TEST_CASE("conditions that say too little, or nothing, are refused") {
     const Certificate good = certificate_of_only_case(divided);
-    CHECK(problem_after(good, [](Certificate& c) { c.conditions.clear(); }).find("the conditions do not say that") == 0);
+    CHECK(problem_after(good, [](Certificate& c) {
+              c.conditions.clear();
+          }).find("the conditions do not say that") == 0);
     CHECK(problem_after(good, [](Certificate& c) { c.conditions[0].pop_back(); }) != "");
     CHECK(problem_after(good, [](Certificate& c) { c.conditions[0][0].coefficient = 7; }) != "");
     CHECK(problem_after(good, [](Certificate& c) { c.conditions.push_back({}); }) == "a condition is 0");
@@ -128,7 +132,8 @@ TEST_CASE("conditions that say too little, or nothing, are refused") {
 TEST_CASE("steps that do not follow from the hypotheses are refused") {
     const Certificate good = certificate_of_only_case(solved);
     REQUIRE(good.root.steps.size() == 2);
-    CHECK(problem_after(good, [](Certificate& c) { c.root.steps.clear(); }) == "the two sides do not reduce to the same");
+    CHECK(problem_after(good, [](Certificate& c) { c.root.steps.clear(); }) ==
+          "the two sides do not reduce to the same");
     CHECK(problem_after(good, [](Certificate& c) { c.root.steps.pop_back(); }) != "");
     for (const std::size_t i : {0U, 1U}) {
         const auto spoiled = [&](const std::function<void(proofs::second::Step&)>& spoil) {
@@ -145,23 +150,26 @@ TEST_CASE("steps that do not follow from the hypotheses are refused") {
         CHECK(problem_after(good, [&](Certificate& c) { c.root.steps.push_back(c.root.steps[i]); }) != "");
     }
     // The claim itself in the place of a hypothesis.
-    CHECK(problem_after(certificate_of_only_case("given a == b\nclaim a*c == b*c\n"), [](Certificate& c) {
-              c.text = "given a == 2*b\nclaim a*c == b*c\n";
-          }) != "");
+    CHECK(problem_after(certificate_of_only_case("given a == b\nclaim a*c == b*c\n"),
+                        [](Certificate& c) { c.text = "given a == 2*b\nclaim a*c == b*c\n"; }) != "");
     // A cofactor that may vanish: a == 0 leaves x free.
-    CHECK(problem_after(certificate_of_only_case("given a*x == a\nassume a != 0\nclaim x == 1\n"), [](Certificate& c) {
-              c.text = "given a*x == a\nclaim x == 1\n";
-              c.conditions.clear();
-              c.root.steps = {{"x", 1, {{Rational(1), {{"a", 1}, {"x", 1}}}, {Rational(-1), {{"a", 1}}}}}};
-          }) == "step 1: the cofactor of the symbol may vanish");
+    CHECK(problem_after(certificate_of_only_case("given a*x == a\nassume a != 0\nclaim x == 1\n"),
+                        [](Certificate& c) {
+                            c.text = "given a*x == a\nclaim x == 1\n";
+                            c.conditions.clear();
+                            c.root.steps = {
+                                {"x", 1, {{Rational(1), {{"a", 1}, {"x", 1}}}, {Rational(-1), {{"a", 1}}}}}};
+                        }) == "step 1: the cofactor of the symbol may vanish");
     // With the condition it holds, and what the text does not say is told.
     Certificate weaker = certificate_of_only_case("given a*x == a\nassume a != 0\nclaim x == 1\n");
     CHECK(proofs::second::confirmed_theorems(std::vector{weaker}, {}).at(0).where.empty());
     weaker.text = "given a*x == a\nclaim x == 1\n";
-    CHECK(proofs::second::confirmed_theorems(std::vector{weaker}, {}).at(0).where == std::vector<std::string>{"a != 0"});
+    CHECK(proofs::second::confirmed_theorems(std::vector{weaker}, {}).at(0).where ==
+          std::vector<std::string>{"a != 0"});
     const Certificate power = certificate_of_only_case(root);
     CHECK(problem_after(power, [](Certificate& c) { c.root.steps[0].degree = 1; }) != "");
-    CHECK(problem_after(power, [](Certificate& c) { c.root.steps[0].relation = {{Rational(1), {{"w", 2}}}}; }) != "");
+    CHECK(problem_after(
+              power, [](Certificate& c) { c.root.steps[0].relation = {{Rational(1), {{"w", 2}}}}; }) != "");
     CHECK(problem_after(power, [](Certificate& c) {
               c.root.steps[0] = {"w", 1, {{Rational(1), {{"w", 1}}}, {Rational(-1), {}}}};
           }) != "");
@@ -190,12 +198,16 @@ TEST_CASE("branches that are missing, left open or wrongly ended are refused") {
             CHECK(spoiled([](Branch& branch) { branch.branches.clear(); }) != "");
             CHECK(spoiled([](Branch& branch) { branch.branches.push_back({}); }) != "");
             CHECK(spoiled([](Branch& branch) { std::swap(branch.branches[0], branch.branches[1]); }) != "");
-            CHECK(spoiled([](Branch& branch) { branch.pivot = {{Rational(1), {{"c", 1}}}, {Rational(1), {}}}; }) != "");
+            CHECK(spoiled([](Branch& branch) {
+                      branch.pivot = {{Rational(1), {{"c", 1}}}, {Rational(1), {}}};
+                  }) != "");
             CHECK(spoiled([](Branch& branch) { branch.pivot.clear(); }) != "");
             CHECK(spoiled([](Branch& branch) { branch.end = Branch::End::agree; }) != "");
-            CHECK(spoiled([](Branch& branch) { branch.branches[1] = {{}, Branch::End::open, {}, {}}; }).find("no condition") !=
-                  std::string::npos);
-            CHECK(spoiled([](Branch& branch) { branch.branches[0] = {{}, Branch::End::open, {}, {}}; }) != "");
+            CHECK(spoiled([](Branch& branch) {
+                      branch.branches[1] = {{}, Branch::End::open, {}, {}};
+                  }).find("no condition") != std::string::npos);
+            CHECK(spoiled([](Branch& branch) { branch.branches[0] = {{}, Branch::End::open, {}, {}}; }) !=
+                  "");
         }
         if (all[place].end == Branch::End::agree)
             CHECK(spoiled([](Branch& branch) { branch.end = Branch::End::impossible; }) != "");

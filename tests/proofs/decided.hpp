@@ -31,8 +31,8 @@ inline std::string verdicts(std::string_view text, const Limits& limits = {}) {
     std::string result;
     for (const proofs::Decision& decision : decided(text, limits)) {
         if (!result.empty()) result += " ";
-        const bool decided = decision.verdict() == proofs::Verdict::proved ||
-                             decision.verdict() == proofs::Verdict::refuted;
+        const bool decided =
+            decision.verdict() == proofs::Verdict::proved || decision.verdict() == proofs::Verdict::refuted;
         if (!decided) REQUIRE(decision.error());
         result += decided ? std::string(proofs::verdict_name(decision.verdict()))
                           : proofs::diagnostic("text", text, *decision.error());
@@ -51,7 +51,8 @@ inline std::string conditions(const proofs::Decision& decision) {
 /// The verdicts of all cases of the only line, a letter each: proved, refuted, undecided, disagreement.
 inline std::string by_case(const proofs::Decision& decision) {
     std::string result;
-    for (const proofs::CaseDecision& one : decision.cases) result += proofs::verdict_name(one.verdict).front();
+    for (const proofs::CaseDecision& one : decision.cases)
+        result += proofs::verdict_name(one.verdict).front();
     return result;
 }
 

@@ -61,7 +61,8 @@ TEST_CASE("true-quantified: what vanishes at all points vanishes at one") {
 }
 
 TEST_CASE("true-subsets: signs over all subsets, the empty one too") {
-    const std::string lines = "for n in 1..3\nmap f degree n\nclaim factorial(n)*f[<u_i, m_i> : i in 1..n] == ";
+    const std::string lines =
+        "for n in 1..3\nmap f degree n\nclaim factorial(n)*f[<u_i, m_i> : i in 1..n] == ";
     const std::string summand = ", n, sum(S, subsets(n, k), (-1)^(n-k)*f(sum(i, S, <u_i, m_i>))))";
     CHECK(by_case(decided(lines + "sum(k, 0" + summand).at(0)) == "ppp");
     CHECK(by_case(decided(lines + "sum(k, 1" + summand).at(0)) == "ppp");

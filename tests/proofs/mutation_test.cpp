@@ -142,8 +142,8 @@ bool is_confirmed(const Block& block, const proofs::Counterexample& witness) {
         PlainEvaluation evaluate(grounded, values);
         for (const auto& relation : grounded.claims) {
             if (relation.error) continue;
-            if (to_string(evaluate(relation.left)) == witness.left && to_string(evaluate(relation.right)) == witness.right &&
-                witness.left != witness.right)
+            if (to_string(evaluate(relation.left)) == witness.left &&
+                to_string(evaluate(relation.right)) == witness.right && witness.left != witness.right)
                 return true;
         }
     }

@@ -65,7 +65,8 @@ private:
         using Form = proofs::Application::Form;
         const proofs::GroundMap& map = block_.maps[application.map];
         std::vector<Argument> chosen;
-        const bool by_powers = std::ranges::all_of(map.directions, [](const auto& direction) { return direction.dimension == 1; });
+        const bool by_powers = std::ranges::all_of(
+            map.directions, [](const auto& direction) { return direction.dimension == 1; });
         if (application.form == Form::derivative && by_powers && map.barycentric.empty()) {
             for (const auto& place : application.places) chosen.push_back(argument(place));
             return form(map, chosen, application.orders);

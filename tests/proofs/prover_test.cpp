@@ -62,7 +62,8 @@ TEST_CASE("hypotheses are solved for the coefficients of maps") {
     CHECK(verdicts("given a + b + c == 1\nclaim (a + b)^2 == (1 - c)^2\nclaim a == b") == "proved refuted");
     CHECK(verdicts("given 1 == 2\nclaim a == a").find("contradict") != std::string::npos);
     CHECK(verdicts("given a^2 == 2\nclaim a == a\nclaim a^4 == 4\nclaim a == 1") == "proved proved refuted");
-    CHECK(verdicts("given x^2*y^2 + x*y^3 + x^3*y == 1\nclaim x == x").find("linear neither") != std::string::npos);
+    CHECK(verdicts("given x^2*y^2 + x*y^3 + x^3*y == 1\nclaim x == x").find("linear neither") !=
+          std::string::npos);
 }
 
 TEST_CASE("side conditions") {

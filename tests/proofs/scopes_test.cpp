@@ -16,7 +16,8 @@ std::string warnings(const std::string& text) {
     for (const proofs::Block& block : proofs::parse(text).blocks) {
         for (const proofs::Warning& warning : proofs::doubtful_names(block)) {
             const proofs::Place place = proofs::place_of(text, warning.offset);
-            result += std::to_string(place.line) + ":" + std::to_string(place.column) + " " + warning.message + "\n";
+            result += std::to_string(place.line) + ":" + std::to_string(place.column) + " " +
+                      warning.message + "\n";
         }
     }
     return result;
@@ -25,10 +26,17 @@ std::string warnings(const std::string& text) {
 }  // namespace
 
 TEST_CASE("no name is declared twice, whatever the two declarations are") {
-    const std::string declarations[] = {"for x in 1..2",       "map x degree 2",      "map x degree 1 on simplex 2",
-                                        "point x in 2",        "vector x in 2",       "frame x, y, z in 2",
-                                        "number x",            "poly x(t) degree 1 = t", "raise m to 3 as x",
-                                        "let x = 1",           "map x degree 1 net c over 0, 1"};
+    const std::string declarations[] = {"for x in 1..2",
+                                        "map x degree 2",
+                                        "map x degree 1 on simplex 2",
+                                        "point x in 2",
+                                        "vector x in 2",
+                                        "frame x, y, z in 2",
+                                        "number x",
+                                        "poly x(t) degree 1 = t",
+                                        "raise m to 3 as x",
+                                        "let x = 1",
+                                        "map x degree 1 net c over 0, 1"};
     for (const std::string& first : declarations) {
         for (const std::string& second : declarations) {
             std::string other = second;
@@ -42,10 +50,12 @@ TEST_CASE("no name is declared twice, whatever the two declarations are") {
         }
     }
     for (const std::string word : {"delta", "sum", "binomial", "if"}) {
-        for (const std::string& line : {"number " + word, "let " + word + " = 1", "for " + word + " in 1..2"}) {
+        for (const std::string& line :
+             {"number " + word, "let " + word + " = 1", "for " + word + " in 1..2"}) {
             const auto document = proofs::parse(line + "\nclaim 1 == 1");
             INFO(line);
-            if (document.errors.empty()) CHECK(complaint(line + "\nclaim 1 == 1").find("word of the language") != std::string::npos);
+            if (document.errors.empty())
+                CHECK(complaint(line + "\nclaim 1 == 1").find("word of the language") != std::string::npos);
         }
     }
 }
@@ -54,11 +64,15 @@ TEST_CASE("members of families are declared once, of one kind and dimension") {
     CHECK(complaint("point u_1 in 2\nvector u_2 in 2\nclaim 1 == 1") ==
           "2:8 the members of u_i are declared already, as something else");
     CHECK(complaint("point u_1 in 2\npoint u_2 in 3\nclaim 1 == 1").starts_with("2:7 "));
-    CHECK(complaint("number u_1\nnumber u_1\nclaim 1 == 1") == "2:8 \"u\" with these indices is declared already");
-    CHECK(complaint("let u_i = 1\nlet u_j = 2\nclaim 1 == 1") == "2:5 \"u\" with these indices is declared already");
-    CHECK(verdicts("point u_1 in 2\npoint u_2 in 2\nlet w_i = 2\nlet w_{i,j} = 3\nclaim w_5 + w_{1,1} == 5") == "proved");
-    CHECK(verdicts("number u, v_1\npoint v in 2\nmap q degree 1 on simplex 2\nclaim q(v) + v_1 + u_3 == u_3 + v_1 + q(v)") ==
-          "proved");
+    CHECK(complaint("number u_1\nnumber u_1\nclaim 1 == 1") ==
+          "2:8 \"u\" with these indices is declared already");
+    CHECK(complaint("let u_i = 1\nlet u_j = 2\nclaim 1 == 1") ==
+          "2:5 \"u\" with these indices is declared already");
+    CHECK(
+        verdicts("point u_1 in 2\npoint u_2 in 2\nlet w_i = 2\nlet w_{i,j} = 3\nclaim w_5 + w_{1,1} == 5") ==
+        "proved");
+    CHECK(verdicts("number u, v_1\npoint v in 2\nmap q degree 1 on simplex 2\nclaim q(v) + v_1 + u_3 == u_3 "
+                   "+ v_1 + q(v)") == "proved");
 }
 
 TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a parameter for its value") {
@@ -70,10 +84,12 @@ TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a
     CHECK(verdicts("let b_2 = x\nclaim b_2 == x\nclaim b_3 == x") == "proved refuted");
     CHECK(verdicts("let v_{0,l} = v_l\nclaim v_{0,3} == v_3\nclaim v_3 == 0") == "proved refuted");
     CHECK(complaint("let v_{0,l} = v_l\nclaim v_{1,3} == v_3").starts_with("2:7 "));
-    CHECK(verdicts("number w_{1,1}..w_{1,9}\nlet w_{i,i} = i\nclaim w_{2,2} == 2\nclaim w_{2,3} == 3") == "proved refuted");
+    CHECK(verdicts("number w_{1,1}..w_{1,9}\nlet w_{i,i} = i\nclaim w_{2,2} == 2\nclaim w_{2,3} == 3") ==
+          "proved refuted");
     CHECK(complaint("let w_{i,i} = i\nclaim w_{2,3} == 3").starts_with("2:7 no line \"let\" fits w_{2,3}"));
     CHECK(verdicts("let b_2 = 3\nclaim b_2 + b_1 == b_1 + 3\nclaim b_1 == 3") == "proved refuted");
-    CHECK(complaint("let b_2 = delta\nmap f degree 1\nclaim f[b_3] == 0").starts_with("3:9 no line \"let\" fits b_3"));
+    CHECK(complaint("let b_2 = delta\nmap f degree 1\nclaim f[b_3] == 0")
+              .starts_with("3:9 no line \"let\" fits b_3"));
     CHECK(verdicts("let k_1 = 2\nclaim x^k_1 == x*x") == "proved");
     CHECK(complaint("let k_1 = 2\nclaim x^k_2 == x*x").starts_with("2:9 an expression with variables found"));
     CHECK(verdicts("number w_0..w_4\nlet w_2 = 5\nclaim w_2 == 5\nclaim w_1 == w_1\nclaim w_1 == 5") ==
@@ -94,27 +110,33 @@ TEST_CASE("binders hide the names around them, and nothing beyond their expressi
 
 TEST_CASE("the variable of a poly is its own, and abbreviations in it see it") {
     CHECK(verdicts("poly P(t) degree 1 = t + a\nclaim P(2) + t == 2 + a + t") == "proved");
-    CHECK(verdicts("let w = t^2\npoly P(t) degree 2 = w + t\nclaim P(x) == x^2 + x\nclaim w == t^2") == "proved proved");
+    CHECK(verdicts("let w = t^2\npoly P(t) degree 2 = w + t\nclaim P(x) == x^2 + x\nclaim w == t^2") ==
+          "proved proved");
     CHECK(verdicts("let w = a\npoly P(t) degree 2 = w\nclaim P(x) == a") == "proved");
     CHECK(verdicts("let w_i = t^i\npoly P(t) degree 3 = w_3\nclaim P(x) == x^3\nclaim P(x) == w_3") ==
           "proved refuted");
-    CHECK(complaint("let x = 1\npoly P(x) degree 1 = x\nclaim 1 == 1").starts_with("2:1 \"x\" is declared already"));
+    CHECK(complaint("let x = 1\npoly P(x) degree 1 = x\nclaim 1 == 1")
+              .starts_with("2:1 \"x\" is declared already"));
     CHECK(complaint("poly P(x, x) degree 1 = x\nclaim 1 == 1").starts_with("1:1 \"x\" is declared already"));
-    CHECK(complaint("let w = P(1)\npoly P(t) degree 1 = Q(t)\npoly Q(t) degree 1 = t\nclaim w == 1").starts_with("2:"));
+    CHECK(complaint("let w = P(1)\npoly P(t) degree 1 = Q(t)\npoly Q(t) degree 1 = t\nclaim w == 1")
+              .starts_with("2:"));
     CHECK(complaint("poly P(t) degree 1 = 1/t\nclaim 1 == 1").find("not a polynomial") != std::string::npos);
     CHECK(complaint("poly P(t) degree 1 = t^2\nclaim 1 == 1").find("higher degree") != std::string::npos);
     CHECK(verdicts("poly P(t) degree 1 = (t^2 - 1)/(t - 1)*1\nclaim P(3) == 4") == "proved");
 }
 
 TEST_CASE("for all binds the names of its line alone, in abbreviations too") {
-    CHECK(verdicts("map f degree 1\ngiven f(x) == x for all x\nclaim f(2) == 2\nclaim x == 0") == "proved refuted");
+    CHECK(verdicts("map f degree 1\ngiven f(x) == x for all x\nclaim f(2) == 2\nclaim x == 0") ==
+          "proved refuted");
     CHECK(verdicts("map f degree 1\nlet w = x\ngiven f(x) == w for all x\nclaim f(2) == 2") == "proved");
-    CHECK(verdicts("map f degree 2\ngiven f[x_1, x_2] == x_1*x_2 for all x_1..x_2\nclaim f(3) == 9") == "proved");
+    CHECK(verdicts("map f degree 2\ngiven f[x_1, x_2] == x_1*x_2 for all x_1..x_2\nclaim f(3) == 9") ==
+          "proved");
     CHECK(verdicts("given a*x + c == 0 for all x\nclaim a == 0\nclaim c == 0") == "proved proved");
     for (const std::string name : {"n", "f", "w", "r", "delta"}) {
         INFO(name);
-        const std::string text = "for n in 1..1\nmap f degree 1\nlet w = 1\nframe r, s in 1\ngiven 1 == 1 for all " + name +
-                                 "\nclaim 1 == 1";
+        const std::string text =
+            "for n in 1..1\nmap f degree 1\nlet w = 1\nframe r, s in 1\ngiven 1 == 1 for all " + name +
+            "\nclaim 1 == 1";
         CHECK(complaint(text).find("\"for all\" takes variables") != std::string::npos);
     }
     CHECK(verdicts("given 1 == 1 for all x, x\nclaim 1 == 1").find("twice") != std::string::npos);
@@ -122,13 +144,15 @@ TEST_CASE("for all binds the names of its line alone, in abbreviations too") {
 
 TEST_CASE("a strict text declares every name, and warns of none") {
     CHECK(complaint("strict\nclaim x == x") == "2:7 \"x\" is not declared; in a strict text every name is");
-    CHECK(complaint("strict\nclaim x_1 == x_1") == "2:7 \"x\"_i is not declared; in a strict text every name is");
+    CHECK(complaint("strict\nclaim x_1 == x_1") ==
+          "2:7 \"x\"_i is not declared; in a strict text every name is");
     CHECK(verdicts("strict\nnumber x\nclaim x == x\nclaim x_7 == x_7") == "proved proved");
     CHECK(verdicts("strict\nnumber x_1..x_3\nclaim x_3 == x_3") == "proved");
     CHECK(complaint("strict\nnumber x_1..x_3\nclaim x_4 == x_4") ==
           "3:7 x_4 is not declared; in a strict text every name is");
     CHECK(verdicts("number x_1..x_3\nclaim x_4 == x_4") == "proved");
-    CHECK(verdicts("strict\nmap f degree 1\ngiven f(x) == x for all x\nclaim sum(i, 1, 2, f(i)) == 3") == "proved");
+    CHECK(verdicts("strict\nmap f degree 1\ngiven f(x) == x for all x\nclaim sum(i, 1, 2, f(i)) == 3") ==
+          "proved");
     CHECK(warnings("strict\nclaim x == x") == "");
     CHECK(proofs::parse("claim 1 == 1\nstrict\n").errors.size() == 1);
     CHECK(verdicts("# why\nstrict\ntheorem a\nclaim 1 == 1\ntheorem b\nclaim x == x").find("not declared") !=
@@ -136,7 +160,8 @@ TEST_CASE("a strict text declares every name, and warns of none") {
 }
 
 TEST_CASE("names that occur once, or nearly are others, are warned of") {
-    CHECK(warnings("claim x + y == y") == "1:7 \"x\" is declared nowhere and occurs once; it stands for any number\n");
+    CHECK(warnings("claim x + y == y") ==
+          "1:7 \"x\" is declared nowhere and occurs once; it stands for any number\n");
     CHECK(warnings("claim x == x") == "");
     CHECK(warnings("number x\nclaim x == 1") == "");
     CHECK(warnings("number gamma\nclaim gamma + gamme + gamme == 0") ==

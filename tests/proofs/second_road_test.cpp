@@ -27,7 +27,8 @@ std::string compared(const std::string& text, const proofs::second::Hint& hint =
     return name_of(proofs::second::compare(reading, reading.cases().at(0), hint, 2, 7));
 }
 
-std::string confirmed(const std::string& text, const Values& values, const std::vector<std::string>& algebraic = {}) {
+std::string confirmed(const std::string& text, const Values& values,
+                      const std::vector<std::string>& algebraic = {}) {
     const Reading reading(text);
     return name_of(proofs::second::confirm(reading, reading.cases().at(0), values, algebraic));
 }
@@ -128,5 +129,7 @@ TEST_CASE("cases are listed as the ranges say, and no others") {
     CHECK_THROWS_AS(Reading("point p in 2\nvector p in 2\nclaim 1 == 1\n"), Error);
     CHECK_THROWS_AS(Reading("claim delta == 1\n"), Error);
     CHECK_THROWS_AS(Reading("claim f(x) == 1\n"), Error);
-    CHECK_THROWS_AS(Reading(std::string("claim ") + std::string(5000, '(') + "1" + std::string(5000, ')') + " == 1\n"), Error);
+    CHECK_THROWS_AS(
+        Reading(std::string("claim ") + std::string(5000, '(') + "1" + std::string(5000, ')') + " == 1\n"),
+        Error);
 }

@@ -40,7 +40,8 @@ TEST_CASE("refute wants a refutation in every case, refute some in one") {
 TEST_CASE("what cannot be decided in one case leaves the others") {
     Limits small;
     small.expansion_terms = 1000;
-    const auto decisions = decided("for n in 1..3\nclaim (a + b + c + d)^(10*n) == (d + c + b + a)^(10*n)", small);
+    const auto decisions =
+        decided("for n in 1..3\nclaim (a + b + c + d)^(10*n) == (d + c + b + a)^(10*n)", small);
     CHECK(by_case(decisions.at(0)) == "puu");
     CHECK(decisions[0].verdict() == Verdict::undecided);
     CHECK(decisions[0].error()->message().find("expansion_terms") != std::string::npos);
@@ -62,13 +63,15 @@ TEST_CASE("an error in one claim leaves the other lines of the block") {
     CHECK(by_case(decided("claim delta == 1\nclaim 1 == 1").at(0)) == "u");
     CHECK(by_case(decided("claim 1 == 1\nclaim f(x) == 1\nrefute 1 == 2").at(2)) == "r");
     // What is wrong with a declaration is wrong with all.
-    for (const auto& decision : decided("let x = delta*delta\nclaim 1 == 1\nclaim 2 == 2")) CHECK(by_case(decision) == "u");
+    for (const auto& decision : decided("let x = delta*delta\nclaim 1 == 1\nclaim 2 == 2"))
+        CHECK(by_case(decision) == "u");
 }
 
 TEST_CASE("a limit of time ends one case, not the others") {
     proofs::DecisionOptions options;
     options.seconds = 1;
-    const auto document = proofs::parse("for n in 0..1\nclaim sum(i, 1, 1000000*n, (a + b + c + i*d)^10) == 0");
+    const auto document =
+        proofs::parse("for n in 0..1\nclaim sum(i, 1, 1000000*n, (a + b + c + i*d)^10) == 0");
     REQUIRE(document.errors.empty());
     Limits limits;
     limits.expansion_terms = 100'000'000;

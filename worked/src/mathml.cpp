@@ -86,7 +86,7 @@ void append_superscript(pugi::xml_node parent, const Layout& layout) {
     const Layout& base = layout.parts[0];
     if (base.kind != Kind::subscript) return append_all(parent, "msup", layout);
     pugi::xml_node node = parent.append_child("msubsup");
-    for (const Layout* part : {&base.parts[0], &base.parts[1], &layout.parts[1]}) append(node, *part);
+    for (const Layout* part : {&base.parts.front(), &base.parts[1], &layout.parts[1]}) append(node, *part);
 }
 
 void append(pugi::xml_node parent, const Layout& layout) {

@@ -22,7 +22,7 @@ struct Option {
     std::string help;
     std::function<void(Json& request, const std::vector<std::string>& values, const Limits& limits)> apply;
     bool repeated = false;  ///< it may be given several times
-    bool files = false;     ///< its values name files, or folders of statements: the texts in them are applied
+    bool files = false;  ///< its values name files, or folders of statements: the texts in them are applied
 };
 
 /// What a command shows to a person.

@@ -48,7 +48,8 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
 std::vector<DecidedLine> all_decisions(const Json& value, const Limits& limits) {
     if (!value.array()) return decisions_of(read_text(value), limits);
     std::vector<DecidedLine> decisions;
-    for (auto& lines : read_list(value, [&](const Json& text) { return decisions_of(read_text(text), limits); }))
+    for (auto& lines :
+         read_list(value, [&](const Json& text) { return decisions_of(read_text(text), limits); }))
         std::ranges::move(lines, std::back_inserter(decisions));
     if (decisions.empty()) throw Error(ErrorCode::wrong_arity, "there is no statement");
     return decisions;

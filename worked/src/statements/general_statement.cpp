@@ -17,6 +17,7 @@ using proofs::StatementKind;
 
 std::vector<Formula> symbols_of(const std::vector<std::string>& names) {
     std::vector<Formula> symbols;
+    symbols.reserve(names.size());
     for (const std::string& name : names) symbols.push_back(symbol(name));
     return symbols;
 }
@@ -133,6 +134,7 @@ private:
         begin(line.kind, "Suppose that ", ", and that ");
         say(relation(sign, {formulas_(line.sides[0]), formulas_(line.sides[1])}));
         std::vector<Text> scope;
+        scope.reserve(line.ranges.size() + 1);
         for (const proofs::Range& range : line.ranges) scope.emplace_back(formulas_.range(range));
         if (!line.quantified.empty()) {
             Text all("all ");

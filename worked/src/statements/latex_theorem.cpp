@@ -16,12 +16,13 @@ using Kind = Layout::Kind;
 /// Widths are in tenths of a letter; about so much of a formula fits on a line of an article.
 constexpr std::size_t line_width = 640;
 
-const Notation notation{BlossomStyle::brackets, false};
+const Notation brackets{BlossomStyle::brackets, false};
 
 /// About how wide the formula is drawn.
 std::size_t width_of(const Layout& layout) {
     const auto script = [](std::size_t width) { return width * 7 / 10; };
     std::vector<std::size_t> widths;
+    widths.reserve(layout.parts.size());
     for (const Layout& part : layout.parts) widths.push_back(width_of(part));
     switch (layout.kind) {
         case Kind::row:
@@ -63,7 +64,7 @@ std::string display(const Formula& formula, const std::string& ending) {
     std::string lines;
     std::size_t whole = 0;
     std::size_t line = 0;
-    for (const Piece& piece : pieces_of(formula, notation)) {
+    for (const Piece& piece : pieces_of(formula, brackets)) {
         const std::size_t width = width_of(piece.layout);
         const std::string text = latex_of(piece.layout);
         if (lines.empty()) {
@@ -83,7 +84,7 @@ std::string display(const Formula& formula, const std::string& ending) {
     return "\\begin{align*}\n" + lines + ending + "\n\\end{align*}\n";
 }
 
-std::string sentence(const Text& text) { return latex_words(text, notation); }
+std::string sentence(const Text& text) { return latex_words(text, brackets); }
 
 /// The same, with long formulas on lines of their own; what ends them stands there too.
 std::string sentences(const Text& text) {
@@ -97,8 +98,8 @@ std::string sentences(const Text& text) {
             begun = 0;
             continue;
         }
-        const Formula& formula = std::get<Formula>(parts[i]);
-        if (width_of(layout_of(formula, notation)) <= most_inline) {
+        const auto& formula = std::get<Formula>(parts[i]);
+        if (width_of(layout_of(formula, brackets)) <= most_inline) {
             result += sentence(formula);
             continue;
         }

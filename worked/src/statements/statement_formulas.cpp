@@ -155,6 +155,7 @@ Formula StatementFormulas::derivative(const Expression& e) {
 Formula StatementFormulas::blossom(const Expression& e) {
     if (e.groups.size() == 1) return blossom_of(e.name, list(e.groups[0]));
     std::vector<Formula> directions;
+    directions.reserve(e.groups.size());
     for (const auto& group : e.groups) directions.push_back(list_of(list(group)));
     return blossom_of(e.name, {list_of(std::move(directions), ";")});
 }

@@ -18,6 +18,7 @@ using proofs::Verdict;
 
 std::vector<Formula> formulas_of(const std::vector<std::string>& texts) {
     std::vector<Formula> formulas;
+    formulas.reserve(texts.size());
     for (const std::string& text : texts) formulas.push_back(formula_of_text(text));
     return formulas;
 }

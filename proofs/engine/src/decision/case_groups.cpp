@@ -24,6 +24,7 @@ std::vector<CaseGroup> groups_by_condition(const Decision& decision) {
         groups[needed].push_back(one);
     }
     std::vector<CaseGroup> list;
+    list.reserve(groups.size());
     for (auto& [needed, cases] : groups) list.push_back({needed, std::move(cases)});
     return list;
 }

@@ -124,7 +124,8 @@ std::vector<Parameters> parameter_choices(const Block& block, const Limits& limi
         if (statement.kind != StatementKind::parameter) continue;
         const Range& range = statement.ranges.front();
         const auto same = [&](const Range* other) { return other->name == range.name; };
-        if (std::ranges::any_of(ranges, same)) refuse(quoted(range.name) + " is declared already", range.offset);
+        if (std::ranges::any_of(ranges, same))
+            refuse(quoted(range.name) + " is declared already", range.offset);
         ranges.push_back(&range);
     }
     std::vector<Parameters> choices;

@@ -53,8 +53,8 @@ private:
 /// mistake.
 bool has_open_index(const std::vector<const Statement*>& clauses, std::size_t indices);
 
-/// Whether some clause may fit this member: not one of another number of indices, nor one that has another integer
-/// in some place.
+/// Whether some clause may fit this member: not one of another number of indices, nor one that has another
+/// integer in some place.
 bool may_fit(const std::vector<const Statement*>& clauses, const Expression& member);
 
 }  // namespace blossom::proofs
