@@ -102,7 +102,16 @@ private:
         if (relation.error) throw Error(*relation.error);
         const CaseOutcome outcome = block_case.decide(relation, decided);
         if (decided.verdict == Verdict::refuted) {
-            settle(opinion_.on_refutation(which, *outcome.witness), "refuted", relation.offset, decided);
+            const std::optional<std::string> objection = opinion_.on_refutation(which, *outcome.witness);
+            // Of several roots the second road may have taken one at which the sides agree.
+            if (objection && !outcome.witness->algebraic.empty()) {
+                throw Error(
+                    ErrorCode::limit_exceeded,
+                    "the sides differ at a root of the hypotheses, which the second road did not reach: " +
+                        *objection,
+                    "", relation.offset);
+            }
+            settle(objection, "refuted", relation.offset, decided);
             return;
         }
         const second::Certificate certificate =
