@@ -125,6 +125,7 @@ private:
     Kind blossom(const Expression& e);
     Kind derivative(const Expression& e);
     void argument(const Expression& e, std::size_t dimension);
+    static void check_run(const Expression& run);
     void member_of_blossom(const Expression& e, std::size_t dimension);
     void family(const Expression& e, std::size_t dimension);
 

@@ -225,6 +225,17 @@ Kind Kinds::blossom(const Expression& e) {
     return {KindName::number, 0};
 }
 
+void Kinds::check_run(const Expression& run) {
+    const Expression& first = run.children[0];
+    const Expression& last = run.children[1];
+    const bool fits = first.kind == ExpressionKind::name && last.kind == ExpressionKind::name &&
+                      first.name == last.name && !first.children.empty() &&
+                      first.children.size() == last.children.size() &&
+                      std::equal(first.children.begin(), first.children.end() - 1, last.children.begin());
+    if (!fits)
+        refuse_kind("a run goes from a name with an index to the same name, as t_1..t_n", first.offset);
+}
+
 void Kinds::member_of_blossom(const Expression& e, std::size_t dimension) {
     switch (e.kind) {
         case ExpressionKind::copies:
@@ -232,6 +243,7 @@ void Kinds::member_of_blossom(const Expression& e, std::size_t dimension) {
             argument(e.children[0], dimension);
             break;
         case ExpressionKind::run:
+            check_run(e);
             for (const Expression& end : e.children) argument(end, dimension);
             break;
         case ExpressionKind::family:
