@@ -47,8 +47,8 @@ is_present() {
     coq) command -v coqc >/dev/null && [[ -d $(coqc -where)/user-contrib/$name ]] ;;
     file) compgen -G "$name" >/dev/null ;;
     python)
-      # The first python3 of the path need not be the one that the system's packages serve.
-      python3 -c "import $name" 2>/dev/null || /usr/bin/python3 -c "import $name" 2>/dev/null
+      # The scripts and tests run the Python that the system's packages serve, where there is one.
+      "$(type -P /usr/bin/python3 || type -P python3)" -c "import $name" 2>/dev/null
       ;;
     header)
       local -a directories=(/usr/include /usr/include/*-linux-gnu /usr/local/include /opt/homebrew/include)
