@@ -228,16 +228,9 @@ std::vector<Value> Grounder::over_range(const Expression& call) {
 
 /// t_1..t_n with its last index running; descending or empty when the end lies before the beginning.
 std::vector<Expression> Grounder::run_members(const Expression& run) {
+    check_run(run);
     const Expression& first = run.children[0];
     const Expression& last = run.children[1];
-    const bool fits = first.kind == ExpressionKind::name && last.kind == ExpressionKind::name &&
-                      first.name == last.name && !first.children.empty() &&
-                      first.children.size() == last.children.size() &&
-                      std::equal(first.children.begin(), first.children.end() - 1, last.children.begin());
-    if (!fits) {
-        throw Error(ErrorCode::syntax, "a run goes from a name with an index to the same name, as t_1..t_n",
-                    "", first.offset);
-    }
     std::vector<Expression> members;
     for (const long long i : interval(first.children.back(), last.children.back())) {
         Expression member = first;

@@ -45,6 +45,11 @@ inline constexpr Kind number_kind{KindName::number, 0};
 /// Throws `syntax`.
 [[noreturn]] void refuse_kind(const std::string& message, std::size_t offset);
 
+/// Whether a run t_1..t_n goes from a name with indices to the same name, with only the last index different.
+///
+/// Error: `syntax` at the first name otherwise.
+void check_run(const Expression& run);
+
 /// "a vector of dimension 2"
 std::string to_text(const Kind& kind);
 
@@ -125,7 +130,6 @@ private:
     Kind blossom(const Expression& e);
     Kind derivative(const Expression& e);
     void argument(const Expression& e, std::size_t dimension);
-    static void check_run(const Expression& run);
     void member_of_blossom(const Expression& e, std::size_t dimension);
     void family(const Expression& e, std::size_t dimension);
 

@@ -225,7 +225,7 @@ Kind Kinds::blossom(const Expression& e) {
     return {KindName::number, 0};
 }
 
-void Kinds::check_run(const Expression& run) {
+void check_run(const Expression& run) {
     const Expression& first = run.children[0];
     const Expression& last = run.children[1];
     const bool fits = first.kind == ExpressionKind::name && last.kind == ExpressionKind::name &&
