@@ -1,6 +1,7 @@
 #include "drawing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <utility>
 
@@ -57,13 +58,16 @@ void add_points(const Picture& picture, const Paper& paper, const Notation& nota
     }
 }
 
+/// Whether labels of this role are set in bold.
+bool bold(Role role) { return role == Role::result || role == Role::second; }
+
 void add_labels(Drawing& drawing, const Box& room, const Notation& notation) {
     std::vector<Segment> segments;
     for (const Drawing::Path& path : drawing.paths) append_segments(segments, flattened(path));
     std::vector<LabelSize> sizes;
     for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
         const std::string text = to_text(label_formula(drawing.labels[i]), notation);
-        sizes.push_back({drawing.dots[i].spot, text_width(text), label_height});
+        sizes.push_back({drawing.dots[i].spot, text_width(text, bold(drawing.dots[i].role)), label_height});
     }
     const std::vector<PlacedLabel> placed = place_labels(sizes, segments, room);
     for (std::size_t i = 0; i < placed.size(); ++i) {
@@ -74,11 +78,22 @@ void add_labels(Drawing& drawing, const Box& room, const Notation& notation) {
 
 }  // namespace
 
-Length text_width(std::string_view text) {
-    constexpr std::string_view narrow = " ,.()[]/'";
-    const auto slim = static_cast<Length>(
-        std::ranges::count_if(text, [&](char c) { return narrow.find(c) != std::string_view::npos; }));
-    return 92 * (static_cast<Length>(columns(text)) - slim) + 60 * slim + 20;
+Length text_width(std::string_view text, bool bold) {
+    struct Kind {
+        std::string_view characters;
+        Length width;
+    };
+    // As wide as in DejaVu Sans of 15 pixels, the widest of the fonts that the pictures name.
+    static constexpr std::array<Kind, 3> kinds{{{" ,.'/", 51}, {"()[]", 61}, {"=+<>mwMW", 130}}};
+    constexpr Length other = 96;
+    constexpr Length margin = 20;
+    Length width = margin + other * static_cast<Length>(columns(text));
+    for (const Kind& kind : kinds) {
+        const auto found = std::ranges::count_if(
+            text, [&](char c) { return kind.characters.find(c) != std::string_view::npos; });
+        width += (kind.width - other) * static_cast<Length>(found);
+    }
+    return bold ? width * 9 / 8 : width;
 }
 
 Formula label_formula(const Drawing::Label& label) { return equation(label.names); }

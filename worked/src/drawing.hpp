@@ -14,8 +14,8 @@ namespace blossom::worked {
 /// The height of a line of labels.
 constexpr Length label_height = 180;
 
-/// The width that `text` takes at most in the fonts of labels.
-Length text_width(std::string_view text);
+/// The width that `text` takes at most in the fonts of labels, of normal weight or bold.
+Length text_width(std::string_view text, bool bold = false);
 
 /// A picture on paper, labels placed: what SVG and TikZ have in common.
 struct Drawing {

@@ -33,7 +33,8 @@ public:
             Column column{left, 0};
             Length gap = least_gap;
             for (const PyramidNode& node : level) {
-                const Length width = std::max(text_width(text(node.label)), text_width(text(node.value)));
+                const Length width =
+                    std::max(text_width(text(node.label)), text_width(text(node.value), true));
                 column.width = std::max(column.width, width + padding);
                 for (const auto& weight : {node.left_weight, node.right_weight}) {
                     if (weight) gap = std::max(gap, text_width(text(*weight)) + 240);
