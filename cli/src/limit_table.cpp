@@ -24,8 +24,7 @@ constexpr LimitEntry table[] = {
     {"line_bytes", &Limits::line_bytes, "bytes of one line of a batch, or of one file or argument", any},
 };
 
-static_assert(sizeof table / sizeof *table == (sizeof(Limits) - sizeof(Deadline)) / sizeof(std::size_t),
-              "one entry per limit");
+static_assert(sizeof table / sizeof *table == sizeof(Limits) / sizeof(std::size_t), "one entry per limit");
 
 }  // namespace
 

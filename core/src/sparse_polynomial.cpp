@@ -1,5 +1,6 @@
 #include <blossom/core/sparse_polynomial.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/limits.hpp>
 
 #include <algorithm>
 #include <deque>
@@ -111,6 +112,7 @@ private:
 
 template <class Width, class Stream>
 Terms merged(const Width& width, Stream a, Stream b) {
+    require_time();
     TermWriter<Width> writer(width, a.left() + b.left());
     auto monomial = width.monomial();
     while (a.left() > 0 && b.left() > 0) {

@@ -1,7 +1,19 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace blossom {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+thread_local Clock::time_point deadline = Clock::time_point::max();
+thread_local std::uint32_t calls = 0;
+
+}  // namespace
 
 void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
                     std::string_view field) {
@@ -16,9 +28,18 @@ void require_within(std::size_t value, std::size_t limit, std::string_view name,
     throw Error(ErrorCode::limit_exceeded, message, std::string(field));
 }
 
-void require_time(const Limits& limits) {
-    if (limits.deadline.has_passed())
-        throw Error(ErrorCode::limit_exceeded, "the time of one case exceeds the limit timeout");
+TimeLimit::TimeLimit(std::size_t seconds) : outer_(deadline) {
+    if (seconds > 0) deadline = std::min(outer_, Clock::now() + std::chrono::seconds(seconds));
+}
+
+TimeLimit::~TimeLimit() { deadline = outer_; }
+
+void require_time() {
+    constexpr std::uint32_t calls_between_looks = 64;
+    if (deadline == Clock::time_point::max() || ++calls % calls_between_looks != 0 ||
+        Clock::now() <= deadline)
+        return;
+    throw Error(ErrorCode::limit_exceeded, "the time of one case exceeds the limit timeout");
 }
 
 void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count) {

@@ -75,6 +75,13 @@ TEST_CASE("an error in one block leaves the others alone") {
     CHECK(document.errors.size() == 1);
 }
 
+TEST_CASE("a text that decides nothing is an error") {
+    for (const char* text :
+         {"", "# a comment\n", "number x\ngiven x == 1\n", "theorem first\nmap b degree 2\n"})
+        CHECK_THROWS_AS(require_claim(parse(text)), Error);
+    CHECK_NOTHROW(require_claim(parse("theorem first\nmap b degree 2\ntheorem second\nrefute 1 == 2\n")));
+}
+
 TEST_CASE("brackets nest up to the limit") {
     const std::size_t depth = Limits{}.nesting;
     const auto nested = [](std::size_t n) {

@@ -86,6 +86,10 @@ TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a
     CHECK(complaint("let v_{0,l} = v_l\nclaim v_{1,3} == v_3").starts_with("2:7 "));
     CHECK(verdicts("number w_{1,1}..w_{1,9}\nlet w_{i,i} = i\nclaim w_{2,2} == 2\nclaim w_{2,3} == 3") ==
           "proved refuted");
+    CHECK(verdicts("let w_{i,i} = 1\nlet w_{i,j} = 0\nclaim w_{2,2} == 1\nclaim w_{2,3} == 0") ==
+          "proved proved");
+    CHECK(complaint("let w_{i,i} = 1\nlet w_{j,j} = 0\nclaim w_{2,2} == 1").starts_with("2:5 "));
+    CHECK(complaint("let w_{i,j} = 1\nlet w_{k,l} = 0\nclaim w_{2,2} == 1").starts_with("2:5 "));
     CHECK(complaint("let w_{i,i} = i\nclaim w_{2,3} == 3").starts_with("2:7 no line \"let\" fits w_{2,3}"));
     CHECK(verdicts("let b_2 = 3\nclaim b_2 + b_1 == b_1 + 3\nclaim b_1 == 3") == "proved refuted");
     CHECK(complaint("let b_2 = delta\nmap f degree 1\nclaim f[b_3] == 0")

@@ -22,7 +22,7 @@ const char* name_of(const Comparison& compared) {
 }
 
 /// What comparing the sides of the first case says.
-std::string compared(const std::string& text, const proofs::second::Hint& hint = {}) {
+std::string compared(const std::string& text, const std::vector<proofs::second::Step>& hint = {}) {
     const Reading reading(text);
     return name_of(proofs::second::compare(reading, reading.cases().at(0), hint, 2, 7));
 }
@@ -30,7 +30,7 @@ std::string compared(const std::string& text, const proofs::second::Hint& hint =
 std::string confirmed(const std::string& text, const Values& values,
                       const std::vector<std::string>& algebraic = {}) {
     const Reading reading(text);
-    return name_of(proofs::second::confirm(reading, reading.cases().at(0), values, algebraic));
+    return name_of(proofs::second::confirm(reading, reading.cases().at(0), values, algebraic, {}));
 }
 
 std::vector<std::string> false_claims() {
@@ -84,10 +84,23 @@ TEST_CASE("evaluation at points agrees with true claims") {
 
 TEST_CASE("a hint that is a lie changes nothing") {
     const std::string text = "given a == 2*b\nclaim a == 2*b\n";
-    CHECK(compared(text, {{"a"}, {}}) == "agree");
-    CHECK(compared(text, {{"c", "b", "b.7"}, {{"a", 5}, {"b", 1}}}) == "agree");
-    CHECK(compared("given a == 2*b\nclaim a == b\n", {{}, {{"a", 0}, {"b", 0}}}) == "differ");
-    CHECK(compared("claim a == b\n", {{}, {{"a", 1}, {"b", 1}}}) == "differ");
+    CHECK(compared(text, {{"a", 1, {{1, {{"a", 1}}}, {-2, {{"b", 1}}}}}}) == "agree");
+    CHECK(compared(text, {{"b", 1, {{1, {{"b", 1}}}, {-7, {{"c", 1}}}}}, {"d", 3, {}}}) == "agree");
+    const std::vector<proofs::second::Step> zeros{{"a", 1, {{1, {{"a", 1}}}}}, {"b", 1, {{1, {{"b", 1}}}}}};
+    CHECK(compared("given a == 2*b\nclaim a == b\n", zeros) == "differ");
+    CHECK(compared("claim a == b\n", zeros) == "differ");
+}
+
+TEST_CASE("the steps of a tower lead to a point that no single hypothesis gives") {
+    const std::string text = "given x^3 == y\ngiven y^2 == 2\n";
+    const std::vector<proofs::second::Step> steps{{"y", 1, {{1, {{"y", 1}}}, {-1, {{"x", 3}}}}},
+                                                  {"x", 6, {{1, {{"x", 6}}}, {-2, {}}}}};
+    CHECK(compared(text + "claim x^6 == 2\n", steps) == "agree");
+    CHECK(compared(text + "claim x^6 == 3\n", steps) == "differ");
+    // Each depends on the other.
+    const std::vector<proofs::second::Step> around{{"x", 1, {{1, {{"x", 1}}}, {-1, {{"y", 1}}}}},
+                                                   {"y", 1, {{1, {{"y", 1}}}, {-1, {{"x", 1}}}}}};
+    CHECK(compared(text + "claim x^6 == 2\n", around) == "no point");
 }
 
 TEST_CASE("a counterexample that is none is told") {

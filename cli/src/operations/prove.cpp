@@ -27,6 +27,7 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     };
     const proofs::Document document = proofs::parse(statement, limits);
     if (!document.errors.empty()) refuse(document.errors.front());
+    proofs::require_claim(document);
     std::vector<DecidedLine> decisions;
     for (const proofs::Block& block : document.blocks) {
         for (proofs::Decision& decision : proofs::decide(block, limits)) {
@@ -36,10 +37,6 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
             if (nothing) refuse(*decision.error());
             decisions.push_back({block, std::move(decision)});
         }
-    }
-    if (decisions.empty()) {
-        throw Error(ErrorCode::syntax, "the statement has no line \"claim\" or \"refute\"", "",
-                    statement.size());
     }
     return decisions;
 }

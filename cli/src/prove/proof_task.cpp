@@ -31,6 +31,13 @@ std::vector<ProofText> read_texts(const ProveCommand& command, const Streams& st
     std::vector<ProofText> texts;
     const auto add = [&](std::string name, std::string content, std::size_t prelude) {
         proofs::Document document = proofs::parse(content, command.limits);
+        if (document.errors.empty() && !command.only_format) {
+            try {
+                proofs::require_claim(document);
+            } catch (const Error& error) {
+                document.errors.push_back(error);
+            }
+        }
         texts.push_back({std::move(name), std::move(content), prelude, std::move(document)});
     };
     for (const std::string& path : command.paths) {

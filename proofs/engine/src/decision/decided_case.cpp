@@ -192,17 +192,24 @@ Branch BlockCase::walk_below(Branch& branch, Walk& way) {
     walked.end = branch.end;
     if (branch.end == Branch::End::split && !way.difference.is_zero()) return walk_split(branch, way);
     if (branch.end == Branch::End::split) {
-        walked.end = is_possible(branch) ? Branch::End::solved : Branch::End::impossible;
-        if (walked.end == Branch::End::impossible) return walk_split(branch, way);
+        if (!reach_solution(branch, way.steps)) return walk_split(branch, way);
+        walked.end = Branch::End::solved;
     }
     if (walked.end == Branch::End::solved) end_of_branch(way);
     return walked;
 }
 
-bool BlockCase::is_possible(Branch& branch) {
-    elimination_.grow(branch);
-    if (branch.end != Branch::End::split) return branch.end == Branch::End::solved;
-    return is_possible(branch.branches[0]) || is_possible(branch.branches[1]);
+/// Adds the steps from a split to some branch below it that is solved; none, and false, if there is none.
+bool BlockCase::reach_solution(Branch& split, std::vector<Substitution>& steps) {
+    return std::ranges::any_of(split.branches, [&](Branch& branch) {
+        elimination_.grow(branch);
+        const std::size_t count = steps.size();
+        steps.insert(steps.end(), branch.steps.begin(), branch.steps.end());
+        if (branch.end == Branch::End::solved) return true;
+        if (branch.end == Branch::End::split && reach_solution(branch, steps)) return true;
+        steps.resize(count);
+        return false;
+    });
 }
 
 /// A branch that does not fit makes the whole case open in which its pivot was required to vanish.
@@ -246,11 +253,11 @@ void BlockCase::end_of_branch(Walk& way) {
     if (!elimination_.vanishes(way.difference, way.steps, way.nonzero)) {
         way.outcome.witness =
             find_counterexample(block_, way.relation, expander_, way.steps, way.difference, way.nonzero);
+        way.outcome.steps = way.steps;
         return;
     }
     if (way.agreed++ > 0) return;
     way.outcome.steps = way.steps;
-    if (!way.steps.empty()) way.outcome.point = some_point(block_, way.steps, way.nonzero);
     way.decision.holds_if = way.pivots;
 }
 

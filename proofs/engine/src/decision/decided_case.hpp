@@ -17,9 +17,8 @@ struct CaseOutcome {
     Fraction left;
     std::vector<SparsePolynomial> conditions;  ///< what must not vanish, pivots that were left open included
     Branch root;                               ///< how the claim was decided, branch by branch
-    std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds
-    std::vector<std::pair<std::string, Rational>> point;  ///< one there, where all values are rational
-    std::optional<Witness> witness;                       ///< where the claim fails
+    std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds, or fails
+    std::optional<Witness> witness;            ///< where the claim fails
 };
 
 /// The first road: expands and decides the claims of a block for one choice of its parameters.
@@ -45,7 +44,7 @@ private:
     Branch walk_below(Branch& branch, Walk& way);
     Branch walk_split(Branch& branch, Walk& way);
     static Branch open_branch();
-    bool is_possible(Branch& branch);
+    bool reach_solution(Branch& split, std::vector<Substitution>& steps);
     void end_of_branch(Walk& way);
     void leave_open(const SparsePolynomial& pivot, Walk& way);
     std::set<std::size_t> add_conditions(const Relation& relation, CaseDecision& decision);

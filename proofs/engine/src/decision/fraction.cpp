@@ -44,8 +44,7 @@ void FractionField::spend(std::size_t terms, std::size_t work) {
     require_within(terms, limits_.expansion_terms, "expansion_terms", "the number of terms, up to");
     work_ = work > limits_.expansion_work ? limits_.expansion_work + 1 : work_ + work;
     require_within(work_, limits_.expansion_work, "expansion_work", "the number of term operations");
-    constexpr std::size_t calls_between_looks = 64;
-    if (++calls_ % calls_between_looks == 0) require_time(limits_);
+    require_time();
 }
 
 SparsePolynomial FractionField::product(const SparsePolynomial& a, const SparsePolynomial& b) {

@@ -64,19 +64,13 @@ private:
         decision.error = error.offset() ? error : Error(error.code(), error.message(), "", offset);
     }
 
-    Limits limits_of_case() const {
-        Limits limits = limits_;
-        if (options_.seconds > 0) limits.deadline = Deadline::after_seconds(options_.seconds);
-        return limits;
-    }
-
     void decide_choice(const Parameters& parameters) {
-        const Limits limits = limits_of_case();
+        const TimeLimit time(options_.seconds);
         std::optional<GroundBlock> grounded;
         std::optional<BlockCase> block_case;
         try {
-            grounded = ground(block_, parameters, limits);
-            block_case.emplace(*grounded, limits);
+            grounded = ground(block_, parameters, limits_);
+            block_case.emplace(*grounded, limits_);
         } catch (const Error& error) {
             for (Decision& decision : decisions_) add_error(decision, parameters, error);
             return;
@@ -102,7 +96,7 @@ private:
         if (relation.error) throw Error(*relation.error);
         const CaseOutcome outcome = block_case.decide(relation, decided);
         if (decided.verdict == Verdict::refuted) {
-            const std::optional<std::string> objection = opinion_.on_refutation(which, *outcome.witness);
+            const std::optional<std::string> objection = opinion_.on_refutation(grounded, which, outcome);
             // Of several roots the second road may have taken one at which the sides agree.
             if (objection && !outcome.witness->algebraic.empty()) {
                 throw Error(

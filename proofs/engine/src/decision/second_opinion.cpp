@@ -24,10 +24,17 @@ second::NamedPolynomial named(const SparsePolynomial& polynomial, const std::vec
     return terms;
 }
 
+std::vector<second::Step> named(const std::vector<Substitution>& steps, const std::vector<Symbol>& symbols) {
+    std::vector<second::Step> result;
+    result.reserve(steps.size());
+    for (const Substitution& step : steps)
+        result.push_back({symbols[step.symbol].name, step.degree, named(step.relation, symbols)});
+    return result;
+}
+
 second::Branch named(const Branch& branch, const std::vector<Symbol>& symbols) {
     second::Branch result;
-    for (const Substitution& step : branch.steps)
-        result.steps.push_back({symbols[step.symbol].name, step.degree, named(step.relation, symbols)});
+    result.steps = named(branch.steps, symbols);
     switch (branch.end) {
         case Branch::End::solved:
             result.end = second::Branch::End::agree;
@@ -110,11 +117,8 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
                                                    const CaseOutcome& outcome,
                                                    const second::Certificate& certificate) {
     if (!reading_) return unread_;
-    second::Hint hint;
-    for (const Substitution& step : outcome.steps) hint.dependent.push_back(block.symbols[step.symbol].name);
-    hint.point = outcome.point;
-    const second::Comparison compared =
-        second::compare(*reading_, which, hint, comparison_points, comparison_seed);
+    const second::Comparison compared = second::compare(*reading_, which, named(outcome.steps, block.symbols),
+                                                        comparison_points, comparison_seed);
     if (compared.result == second::Comparison::Result::no_point) {
         throw Error(ErrorCode::limit_exceeded,
                     "no point was found that satisfies the hypotheses, so that the text read anew could not "
@@ -129,9 +133,12 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
     return std::nullopt;
 }
 
-std::optional<std::string> SecondOpinion::on_refutation(const second::Case& which, const Witness& witness) {
+std::optional<std::string> SecondOpinion::on_refutation(const GroundBlock& block, const second::Case& which,
+                                                        const CaseOutcome& outcome) {
     if (!reading_) return unread_;
-    const second::Comparison compared = second::confirm(*reading_, which, witness.values, witness.algebraic);
+    const second::Comparison compared =
+        second::confirm(*reading_, which, outcome.witness->values, outcome.witness->algebraic,
+                        named(outcome.steps, block.symbols));
     if (compared.result == second::Comparison::Result::differ) return std::nullopt;
     return "the counterexample is none for the text read anew: " + compared.note;
 }

@@ -31,7 +31,8 @@ public:
     std::optional<std::string> on_proof(const GroundBlock& block, const second::Case& which,
                                         const CaseOutcome& outcome, const second::Certificate& certificate);
     /// The counterexample.
-    std::optional<std::string> on_refutation(const second::Case& which, const Witness& witness);
+    std::optional<std::string> on_refutation(const GroundBlock& block, const second::Case& which,
+                                             const CaseOutcome& outcome);
 
 private:
     std::string text_;

@@ -113,29 +113,18 @@ std::string side_text(Expander& expander, NodeId side, const WitnessSearch& choi
             const bool open = std::ranges::find(choice.algebraic(), i) != choice.algebraic().end();
             if (!open) polynomial = specialised(polynomial, i, choice.values()[i]);
         }
-        return "(" + to_text(polynomial, names) + ")";
+        return to_text(polynomial, names);
     };
-    std::string text = with_values(fraction.numerator);
+    if (fraction.denominator.empty()) return with_values(fraction.numerator);
+    std::string text = "(" + with_values(fraction.numerator) + ")";
     for (const auto& [factor, exponent] : fraction.denominator) {
-        text += "/" + with_values(expander.field().factors()[factor]);
+        text += "/(" + with_values(expander.field().factors()[factor]) + ")";
         if (exponent > 1) text += "^" + std::to_string(exponent);
     }
     return text;
 }
 
 }  // namespace
-
-std::vector<std::pair<std::string, Rational>> some_point(const GroundBlock& block,
-                                                         std::span<const Substitution> steps,
-                                                         const std::vector<SparsePolynomial>& nonzero) {
-    WitnessSearch search(block, steps, nonzero);
-    std::vector<std::pair<std::string, Rational>> point;
-    if (!search.choose(0)) return point;
-    for (std::size_t i = 0; i < block.symbols.size(); ++i) {
-        if (!block.symbols[i].is_bound) point.emplace_back(block.symbols[i].name, search.values()[i]);
-    }
-    return point;
-}
 
 Witness find_counterexample(const GroundBlock& block, const Relation& relation, Expander& expander,
                             std::span<const Substitution> steps, const SparsePolynomial& difference,

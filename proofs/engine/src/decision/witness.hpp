@@ -26,10 +26,4 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
                             std::span<const Substitution> steps, const SparsePolynomial& difference,
                             const std::vector<SparsePolynomial>& nonzero);
 
-/// Values of all symbols that are not bound, where nothing of `nonzero` vanishes; none where a symbol has no
-/// rational value.
-std::vector<std::pair<std::string, Rational>> some_point(const GroundBlock& block,
-                                                         std::span<const Substitution> steps,
-                                                         const std::vector<SparsePolynomial>& nonzero);
-
 }  // namespace blossom::proofs

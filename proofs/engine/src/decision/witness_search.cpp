@@ -62,16 +62,17 @@ bool WitnessSearch::choose(std::size_t attempt) {
 }
 
 bool WitnessSearch::is_witness() const {
-    if (algebraic_.size() != 1) return true;
-    const std::size_t symbol = algebraic_.front();
-    const auto step = std::ranges::find(steps_, symbol, &Substitution::symbol);
-    const SparsePolynomial& relation = relations_[static_cast<std::size_t>(step - steps_.begin())];
-    const std::size_t degree = relation.degree_in(symbol);
+    if (algebraic_.empty()) return true;
+    std::size_t dimension = 1;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+        if (is_root(steps_[i].symbol)) dimension *= steps_[i].degree;
+    }
     SparsePolynomial product = 1;
     for (const SparsePolynomial& factor : nonzero_) product *= factor;
-    SparsePolynomial power = 1;
-    for (std::size_t k = 0; k < degree; ++k) power = remainder(power * product, relation, symbol);
-    return !power.is_zero();
+    std::optional<SparsePolynomial> power = remainder(std::move(product));
+    for (std::size_t exponent = 1; power && exponent < dimension; exponent *= 2)
+        power = remainder(*power * *power);
+    return !power || !power->is_zero();
 }
 
 void WitnessSearch::put(std::size_t symbol, const Rational& value) {
@@ -126,17 +127,28 @@ bool WitnessSearch::solve(std::size_t number) {
     return leave(symbol);
 }
 
-SparsePolynomial WitnessSearch::remainder(SparsePolynomial polynomial, const SparsePolynomial& relation,
-                                          std::size_t symbol) {
-    const std::vector<SparsePolynomial> divisor = coefficients_in(relation, symbol);
-    const SparsePolynomial x = SparsePolynomial::variable(symbol);
-    while (!polynomial.is_zero() && polynomial.degree_in(symbol) + 1 >= divisor.size()) {
-        const std::size_t degree = polynomial.degree_in(symbol);
-        const SparsePolynomial factor = coefficients_in(polynomial, symbol)[degree] *
-                                        SparsePolynomial(Rational(1) / divisor.back().coefficient(0));
-        polynomial -= factor * pow(x, degree + 1 - divisor.size()) * relation;
+std::optional<SparsePolynomial> WitnessSearch::remainder(SparsePolynomial polynomial) const {
+    constexpr std::size_t most_rounds = 1000;
+    for (std::size_t round = 0; round < most_rounds; ++round) {
+        std::size_t i = 0;
+        while (i < steps_.size() &&
+               (!is_root(steps_[i].symbol) || polynomial.degree_in(steps_[i].symbol) < steps_[i].degree))
+            ++i;
+        if (i == steps_.size()) return polynomial;
+        const std::size_t symbol = steps_[i].symbol;
+        const std::size_t degree = steps_[i].degree;
+        const SparsePolynomial leading = coefficients_in(relations_[i], symbol)[degree];
+        if (leading.is_zero() || leading.total_degree() > 0) return std::nullopt;
+        const std::size_t present = polynomial.degree_in(symbol);
+        const SparsePolynomial factor = coefficients_in(polynomial, symbol)[present] *
+                                        SparsePolynomial(Rational(1) / leading.coefficient(0));
+        polynomial -= factor * pow(SparsePolynomial::variable(symbol), present - degree) * relations_[i];
     }
-    return polynomial;
+    return std::nullopt;
+}
+
+bool WitnessSearch::is_root(std::size_t symbol) const {
+    return std::ranges::find(algebraic_, symbol) != algebraic_.end();
 }
 
 bool WitnessSearch::leave(std::size_t symbol) {

@@ -3,6 +3,7 @@
 #include <blossom/proofs/ground.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,8 +24,9 @@ public:
     /// roots may become rational. False if one that has a root has no rational one.
     bool choose(std::size_t attempt);
 
-    /// Whether some root leaves everything different from zero that must be, where one variable has no
-    /// rational value: the product of all has no power that the relation divides.
+    /// Whether some roots leave everything different from zero that must be: no power of the product of all
+    /// is zero modulo the relations. True also where that was not decided, because a leading coefficient is
+    /// no number.
     bool is_witness() const;
 
     const std::vector<Rational>& values() const { return values_; }
@@ -42,10 +44,11 @@ private:
     /// The value of the symbol of a step, where all others of its relation have one.
     bool solve(std::size_t number);
 
-    static SparsePolynomial remainder(SparsePolynomial polynomial, const SparsePolynomial& relation,
-                                      std::size_t symbol);
+    /// The polynomial modulo the relations of the symbols that are roots; nothing if that is not decided.
+    std::optional<SparsePolynomial> remainder(SparsePolynomial polynomial) const;
 
     bool leave(std::size_t symbol);
+    bool is_root(std::size_t symbol) const;
 
     const GroundBlock& block_;
     std::span<const Substitution> steps_;

@@ -106,6 +106,23 @@ void Names::declare_member(const Expression& name_or_run, Meaning meaning, const
     family.members.push_back(&name_or_run);
 }
 
+/// Two names of indices fit the same members, unless one of them is a parameter or stands in several places.
+bool Names::fit_same_members(const std::vector<Expression>& a, const std::vector<Expression>& b) const {
+    const auto is_any = [&](const Expression& index) {
+        const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
+        return is_open_index(index) && (!known || known->meaning != Meaning::parameter);
+    };
+    const auto first_place = [](const std::vector<Expression>& indices, std::size_t place) {
+        return std::ranges::find(indices, indices[place].name, &Expression::name) - indices.begin();
+    };
+    if (a.size() != b.size()) return false;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        const bool any = is_any(a[i]) && is_any(b[i]);
+        if (any ? first_place(a, i) != first_place(b, i) : a[i] != b[i]) return false;
+    }
+    return true;
+}
+
 void Names::declare_let(const Statement& statement) {
     const Expression& name = statement.sides[0];
     if (name.kind != ExpressionKind::name) refuse_name("an abbreviation has a name, not a run", name.offset);
@@ -114,16 +131,8 @@ void Names::declare_let(const Statement& statement) {
         return;
     }
     auto& clauses = clauses_[name.name];
-    // Two names of indices fit the same members, unless one of them is a parameter.
-    const auto is_any = [&](const Expression& index) {
-        const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;
-        return is_open_index(index) && (!known || known->meaning != Meaning::parameter);
-    };
-    const auto same = [&](const Expression& x, const Expression& y) {
-        return (is_any(x) && is_any(y)) || x == y;
-    };
     for (const Statement* known : clauses) {
-        if (std::ranges::equal(known->sides[0].children, name.children, same))
+        if (fit_same_members(known->sides[0].children, name.children))
             refuse_name(quoted(name.name) + " with these indices is declared already", name.offset);
     }
     clauses.push_back(&statement);

@@ -43,6 +43,7 @@ private:
                       std::size_t offset);
     void declare_member(const Expression& name_or_run, Meaning meaning, const Statement& statement);
     void declare_let(const Statement& statement);
+    bool fit_same_members(const std::vector<Expression>& a, const std::vector<Expression>& b) const;
 
     std::map<std::string, Declared> bare_;
     std::map<std::string, Declared> families_;

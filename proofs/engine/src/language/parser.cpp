@@ -218,6 +218,17 @@ Document parse(std::string_view text, const Limits& limits) {
     return document;
 }
 
+void require_claim(const Document& document) {
+    const auto decides = [](const Statement& statement) {
+        return statement.kind == StatementKind::claim || statement.kind == StatementKind::refute;
+    };
+    if (std::ranges::any_of(document.blocks, [&](const Block& block) {
+            return std::ranges::any_of(block.statements, decides);
+        }))
+        return;
+    throw Error(ErrorCode::syntax, R"(there is nothing to decide: no line begins with "claim" or "refute")");
+}
+
 Place place_of(std::string_view text, std::size_t offset) {
     offset = std::min(offset, text.size());
     const std::size_t start = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;

@@ -7,23 +7,23 @@
 
 namespace blossom {
 
-/// A moment after which work is given up; by default there is none.
-class Deadline {
+/// Symbolic computations of this thread are given up after so many seconds, as long as the object lives;
+/// never if there are none.
+class TimeLimit {
 public:
-    Deadline() = default;
-    static Deadline none() { return {}; }
-    static Deadline after_seconds(std::size_t seconds) {
-        Deadline deadline;
-        deadline.moment_ = Clock::now() + std::chrono::seconds(seconds);
-        return deadline;
-    }
-
-    bool has_passed() const { return moment_ != Clock::time_point::max() && Clock::now() > moment_; }
+    explicit TimeLimit(std::size_t seconds);
+    TimeLimit(const TimeLimit&) = delete;
+    TimeLimit& operator=(const TimeLimit&) = delete;
+    TimeLimit(TimeLimit&&) = delete;
+    TimeLimit& operator=(TimeLimit&&) = delete;
+    ~TimeLimit();
 
 private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point moment_ = Clock::time_point::max();
+    std::chrono::steady_clock::time_point outer_;
 };
+
+/// Throws `limit_exceeded` when a time limit of this thread has passed. Looks at the clock now and then only.
+void require_time();
 
 /// What one request may cost. Every operation that could take much memory predicts its size and refuses with
 /// `limit_exceeded`, naming the limit, before it allocates. The defaults are documented in docs/limits.md.
@@ -39,16 +39,12 @@ struct Limits {
     std::size_t numbers = 1 << 22;              ///< numbers that make up one map or one result
     std::size_t output_digits = 250'000'000;    ///< decimal digits of one whole result, estimated from above
     std::size_t line_bytes = 16 << 20;          ///< one line of a batch
-    Deadline deadline = Deadline::none();       ///< of a symbolic computation
 };
 
 /// Throws `limit_exceeded` unless `value <= limit`.
 /// The message reads "<what> <value> exceeds the limit <name> = <limit>".
 void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
                     std::string_view field = "");
-
-/// Throws `limit_exceeded` when the deadline has passed.
-void require_time(const Limits& limits);
 
 /// Throws `limit_exceeded` when a result of `count` numbers of at most `bits` binary digits each might have
 /// more than `limits.digits` decimal ones a number, or more than `limits.output_digits` in all.

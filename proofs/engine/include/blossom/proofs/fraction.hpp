@@ -90,7 +90,6 @@ private:
 
     Limits limits_;
     std::size_t work_ = 0;
-    std::size_t calls_ = 0;
     std::vector<SparsePolynomial> factors_;
 };
 

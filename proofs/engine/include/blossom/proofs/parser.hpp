@@ -25,6 +25,9 @@ struct Document {
 /// there. Cost: linear in the text. Errors in the result: `syntax`; `limit_exceeded` for nesting.
 Document parse(std::string_view text, const Limits& limits = {});
 
+/// Errors: `syntax` unless some block has a line `claim` or `refute`.
+void require_claim(const Document& document);
+
 /// Line and column of an offset, both from 1; columns count characters of UTF-8.
 struct Place {
     std::size_t line;

@@ -48,6 +48,7 @@ public:
     void step(std::size_t count = 1) {
         steps_ += count;
         if (steps_ > limits_.expansion_work) exceeded("expansion_work", limits_.expansion_work);
+        require_time();
     }
 
     /// One call within another for as long as it lives.

@@ -123,6 +123,7 @@ AlgebraNumber Algebra::product(const AlgebraNumber& a, const AlgebraNumber& b) c
     require_short_product(a.constant_, b.constant_, limits_);
     work_ += a.size() * b.size();
     require_within(work_, limits_.expansion_work, "expansion_work", "the work at one point");
+    require_time();
     return product_at(a, b, level_of(std::max(a.size(), b.size())));
 }
 

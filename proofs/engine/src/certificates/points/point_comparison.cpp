@@ -27,6 +27,13 @@ std::string difference_note(const PointField& field, const AlgebraNumber& left, 
     return note;
 }
 
+std::vector<std::string> symbols_of(const std::vector<Step>& steps) {
+    std::vector<std::string> symbols;
+    symbols.reserve(steps.size());
+    for (const Step& step : steps) symbols.push_back(step.symbol);
+    return symbols;
+}
+
 /// Evaluates both sides; nothing when they agree.
 std::optional<std::string> difference_of_sides(const Reading& reading, const Case& which, PointField& field) {
     Evaluation<PointField> evaluation(reading, which, field);
@@ -38,22 +45,19 @@ std::optional<std::string> difference_of_sides(const Reading& reading, const Cas
 
 }  // namespace
 
-Comparison compare(const Reading& reading, const Case& which, const Hint& hint, std::size_t points,
-                   std::uint64_t seed) {
+Comparison compare(const Reading& reading, const Case& which, const std::vector<Step>& hint,
+                   std::size_t points, std::uint64_t seed) {
     Comparison comparison;
     const bool has_hypotheses = !reading.hypotheses().empty();
-    const std::size_t ways = !has_hypotheses ? 1 : hint.point.empty() ? 2 : 3;
+    const std::size_t ways = !has_hypotheses ? 1 : hint.empty() ? 2 : 3;
     const std::size_t attempts = points + 5 * ways;
     std::size_t way = 0;
     for (std::size_t attempt = 0; attempt < attempts && comparison.points < points; ++attempt) {
         PointField field(reading.limits(), seed + attempt);
-        PointSearch search(reading, which, field, hint.dependent, attempt);
+        PointSearch search(reading, which, field, symbols_of(hint), attempt);
         if (way % ways == 1) search.solve_all_by_roots();
-        if (way % ways == 2) {
-            for (const auto& [name, value] : hint.point) field.set(name, value);
-        }
         try {
-            std::string problem = search.run();
+            std::string problem = way % ways == 2 ? search.follow(hint) : search.run();
             if (!problem.empty()) {
                 comparison.note = std::move(problem);
                 ++way;
@@ -80,9 +84,9 @@ Comparison compare(const Reading& reading, const Case& which, const Hint& hint, 
 
 Comparison confirm(const Reading& reading, const Case& which,
                    const std::vector<std::pair<std::string, Rational>>& values,
-                   const std::vector<std::string>& algebraic) {
+                   const std::vector<std::string>& algebraic, const std::vector<Step>& hint) {
     Comparison comparison;
-    constexpr std::size_t turns = 6;  // enough to meet all roots of an equation of low degree
+    constexpr std::size_t turns = 12;  // enough to meet all roots of an equation of low degree
     for (std::size_t turn = 0; turn < (algebraic.empty() ? 1 : turns); ++turn) {
         PointField field(reading.limits(), turn + 1);
         for (const auto& [name, value] : values) field.set(name, value);
@@ -92,7 +96,7 @@ Comparison confirm(const Reading& reading, const Case& which,
         search.move_only(std::set<std::string>(algebraic.begin(), algebraic.end()));
         search.solve_all_by_roots();
         try {
-            std::string problem = search.run();
+            std::string problem = turn % 2 == 0 || hint.empty() ? search.run() : search.follow(hint);
             if (!problem.empty()) {
                 if (comparison.points == 0) comparison.note = std::move(problem);
                 continue;

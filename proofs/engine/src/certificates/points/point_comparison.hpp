@@ -1,5 +1,7 @@
 #pragma once
 
+#include <blossom/proofs/certificate.hpp>
+
 #include "certificates/reading/second_reading.hpp"
 
 #include <cstddef>
@@ -17,23 +19,18 @@ struct Comparison {
     std::string note;        ///< why there is no point, or where the sides differ
 };
 
-/// What the other road found out about the hypotheses of a case.
-struct Hint {
-    std::vector<std::string> dependent;                   ///< symbols that it solved for, in its order
-    std::vector<std::pair<std::string, Rational>> point;  ///< a whole point, may be empty
-};
-
-/// Compares both sides of a case at random points. Hypotheses are solved here, for symbols of the hint before
-/// others; the point of the hint is taken only where that fails, and every point is verified.
+/// Compares both sides of a case at random points. Hypotheses are solved here, for the symbols of `hint`, the
+/// steps of the other road, before others. Where that fails the steps themselves are solved; every point is
+/// verified against the text.
 ///
 /// Errors: those of the evaluation but `division_by_zero`, which leads to another point.
-Comparison compare(const Reading& reading, const Case& which, const Hint& hint, std::size_t points,
-                   std::uint64_t seed);
+Comparison compare(const Reading& reading, const Case& which, const std::vector<Step>& hint,
+                   std::size_t points, std::uint64_t seed);
 
 /// Whether a counterexample is one: assumptions and hypotheses hold, no divisor vanishes, the sides differ.
-/// `algebraic` names have no value but are roots of hypotheses.
+/// `algebraic` names have no value but are roots of hypotheses, which `hint` may give as in `compare`.
 Comparison confirm(const Reading& reading, const Case& which,
                    const std::vector<std::pair<std::string, Rational>>& values,
-                   const std::vector<std::string>& algebraic);
+                   const std::vector<std::string>& algebraic, const std::vector<Step>& hint);
 
 }  // namespace blossom::proofs::second

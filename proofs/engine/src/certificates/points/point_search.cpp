@@ -12,8 +12,8 @@
 namespace blossom::proofs::second {
 
 PointSearch::PointSearch(const Reading& reading, const Case& which, PointField& field,
-                         const std::vector<std::string>& dependent, std::size_t turn)
-    : reading_(reading), case_(which), field_(field), dependent_(dependent), turn_(turn) {}
+                         std::vector<std::string> dependent, std::size_t turn)
+    : reading_(reading), case_(which), field_(field), dependent_(std::move(dependent)), turn_(turn) {}
 
 std::vector<AlgebraNumber> PointSearch::residuals(std::size_t line) {
     Evaluation<PointField> evaluation(reading_, case_, field_);

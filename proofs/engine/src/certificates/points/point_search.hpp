@@ -1,5 +1,7 @@
 #pragma once
 
+#include <blossom/proofs/certificate.hpp>
+
 #include "certificates/reading/second_reading.hpp"
 #include "point_algebra.hpp"
 #include "point_polynomial.hpp"
@@ -17,7 +19,7 @@ class PointSearch {
 public:
     /// `dependent` are symbols to solve for before others; `turn` chooses among several roots.
     PointSearch(const Reading& reading, const Case& which, PointField& field,
-                const std::vector<std::string>& dependent, std::size_t turn);
+                std::vector<std::string> dependent, std::size_t turn);
 
     /// Only these symbols may be moved.
     void move_only(std::set<std::string> names) { movable_ = std::move(names); }
@@ -26,6 +28,9 @@ public:
 
     /// Empty if all hypotheses and assumptions hold now, otherwise what is wrong.
     std::string run();
+    /// The same, with the equations of `steps` solved in the place of the hypotheses, which are verified
+    /// then.
+    std::string follow(const std::vector<Step>& steps);
 
 private:
     /// One case of a hypothesis.
@@ -68,6 +73,10 @@ private:
                                                         const std::vector<std::string>& unknowns);
 
     std::string verify();
+
+    // The equations of steps.
+    std::optional<std::size_t> independent_step(const std::vector<Step>& steps) const;
+    AlgebraNumber root_of(const Step& step);
 
     const Reading& reading_;
     const Case& case_;

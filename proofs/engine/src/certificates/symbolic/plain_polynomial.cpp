@@ -13,6 +13,7 @@ void Budget::spend(std::size_t operations) {
             "the number of term operations exceeds the limit expansion_work = " + std::to_string(work_));
     }
     spent_ += operations;
+    require_time();
 }
 
 void Budget::spend_on_bits(std::size_t bits, std::size_t terms) {
