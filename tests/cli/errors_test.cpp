@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/run.hpp"
 #include "cli/served.hpp"
 #include "support/catch.hpp"
 
@@ -148,6 +149,13 @@ const std::vector<Case> cases{
 };
 
 }  // namespace
+
+TEST_CASE("a text without claims is an error of prove, and none where it is only formatted") {
+    const Run proof = run({"prove", "-"}, "number x\n");
+    CHECK(proof.status == 2);
+    CHECK(contains(proof.errors, "standard input: there is nothing to decide"));
+    CHECK(run({"prove", "--format", "-"}, "number x\n").status == 0);
+}
 
 TEST_CASE("every refused request says which rule and where") {
     for (const auto& [request, code, at] : cases) {

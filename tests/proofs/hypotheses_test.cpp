@@ -75,6 +75,9 @@ TEST_CASE("roots of numbers") {
     CHECK(roots(false_claim[0]) == "-1/2 + w^2 == 0");
     CHECK(false_claim[0].counterexample()->left == "w");
     CHECK(false_claim[0].counterexample()->right == "1");
+    const auto of_map = decided("map p degree 2\ngiven p(0)^2 == 2\nclaim p(1) == p(0)");
+    CHECK(of_map.at(0).counterexample()->maps.at(0).text == "p.0 + t");
+    CHECK(roots(of_map[0]) == "-2 + p.0^2 == 0");
     CHECK(verdicts("given w^2 == 4\nclaim w == 2\nclaim (w - 2)*(w + 2) == 0\nclaim w^2 == 4") ==
           "refuted proved proved");
     CHECK(roots(decided("given w^2 == 4\nclaim w == 2").at(0)).empty());

@@ -14,24 +14,22 @@ namespace blossom::proofs {
 
 namespace {
 
-WitnessMap written_out(const GroundMap& map, Evaluator& evaluate) {
-    std::vector<std::string> names;
+std::vector<std::string> names_of_variables(const GroundMap& map) {
     std::size_t variables = 0;
     for (const Direction& direction : map.directions) variables += direction.dimension;
-    if (variables == 1) {
-        names = {"t"};
-    } else if (map.directions.size() == 2 && variables == 2) {
-        names = {"u", "v"};
-    } else {
-        names = numbered_names("x", variables);
-    }
+    if (variables == 1) return {"t"};
+    if (map.directions.size() == 2 && variables == 2) return {"u", "v"};
+    return numbered_names("x", variables);
+}
+
+WitnessMap written_out(const GroundMap& map, Evaluator& evaluate) {
     const auto exponents = monomials(map.directions);
     std::vector<SparsePolynomial> terms;
     terms.reserve(exponents.size());
     for (std::size_t i = 0; i < exponents.size(); ++i) {
         terms.push_back(SparsePolynomial::term(evaluate(map.coefficients[i]), exponents[i]));
     }
-    return {map.name, to_text(sum(terms), names), map.directions};
+    return {map.name, to_text(sum(terms), names_of_variables(map)), map.directions};
 }
 
 struct WrittenArgument {
@@ -104,21 +102,42 @@ std::set<NodeId> nodes_of_case(const GroundBlock& block, const Relation& relatio
     return nodes_below(block, std::move(roots));
 }
 
-/// The numerator of a side over its denominator, with numbers for all symbols that have one.
+/// Numbers for all symbols that have one.
+SparsePolynomial with_values(SparsePolynomial polynomial, const WitnessSearch& choice) {
+    for (std::size_t i = 0; i < choice.values().size(); ++i) {
+        if (!choice.is_root(i)) polynomial = specialised(polynomial, i, choice.values()[i]);
+    }
+    return polynomial;
+}
+
+/// A map whose coefficients have roots in them, which keep their names; nothing where one has a denominator.
+std::optional<WitnessMap> written_out(const GroundMap& map, Expander& expander, const WitnessSearch& choice,
+                                      std::vector<std::string> names) {
+    const std::size_t symbols = names.size();
+    for (std::string& variable : names_of_variables(map)) names.push_back(std::move(variable));
+    const auto exponents = monomials(map.directions);
+    std::vector<SparsePolynomial> terms;
+    for (std::size_t i = 0; i < exponents.size(); ++i) {
+        const Fraction coefficient = expander(map.coefficients[i]);
+        if (!coefficient.denominator.empty()) return std::nullopt;
+        std::vector<std::size_t> shifted(symbols, 0);
+        shifted.insert(shifted.end(), exponents[i].begin(), exponents[i].end());
+        terms.push_back(with_values(coefficient.numerator, choice) * SparsePolynomial::term(1, shifted));
+    }
+    return WitnessMap{map.name, to_text(sum(terms), names), map.directions};
+}
+
+/// The numerator of a side over its denominator.
 std::string side_text(Expander& expander, NodeId side, const WitnessSearch& choice,
                       const std::vector<std::string>& names) {
     const Fraction fraction = expander(side);
-    const auto with_values = [&](SparsePolynomial polynomial) {
-        for (std::size_t i = 0; i < choice.values().size(); ++i) {
-            const bool open = std::ranges::find(choice.algebraic(), i) != choice.algebraic().end();
-            if (!open) polynomial = specialised(polynomial, i, choice.values()[i]);
-        }
-        return to_text(polynomial, names);
+    const auto text_of = [&](const SparsePolynomial& polynomial) {
+        return to_text(with_values(polynomial, choice), names);
     };
-    if (fraction.denominator.empty()) return with_values(fraction.numerator);
-    std::string text = "(" + with_values(fraction.numerator) + ")";
+    if (fraction.denominator.empty()) return text_of(fraction.numerator);
+    std::string text = "(" + text_of(fraction.numerator) + ")";
     for (const auto& [factor, exponent] : fraction.denominator) {
-        text += "/(" + with_values(expander.field().factors()[factor]) + ")";
+        text += "/(" + text_of(expander.field().factors()[factor]) + ")";
         if (exponent > 1) text += "^" + std::to_string(exponent);
     }
     return text;
@@ -153,9 +172,6 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
     Counterexample& result = witness.counterexample;
     result.parameters = block.parameters;
     result.parameters.insert(result.parameters.end(), relation.parameters.begin(), relation.parameters.end());
-    const auto is_algebraic = [&](std::size_t i) {
-        return std::ranges::find(choice->algebraic(), i) != choice->algebraic().end();
-    };
     const std::set<NodeId> nodes = nodes_of_case(block, relation);
     std::set<std::size_t> maps;
     std::set<std::size_t> symbols;
@@ -168,23 +184,24 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
         }
     }
     for (std::size_t i = 0; i < block.symbols.size(); ++i) {
-        if (is_algebraic(i)) {
+        if (choice->is_root(i)) {
             witness.algebraic.push_back(names[i]);
         } else if (!block.symbols[i].is_bound) {
             witness.values.emplace_back(names[i], choice->values()[i]);
         }
     }
     for (const std::size_t symbol : symbols) {
-        if (!is_algebraic(symbol)) result.variables.emplace_back(names[symbol], choice->values()[symbol]);
+        if (!choice->is_root(symbol)) result.variables.emplace_back(names[symbol], choice->values()[symbol]);
     }
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        if (is_algebraic(steps[i].symbol))
+        if (choice->is_root(steps[i].symbol))
             result.roots.push_back(to_text(choice->relations()[i], names) + " == 0");
     }
     if (!choice->algebraic().empty()) {
-        for (std::size_t i = 0; i < block.symbols.size(); ++i) {
-            if (block.symbols[i].is_coefficient && !is_algebraic(i))
-                result.variables.emplace_back(names[i], choice->values()[i]);
+        for (const std::size_t map : maps) {
+            if (!block.maps[map].barycentric.empty()) continue;
+            if (auto written = written_out(block.maps[map], expander, *choice, names))
+                result.maps.push_back(std::move(*written));
         }
         result.left = side_text(expander, relation.left, *choice, names);
         result.right = side_text(expander, relation.right, *choice, names);

@@ -31,6 +31,8 @@ public:
 
     const std::vector<Rational>& values() const { return values_; }
     const std::vector<std::size_t>& algebraic() const { return algebraic_; }
+    /// Whether the symbol has no rational value, but is a root of its relation.
+    bool is_root(std::size_t symbol) const;
     const std::vector<SparsePolynomial>& relations() const { return relations_; }
 
 private:
@@ -48,7 +50,6 @@ private:
     std::optional<SparsePolynomial> remainder(SparsePolynomial polynomial) const;
 
     bool leave(std::size_t symbol);
-    bool is_root(std::size_t symbol) const;
 
     const GroundBlock& block_;
     std::span<const Substitution> steps_;
