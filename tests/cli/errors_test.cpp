@@ -153,7 +153,7 @@ const std::vector<Case> cases{
 TEST_CASE("a text without claims is an error of prove, and none where it is only formatted") {
     const Run proof = run({"prove", "-"}, "number x\n");
     CHECK(proof.status == 2);
-    CHECK(contains(proof.errors, "standard input: there is nothing to decide"));
+    CHECK(contains(proof.errors, "there is nothing to decide"));
     CHECK(run({"prove", "--format", "-"}, "number x\n").status == 0);
 }
 
