@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/conversion.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/maps/argument.hpp>
 
 #include <cstdint>
 #include <random>

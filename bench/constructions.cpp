@@ -1,6 +1,6 @@
 // The constructions by name, each beside its own textbook loop.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include "boost_numbers.hpp"
 #include "cases.hpp"

@@ -1,6 +1,6 @@
 // A polynomial at a thousand parameters.
 
-#include <blossom/core/curve_values.hpp>
+#include <blossom/core/spline/curve_values.hpp>
 
 #include "cases.hpp"
 #include "families.hpp"

@@ -2,7 +2,7 @@
 
 // De Boor's algorithm as one would write it with FLINT's rational numbers.
 
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 
 #include <flint/fmpz_poly.h>
 

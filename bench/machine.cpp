@@ -2,7 +2,7 @@
 // multiply-adds of plain products in residues, and beside one greatest common divisor of the size of the
 // result.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #if defined(__x86_64__)
 #include <immintrin.h>

@@ -5,8 +5,8 @@
 //   bench_values --case N BITS    coefficients, arguments and the value, for peers that are processes
 //   bench_values --kernels        which kernel is chosen when
 
-#include <blossom/core/blossom.hpp>
-#include <blossom/rational/linear_factor_sums.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/rational/blossom_sums.hpp>
 
 #include <cstdio>
 #include <cstdlib>

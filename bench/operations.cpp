@@ -1,6 +1,6 @@
 // The Taylor coefficients at 1 of a polynomial with integer coefficients.
 
-#include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
 
 #include <memory>
 

@@ -1,6 +1,6 @@
 // A B-spline curve of ten segments with knots 0, 1, ... at a thousand parameters.
 
-#include <blossom/core/curve_values.hpp>
+#include <blossom/core/spline/curve_values.hpp>
 
 #include "boost_numbers.hpp"
 #include "cases.hpp"

@@ -1,8 +1,8 @@
 // Two threads beside one, by the clock on the wall: batches of values of a blossom and of a curve, and what
 // the machine gives at best.
 
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/curve_values.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/spline/curve_values.hpp>
 
 #include <thread>
 

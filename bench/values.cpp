@@ -1,6 +1,6 @@
 // One value of a blossom: prepared, once, and in batches.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include <memory>
 

@@ -1,10 +1,10 @@
 // The blossom of 1 + 2t + 4t^2 - t^3: values, control points, a derivative, and the agreement of three
 // constructions.
 
-#include <blossom/core/agreement.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/agreement.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/derivative.hpp>
 
 #include <cstdio>
 

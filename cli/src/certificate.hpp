@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/polynomial_curve.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <span>

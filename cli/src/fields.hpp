@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/interval.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/interval.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 

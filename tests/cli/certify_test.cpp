@@ -1,6 +1,6 @@
 #include <string>
 
-#include "cli/served.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

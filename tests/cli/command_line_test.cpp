@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/run.hpp"
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
+#include "run.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

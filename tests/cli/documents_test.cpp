@@ -3,9 +3,9 @@
 #include <sstream>
 #include <string>
 
-#include "cli/served.hpp"
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/run.hpp"
-#include "cli/served.hpp"
+#include "run.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

@@ -1,7 +1,7 @@
 #include <string>
 #include <string_view>
 
-#include "cli/served.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

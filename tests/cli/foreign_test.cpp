@@ -3,8 +3,8 @@
 #include <limits>
 #include <string>
 
-#include "cli/served.hpp"
 #include "foreign/doubles.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 #include "support/failure.hpp"
 

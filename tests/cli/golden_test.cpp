@@ -1,7 +1,7 @@
 #include <fstream>
 #include <string>
 
-#include "cli/served.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

@@ -1,7 +1,7 @@
 #include <string>
 
-#include "cli/served.hpp"
 #include "limit_table.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

@@ -3,7 +3,7 @@
 #include <iterator>
 #include <string>
 
-#include "cli/run.hpp"
+#include "run.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom::cli;

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "cli/served.hpp"
 #include "rounding.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

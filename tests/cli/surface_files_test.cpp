@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "cli/served.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 #include "support/failure.hpp"
 #include "svg/shading.hpp"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "cli/served.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 #include "svg/frame.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/served.hpp"
+#include "served.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

@@ -6,7 +6,7 @@
 // convert MISUSE_BARE_NUMBERS: no match|no matching|no viable MISUSE_VALUE_AS_VECTOR: conversion from|no
 // viable conversion|no matching
 
-#include <blossom/core/geometry/blossom.hpp>
+#include <blossom/core/geometry/coordinate_free_blossom.hpp>
 
 using namespace blossom;
 

@@ -4,7 +4,7 @@
 // MISUSE_SCALED_POINT: no match for 'operator\*'|invalid operands
 // MISUSE_PARAMETER_FROM_DOUBLE: no matching function|conversion from|no viable conversion|could not convert
 
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
 
 using namespace blossom;
 

@@ -1,5 +1,5 @@
-#include <blossom/core/agreement.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/agreement.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"

@@ -1,6 +1,6 @@
-#include <blossom/core/basis_functions.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/greville.hpp>
+#include <blossom/core/spline/basis_functions.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/greville.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

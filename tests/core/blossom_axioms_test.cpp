@@ -1,7 +1,7 @@
 // The axioms that define a blossom, for every construction, on polynomials and on control polygons of any
 // interval.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include <algorithm>
 

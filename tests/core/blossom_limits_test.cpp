@@ -1,13 +1,13 @@
 // Results with too many digits are refused before they are computed.
 
-#include <blossom/core/agreement.hpp>
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/subdivision.hpp>
-#include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/blossom/agreement.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/curve/derivative.hpp>
+#include <blossom/core/curve/subdivision.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
 
 #include "support/every_construction.hpp"
 #include "support/failure.hpp"

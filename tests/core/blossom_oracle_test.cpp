@@ -1,6 +1,6 @@
 // Every construction against the definition, summed over all subsets on another library's numbers.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include "support/every_construction.hpp"
 #include "support/failure.hpp"

@@ -1,8 +1,8 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/continuity.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/derivative.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/derivative.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include <algorithm>
 

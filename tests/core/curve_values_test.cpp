@@ -1,9 +1,9 @@
 // Curves prepared to be evaluated at many parameters, held against Horner's rule and de Boor's triangle on
 // integers.
 
-#include <blossom/core/curve_values.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/curve_values.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

@@ -1,8 +1,8 @@
 // The values that maps are made of: arguments, intervals, arrays of points, curves.
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/polynomial_curve.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
 
 #include <type_traits>
 

@@ -1,4 +1,4 @@
-#include <blossom/core/de_boor.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

@@ -1,5 +1,5 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 
 #include "support/expanded_curve.hpp"
 #include "support/failure.hpp"

@@ -1,6 +1,6 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/derivative.hpp>
 
 #include "support/map_generators.hpp"
 #include "support/map_printing.hpp"

@@ -1,9 +1,9 @@
 // The abstract data types of affine geometry.
 
-#include <blossom/core/bspline_curve.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/geometry/blossom.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/geometry/coordinate_free_blossom.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include <string>
 

@@ -1,9 +1,9 @@
-#include <blossom/core/graph.hpp>
+#include <blossom/core/spline/graph.hpp>
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/spline_split.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/spline_split.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

@@ -1,5 +1,5 @@
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/knot_insertion.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
 
 #include <algorithm>
 

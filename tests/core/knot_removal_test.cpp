@@ -1,6 +1,6 @@
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/knot_insertion.hpp>
-#include <blossom/core/knot_removal.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
+#include <blossom/core/spline/knot_removal.hpp>
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 
 #include "support/failure.hpp"
 #include "support/number_printing.hpp"

@@ -1,4 +1,4 @@
-#include <blossom/core/orthogonal_projection.hpp>
+#include <blossom/core/curve/orthogonal_projection.hpp>
 
 #include "support/chebyshev_identity.hpp"
 #include "support/expanded_curve.hpp"

@@ -1,4 +1,4 @@
-#include <blossom/core/patch_blossom.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

@@ -1,11 +1,11 @@
 // The three constructions over products of simplices, the inverse formula, and contact along faces.
 
-#include <blossom/core/patch_agreement.hpp>
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_contact.hpp>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/patch_inverse_formula.hpp>
-#include <blossom/core/patch_subdivision.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/patch/patch_agreement.hpp>
+#include <blossom/core/patch/patch_contact.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/patch_inverse_formula.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

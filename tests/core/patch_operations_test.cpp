@@ -1,10 +1,10 @@
 // Subdivision, other frames, derivatives and degree raising, each against the expanded polynomial.
 
-#include <blossom/core/barycentric_frame.hpp>
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/patch_subdivision.hpp>
-#include <blossom/core/sparse_algebra.hpp>
+#include <blossom/core/algebra/sparse_algebra.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/maps/barycentric_frame.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // The polarization inverse formula for anything that can be evaluated.
 
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/constructions.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/constructions/constructions.hpp>
 
 #include <set>
 

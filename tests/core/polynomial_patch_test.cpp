@@ -1,9 +1,9 @@
 // Polynomials in several variables: their blossoms, and the way to control nets and back.
 
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_conversion.hpp>
-#include <blossom/core/polynomial_text.hpp>
-#include <blossom/core/sparse_algebra.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/algebra/sparse_algebra.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/patch/patch_conversion.hpp>
 
 #include <numeric>
 #include <string>

@@ -1,4 +1,4 @@
-#include <blossom/core/polynomial.hpp>
+#include <blossom/core/algebra/polynomial.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"

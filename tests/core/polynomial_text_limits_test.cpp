@@ -1,6 +1,6 @@
 // Text that asks for too much is refused before the memory is taken, at the place that asks for it.
 
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 
 #include <string>
 

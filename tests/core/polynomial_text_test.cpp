@@ -1,4 +1,4 @@
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // A prepared blossom gives the same by every door, whichever way its numbers are computed.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"

@@ -1,5 +1,5 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/progressive.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/progressive.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

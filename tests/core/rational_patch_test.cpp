@@ -1,13 +1,13 @@
 // Quotients of patches: derived maps against values, and their contact against maps made to have it.
 
-#include <blossom/core/knot_insertion.hpp>
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_contact.hpp>
-#include <blossom/core/patch_conversion.hpp>
-#include <blossom/core/rational_curve.hpp>
-#include <blossom/core/rational_patch.hpp>
-#include <blossom/core/rational_spline.hpp>
-#include <blossom/core/tensor_bspline_contact.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/core/nurbs/rational_patch.hpp>
+#include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/patch/patch_contact.hpp>
+#include <blossom/core/patch/patch_conversion.hpp>
+#include <blossom/core/patch/tensor_bspline_contact.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
 
 #include "support/catch.hpp"
 #include "support/failure.hpp"

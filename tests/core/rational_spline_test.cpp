@@ -1,12 +1,12 @@
-#include <blossom/core/rational_spline.hpp>
+#include <blossom/core/nurbs/rational_spline.hpp>
 
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/continuity.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/knot_insertion.hpp>
-#include <blossom/core/spline_elevation.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

@@ -1,5 +1,5 @@
-#include <blossom/core/orthogonal_projection.hpp>
-#include <blossom/core/roots.hpp>
+#include <blossom/core/curve/orthogonal_projection.hpp>
+#include <blossom/core/curve/roots.hpp>
 
 #include "support/failure.hpp"
 #include "support/root_check.hpp"

@@ -1,4 +1,4 @@
-#include <blossom/core/roots.hpp>
+#include <blossom/core/curve/roots.hpp>
 
 #include <algorithm>
 #include <set>

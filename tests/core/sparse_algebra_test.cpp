@@ -1,5 +1,5 @@
-#include <blossom/core/polynomial_text.hpp>
-#include <blossom/core/sparse_algebra.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <string>

@@ -1,4 +1,4 @@
-#include <blossom/core/sparse_polynomial.hpp>
+#include <blossom/core/algebra/sparse_polynomial.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/degree_elevation.hpp>
-#include <blossom/core/spline_elevation.hpp>
-#include <blossom/core/spline_join.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
+#include <blossom/core/spline/spline_join.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

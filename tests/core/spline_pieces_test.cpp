@@ -1,9 +1,9 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/spline_join.hpp>
-#include <blossom/core/spline_split.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/spline_join.hpp>
+#include <blossom/core/spline/spline_split.hpp>
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/continuity.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/spline_elevation.hpp>
-#include <blossom/core/spline_reduction.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
+#include <blossom/core/spline/spline_reduction.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

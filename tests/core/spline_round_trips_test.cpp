@@ -1,13 +1,13 @@
 // Every pattern of multiplicities, through every change of representation and back.
 
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/knot_insertion.hpp>
-#include <blossom/core/knot_removal.hpp>
-#include <blossom/core/spline_elevation.hpp>
-#include <blossom/core/spline_join.hpp>
-#include <blossom/core/spline_split.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
+#include <blossom/core/spline/knot_removal.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
+#include <blossom/core/spline/spline_join.hpp>
+#include <blossom/core/spline/spline_split.hpp>
 
 #include <algorithm>
 

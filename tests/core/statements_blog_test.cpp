@@ -3,9 +3,9 @@
 // Control points and arguments are symbols: each case decides its statement for all of them, at the degrees
 // that it names. Printed forms that do not hold are refuted before the corrected form is shown.
 
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/change_of_basis.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/change_of_basis.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>

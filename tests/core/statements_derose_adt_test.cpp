@@ -2,11 +2,11 @@
 // field are evaluations of one abstract data type. Each algorithm of the engine is held against the blossom
 // of its curve at the right arguments.
 
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/geometry/blossom.hpp>
-#include <blossom/core/knot_insertion.hpp>
-#include <blossom/core/subdivision.hpp>
+#include <blossom/core/curve/subdivision.hpp>
+#include <blossom/core/geometry/coordinate_free_blossom.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 // barycentric coordinates, affine maps. Coordinates are symbols; the abstract data types are then held
 // against the same statements at random points.
 
+#include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/geometry/affine_map.hpp>
-#include <blossom/core/sparse_algebra.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

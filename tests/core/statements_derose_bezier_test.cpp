@@ -3,7 +3,7 @@
 // Coefficients, control points, arguments and ends of intervals are symbols: each case decides its statement
 // for all of them, at the degrees that it names.
 
-#include <blossom/core/change_of_basis.hpp>
+#include <blossom/core/blossom/change_of_basis.hpp>
 
 #include <bit>
 

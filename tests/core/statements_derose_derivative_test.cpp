@@ -4,7 +4,7 @@
 // Coefficients and arguments are symbols: each case decides its statement for all of them, at the degrees
 // that it names.
 
-#include <blossom/core/sparse_algebra.hpp>
+#include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include "support/map_printing.hpp"

@@ -1,8 +1,8 @@
 // DeRose, Goldman, Lounsbery: A Tutorial Introduction to Blossoming (1991), section 5: tensor product
 // surfaces. Control points and arguments are symbols.
 
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_elevation.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
 
 #include "support/map_printing.hpp"
 #include "support/symbolic_curves.hpp"

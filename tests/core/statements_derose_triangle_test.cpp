@@ -1,12 +1,12 @@
 // DeRose, Goldman, Lounsbery: A Tutorial Introduction to Blossoming (1991), sections 5 and 6: triangular
 // patches and the abstract data types. Coefficients, control points and arguments are symbols.
 
-#include <blossom/core/geometry/blossom.hpp>
-#include <blossom/core/patch_agreement.hpp>
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_conversion.hpp>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/patch_subdivision.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/geometry/coordinate_free_blossom.hpp>
+#include <blossom/core/patch/patch_agreement.hpp>
+#include <blossom/core/patch/patch_conversion.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 // Control points, coefficients and arguments are symbols: each case decides its statement for all of them, at
 // the degrees that it names.
 
-#include <blossom/core/change_of_basis.hpp>
-#include <blossom/core/derivative.hpp>
+#include <blossom/core/blossom/change_of_basis.hpp>
+#include <blossom/core/curve/derivative.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>

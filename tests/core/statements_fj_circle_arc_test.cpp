@@ -4,11 +4,11 @@
 // alpha and beta are symbols. A printed point x / d with weight w stands for homogeneous coordinates X with X
 // d = x w, which is how it is compared; the engine's own maps are compared at random ends.
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/inverse_formula.hpp>
-#include <blossom/core/rational_curve.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/curve/inverse_formula.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"

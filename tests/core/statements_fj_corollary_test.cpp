@@ -1,7 +1,7 @@
 // Fernandez-Jambrina, corollary 1: the blossom from values of the parametrisation. Coefficients and arguments
 // are variables except where a case counts calls.
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include "support/map_printing.hpp"
 #include "support/symbolic.hpp"

@@ -4,10 +4,10 @@
 // Coefficients and the ends of the interval are symbols: each case decides its statement for all curves and
 // intervals, at the degrees that it names.
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
-#include <blossom/core/degree_reduction.hpp>
-#include <blossom/core/inverse_formula.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/curve/degree_reduction.hpp>
+#include <blossom/core/curve/inverse_formula.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // 3, ln 5), so that the control points are exact; the errors are decided in rational enclosures of width
 // below 10^-30.
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/inverse_formula.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/inverse_formula.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include "support/expanded_curve.hpp"

@@ -2,9 +2,9 @@
 // (2024), section 4: degree reduction, with example 2 exactly. Random curves are seeded; everything is
 // decided in exact arithmetic.
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_reduction.hpp>
-#include <blossom/core/orthogonal_projection.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_reduction.hpp>
+#include <blossom/core/curve/orthogonal_projection.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/number_text.hpp>
 

@@ -1,7 +1,7 @@
 // Fernandez-Jambrina: Inverse Relations for Blossoms and Parametrisations of Rational Curves and Surfaces
 // (2024): tensor product patches and Bezier triangles. Control points and arguments are symbols.
 
-#include <blossom/core/patch_inverse_formula.hpp>
+#include <blossom/core/patch/patch_inverse_formula.hpp>
 
 #include <numeric>
 

@@ -2,9 +2,9 @@
 // subdivision. Random products of known factors; the graph is subdivided by blossom values and held against
 // the engine's kernel.
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/roots.hpp>
-#include <blossom/core/subdivision.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/roots.hpp>
+#include <blossom/core/curve/subdivision.hpp>
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 // its statement for all cubics. Printed forms that do not hold are refuted before the corrected form is
 // shown.
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/argument.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

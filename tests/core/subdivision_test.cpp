@@ -1,6 +1,6 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/subdivision.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/subdivision.hpp>
 
 #include "support/expanded_curve.hpp"
 #include "support/failure.hpp"

@@ -1,6 +1,6 @@
 // The constructions agree for all polynomials and all arguments: coefficients and arguments are variables.
 
-#include <blossom/core/change_of_basis.hpp>
+#include <blossom/core/blossom/change_of_basis.hpp>
 
 #include "support/map_printing.hpp"
 #include "support/symbolic.hpp"

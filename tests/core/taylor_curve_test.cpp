@@ -1,6 +1,6 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/derivative.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include "support/expanded_curve.hpp"

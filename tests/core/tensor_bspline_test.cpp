@@ -1,9 +1,9 @@
 // B-spline surfaces and volumes, against the definition by basis functions.
 
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/rational_curve.hpp>
-#include <blossom/core/tensor_bspline.hpp>
-#include <blossom/core/tensor_bspline_change.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/core/patch/tensor_bspline.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"

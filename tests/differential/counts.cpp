@@ -3,7 +3,7 @@
 #define CATCH_CONFIG_EXTERNAL_INTERFACES  // of version 2, where listeners are not there without
 #include <cstdio>
 
-#include "differential/each_case.hpp"
+#include "each_case.hpp"
 #include "support/catch.hpp"
 
 namespace {

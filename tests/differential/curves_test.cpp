@@ -1,8 +1,8 @@
 // Curves and splines prepared to be evaluated at many parameters, with numbers that end where words do.
 
-#include <blossom/core/curve_values.hpp>
+#include <blossom/core/spline/curve_values.hpp>
 
-#include "differential/each_case.hpp"
+#include "each_case.hpp"
 #include "support/horner.hpp"
 #include "support/spline_generators.hpp"
 

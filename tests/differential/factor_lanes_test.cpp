@@ -1,7 +1,7 @@
 // Factors of few bits, multiplied out in blocks of 51 bits, a block to a vector lane; and quotients whose
 // denominators have small primes alone.
 
-#include "differential/sum_cases.hpp"
+#include "sum_cases.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

@@ -1,6 +1,6 @@
 // Quotients whose numerators share primes with denominators of many words, and of numbers of a few limbs.
 
-#include "differential/each_case.hpp"
+#include "each_case.hpp"
 #include "rational/linear_factor_cases.hpp"
 #include "support/smooth_numbers.hpp"
 

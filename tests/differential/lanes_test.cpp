@@ -1,6 +1,6 @@
 // Eight tuples of factors side by side, at the limits of what lanes hold.
 
-#include "differential/sum_cases.hpp"
+#include "sum_cases.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

@@ -1,13 +1,13 @@
 // The Taylor shift on vectors of digits and in residues, forms on lines, and values of polynomials prepared
 // as forms.
 
-#include <blossom/rational/form_values.hpp>
-#include <blossom/rational/line_substitution.hpp>
+#include <blossom/rational/bernstein_kernel.hpp>
+#include <blossom/rational/prepared_polynomial.hpp>
 #include <blossom/rational/taylor_shift.hpp>
 
 #include <vector>
 
-#include "differential/each_case.hpp"
+#include "each_case.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

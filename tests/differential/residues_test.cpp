@@ -1,6 +1,6 @@
 // Sums by residues, where one more group of primes is needed, by product trees and by transforms.
 
-#include "differential/sum_cases.hpp"
+#include "sum_cases.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

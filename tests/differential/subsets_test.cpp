@@ -1,6 +1,6 @@
 // Both polarizations by residues, where one more group of primes is needed.
 
-#include "differential/each_case.hpp"
+#include "each_case.hpp"
 #include "rational/subset_cases.hpp"
 
 using namespace blossom;

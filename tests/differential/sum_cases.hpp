@@ -2,13 +2,13 @@
 
 // Sums over products of linear factors whose numerators end where a kernel does, and their evident values.
 
-#include <blossom/rational/linear_factor_sums.hpp>
+#include <blossom/rational/blossom_sums.hpp>
 
 #include <algorithm>
 #include <map>
 #include <vector>
 
-#include "differential/each_case.hpp"
+#include "each_case.hpp"
 
 namespace blossom::testing {
 

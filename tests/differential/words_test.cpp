@@ -1,6 +1,6 @@
 // Sums in words, in 128 bits and in rows of limbs, at the bits where each ends and one beyond.
 
-#include "differential/sum_cases.hpp"
+#include "sum_cases.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

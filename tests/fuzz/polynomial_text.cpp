@@ -1,6 +1,6 @@
 // A text is refused, or it is a polynomial whose own text is read as the same polynomial.
 
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <cstddef>

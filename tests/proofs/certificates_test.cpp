@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // A certificate is checked from the text alone: whatever is spoiled in it, it is refused.
 

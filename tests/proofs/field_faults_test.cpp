@@ -1,6 +1,6 @@
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // Small statements on which the prover was wrong once, each with its neighbour that is false or true.
 

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // Sets, partitions, permutations, choices, splines, nets, derivatives of expressions: true by theorems of
 // their own.

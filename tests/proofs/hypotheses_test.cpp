@@ -1,6 +1,6 @@
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // Hypotheses: pivots that may vanish, powers of variables, and what must not vanish.
 

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // Numbers, points, vectors, pairs and sets are told apart before anything is computed.
 

@@ -1,4 +1,4 @@
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/proofs/formatter.hpp>
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include <iterator>
 #include <optional>
 
-#include "proofs/decided.hpp"
-#include "proofs/plain_evaluation.hpp"
+#include "decided.hpp"
+#include "plain_evaluation.hpp"
 #include "support/random.hpp"
 
 // True identities of the literature, each spoiled in one place: a sign, a coefficient, an index or a bound.

@@ -1,6 +1,6 @@
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

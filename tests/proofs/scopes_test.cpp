@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // What a name means, by the line in which it stands.
 

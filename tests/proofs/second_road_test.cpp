@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // The second road by itself: it reads the text anew, and contradicts whoever lies to it.
 

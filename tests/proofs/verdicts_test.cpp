@@ -1,7 +1,7 @@
 
 #include <string>
 
-#include "proofs/decided.hpp"
+#include "decided.hpp"
 
 // What becomes of a line whose cases come out differently.
 

@@ -1,7 +1,7 @@
 // Values of prepared polynomials, held against Horner's rule on rational numbers: at the limits of words, of
 // rows of words and beyond.
 
-#include <blossom/rational/form_values.hpp>
+#include <blossom/rational/prepared_polynomial.hpp>
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 // Factors and rows for LinearFactorSums, and the evident formula on Rational, operation by operation.
 
-#include <blossom/rational/linear_factor_sums.hpp>
+#include <blossom/rational/blossom_sums.hpp>
 
 #include <map>
 #include <vector>

@@ -1,6 +1,6 @@
 // Factors read from pairs of numbers, one tuple and eight of them at a time, against the evident formula.
 
-#include "rational/linear_factor_cases.hpp"
+#include "linear_factor_cases.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // Sums by residues: at high degree against the product at points, where the evident formula takes long.
 
-#include "rational/linear_factor_cases.hpp"
+#include "linear_factor_cases.hpp"
 
 #include <algorithm>
 #include <thread>

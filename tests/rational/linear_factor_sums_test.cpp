@@ -1,6 +1,6 @@
 // Every kernel against the evident formula on Rational, at the limits of each kernel.
 
-#include "rational/linear_factor_cases.hpp"
+#include "linear_factor_cases.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;

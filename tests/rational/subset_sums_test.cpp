@@ -1,6 +1,6 @@
 // Sums over subsets by residues against the blossom written out in elementary symmetric functions.
 
-#include "rational/subset_cases.hpp"
+#include "subset_cases.hpp"
 #include "support/number_generators.hpp"
 #include "support/number_printing.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/polynomial.hpp>
+#include <blossom/core/algebra/polynomial.hpp>
 
 namespace blossom::testing {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include <functional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "support/expanded_curve.hpp"
+#include "expanded_curve.hpp"
 
 namespace blossom::testing {
 

@@ -3,9 +3,9 @@
 // The oracle of the representations: a curve as polynomials, by the definition of its representation and ring
 // operations alone.
 
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/polynomial_curve.hpp>
-#include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
 
 #include <vector>
 

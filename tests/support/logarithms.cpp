@@ -1,4 +1,4 @@
-#include "support/logarithms.hpp"
+#include "logarithms.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -2,7 +2,7 @@
 
 // ln 2, ln 3 and ln 5: exactly, as a basis over Q of what is combined of them, and in rational enclosures.
 
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/maps/point_array.hpp>
 
 namespace blossom::testing {
 

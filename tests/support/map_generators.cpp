@@ -1,6 +1,6 @@
-#include "support/map_generators.hpp"
+#include "map_generators.hpp"
 
-#include "support/number_generators.hpp"
+#include "number_generators.hpp"
 
 namespace blossom::testing {
 

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/polynomial.hpp>
-#include <blossom/core/polynomial_curve.hpp>
+#include <blossom/core/algebra/polynomial.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
 
 #include <cstddef>
 #include <vector>
 
-#include "support/random.hpp"
+#include "random.hpp"
 
 namespace blossom::testing {
 

@@ -2,12 +2,12 @@
 
 // How a failed check shows polynomials and arguments.
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/maps/argument.hpp>
 
 #include <string>
 
-#include "support/number_printing.hpp"
+#include "number_printing.hpp"
 
 template <>
 struct Catch::StringMaker<blossom::Argument> {

@@ -1,4 +1,4 @@
-#include "support/number_generators.hpp"
+#include "number_generators.hpp"
 
 #include <iterator>
 

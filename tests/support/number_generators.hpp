@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "support/random.hpp"
+#include "random.hpp"
 
 namespace blossom::testing {
 

@@ -7,7 +7,7 @@
 
 #include <string>
 
-#include "support/catch.hpp"
+#include "catch.hpp"
 
 template <>
 struct Catch::StringMaker<blossom::Integer> {

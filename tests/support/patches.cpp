@@ -1,6 +1,6 @@
-#include "support/patches.hpp"
+#include "patches.hpp"
 
-#include "support/number_generators.hpp"
+#include "number_generators.hpp"
 
 namespace blossom::testing {
 

@@ -2,14 +2,14 @@
 
 // Patches over products of simplices as the numbers that they were made of, and the definitions written out.
 
-#include <blossom/core/bezier_patch.hpp>
-#include <blossom/core/sparse_polynomial.hpp>
+#include <blossom/core/algebra/sparse_polynomial.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
 
 #include <functional>
 #include <map>
 #include <vector>
 
-#include "support/map_generators.hpp"
+#include "map_generators.hpp"
 
 namespace blossom::testing {
 

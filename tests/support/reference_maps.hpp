@@ -2,8 +2,8 @@
 
 // The worked examples of the literature that several tests use.
 
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
 
 #include <string_view>
 

@@ -2,10 +2,10 @@
 
 // Whether isolating intervals are what they claim to be, by Sturm's theorem and nothing of the isolation.
 
-#include <blossom/core/roots.hpp>
+#include <blossom/core/curve/roots.hpp>
 
-#include "support/map_printing.hpp"
-#include "support/sturm.hpp"
+#include "map_printing.hpp"
+#include "sturm.hpp"
 
 namespace blossom::testing {
 

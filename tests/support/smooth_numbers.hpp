@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "support/number_generators.hpp"
+#include "number_generators.hpp"
 
 namespace blossom::testing {
 

@@ -1,8 +1,8 @@
-#include "support/spline_generators.hpp"
+#include "spline_generators.hpp"
 
 #include <algorithm>
 
-#include "support/number_generators.hpp"
+#include "number_generators.hpp"
 
 namespace blossom::testing {
 

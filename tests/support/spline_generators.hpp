@@ -1,14 +1,14 @@
 #pragma once
 
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 
 #include <cstddef>
 #include <functional>
 #include <vector>
 
-#include "support/map_generators.hpp"
-#include "support/random.hpp"
-#include "support/textbook_spline.hpp"
+#include "map_generators.hpp"
+#include "random.hpp"
+#include "textbook_spline.hpp"
 
 namespace blossom::testing {
 

@@ -1,4 +1,4 @@
-#include "support/sturm.hpp"
+#include "sturm.hpp"
 
 namespace blossom::testing {
 

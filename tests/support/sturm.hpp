@@ -2,7 +2,7 @@
 
 // The oracle of the roots: Sturm's theorem, and multiplicities by common divisors with derivatives.
 
-#include <blossom/core/polynomial.hpp>
+#include <blossom/core/algebra/polynomial.hpp>
 
 #include <cstddef>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "support/symbolic.hpp"
+#include "symbolic.hpp"
 
 #include <blossom/rational/combinatorics.hpp>
 

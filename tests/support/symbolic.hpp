@@ -3,8 +3,8 @@
 // Blossoms over the ring of polynomials in many variables: what is shown here is shown for all values of the
 // variables.
 
-#include <blossom/core/constructions.hpp>
-#include <blossom/core/sparse_polynomial.hpp>
+#include <blossom/core/algebra/sparse_polynomial.hpp>
+#include <blossom/core/constructions/constructions.hpp>
 
 #include <cstddef>
 #include <initializer_list>

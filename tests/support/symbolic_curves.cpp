@@ -1,4 +1,4 @@
-#include "support/symbolic_curves.hpp"
+#include "symbolic_curves.hpp"
 
 namespace blossom::testing {
 

@@ -3,7 +3,7 @@
 // Control points and pyramids over intervals whose ends are symbols. What is shown with them holds for all
 // intervals.
 
-#include "support/symbolic.hpp"
+#include "symbolic.hpp"
 
 namespace blossom::testing {
 

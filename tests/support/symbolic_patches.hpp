@@ -2,12 +2,12 @@
 
 // Patches over the ring of polynomials in many variables: what is shown here is shown for all their values.
 
-#include <blossom/core/net_constructions.hpp>
+#include <blossom/core/constructions/net_constructions.hpp>
 
 #include <initializer_list>
 #include <vector>
 
-#include "support/symbolic.hpp"
+#include "symbolic.hpp"
 
 namespace blossom::testing {
 

@@ -1,4 +1,4 @@
-#include "support/textbook_arithmetic.hpp"
+#include "textbook_arithmetic.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

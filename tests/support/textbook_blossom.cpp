@@ -1,4 +1,4 @@
-#include "support/textbook_blossom.hpp"
+#include "textbook_blossom.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
 

@@ -2,9 +2,9 @@
 
 // The oracle of the blossoms: the definitions, written out over all subsets, on another library's numbers.
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/interval.hpp>
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/interval.hpp>
+#include <blossom/core/maps/point_array.hpp>
 
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-#include "support/textbook_spline.hpp"
+#include "textbook_spline.hpp"
 
 #include <algorithm>
 #include <bit>

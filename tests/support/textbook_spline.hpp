@@ -2,8 +2,8 @@
 
 // The oracle of the splines: the Cox-de Boor recursion and polarization, on plain rational numbers.
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/point_array.hpp>
 
 #include <cstddef>
 #include <span>

@@ -1,4 +1,4 @@
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/gallery.hpp>
 #include <blossom/worked/render.hpp>

@@ -1,6 +1,6 @@
 #include <blossom/worked/gallery.hpp>
 
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/proof_chapter.hpp>
 #include <blossom/worked/render.hpp>

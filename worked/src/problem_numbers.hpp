@@ -1,10 +1,10 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/bezier_patch.hpp>
-#include <blossom/core/bspline_curve.hpp>
-#include <blossom/core/polynomial_curve.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
 
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "explain/chapter_of.hpp"
+#include "chapter_of.hpp"
 
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>

@@ -1,4 +1,4 @@
-#include "explain/document_format.hpp"
+#include "document_format.hpp"
 
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/render.hpp>

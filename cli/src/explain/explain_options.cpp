@@ -1,9 +1,9 @@
-#include "explain/explain_options.hpp"
+#include "explain_options.hpp"
 
 #include <algorithm>
 
-#include "explain/chapter_of.hpp"
-#include "explain/document_format.hpp"
+#include "chapter_of.hpp"
+#include "document_format.hpp"
 #include "operations/table.hpp"
 #include "prove_statement.hpp"
 

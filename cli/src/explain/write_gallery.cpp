@@ -1,4 +1,4 @@
-#include "explain/write_gallery.hpp"
+#include "write_gallery.hpp"
 
 #include <blossom/worked/gallery.hpp>
 

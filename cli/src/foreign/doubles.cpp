@@ -1,4 +1,4 @@
-#include "foreign/doubles.hpp"
+#include "doubles.hpp"
 
 #include <blossom/rational/double_conversion.hpp>
 #include <blossom/rational/error.hpp>

@@ -1,9 +1,9 @@
-#include "foreign/formats.hpp"
+#include "formats.hpp"
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/spline_join.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/spline_join.hpp>
 
-#include "foreign/doubles.hpp"
+#include "doubles.hpp"
 #include "maps/serve.hpp"
 
 namespace blossom::cli {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <blossom/rational/number_text.hpp>
 
-#include "maps/kinds.hpp"
+#include "kinds.hpp"
 
 namespace blossom::cli {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "maps/kinds.hpp"
-#include "maps/net_fields.hpp"
+#include "kinds.hpp"
+#include "net_fields.hpp"
 #include "readable.hpp"
 
 namespace blossom::cli {

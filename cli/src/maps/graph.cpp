@@ -1,8 +1,8 @@
-#include "maps/graph.hpp"
+#include "graph.hpp"
 
-#include <blossom/core/graph.hpp>
+#include <blossom/core/spline/graph.hpp>
 
-#include "maps/serve.hpp"
+#include "serve.hpp"
 
 namespace blossom::cli {
 

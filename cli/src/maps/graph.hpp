@@ -1,6 +1,6 @@
 #pragma once
 
-#include "maps/map.hpp"
+#include "map.hpp"
 
 namespace blossom::cli {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "maps/map.hpp"
+#include "map.hpp"
 
 /// What each kind of map defines: how it is read, how it is written as JSON, and how a person reads it.
 

@@ -1,10 +1,10 @@
-#include "maps/map.hpp"
+#include "map.hpp"
 
 #include <blossom/rational/number_text.hpp>
 
-#include "maps/kinds.hpp"
-#include "maps/serve.hpp"
+#include "kinds.hpp"
 #include "nearest_name.hpp"
+#include "serve.hpp"
 
 namespace blossom::cli {
 

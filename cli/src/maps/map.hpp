@@ -1,11 +1,11 @@
 #pragma once
 
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/bspline_curve.hpp>
-#include <blossom/core/polynomial_curve.hpp>
-#include <blossom/core/progressive.hpp>
-#include <blossom/core/taylor_curve.hpp>
-#include <blossom/core/tensor_bspline.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/patch/tensor_bspline.hpp>
+#include <blossom/core/spline/progressive.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <string>
@@ -14,9 +14,9 @@
 
 #include "fields.hpp"
 #include "json.hpp"
-#include "maps/patch.hpp"
-#include "maps/points.hpp"
-#include "maps/samples.hpp"
+#include "patch.hpp"
+#include "points.hpp"
+#include "samples.hpp"
 
 namespace blossom::cli {
 

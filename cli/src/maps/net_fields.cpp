@@ -1,4 +1,4 @@
-#include "maps/net_fields.hpp"
+#include "net_fields.hpp"
 
 namespace blossom::cli {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fields.hpp"
-#include "maps/points.hpp"
+#include "points.hpp"
 
 /// The fields of a control net: "control_net", "weights" and "homogeneous".
 

@@ -1,4 +1,4 @@
-#include "maps/patch.hpp"
+#include "patch.hpp"
 
 #include <blossom/rational/error.hpp>
 

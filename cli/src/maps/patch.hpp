@@ -1,14 +1,14 @@
 #pragma once
 
-#include <blossom/core/barycentric_frame.hpp>
-#include <blossom/core/patch_agreement.hpp>
+#include <blossom/core/maps/barycentric_frame.hpp>
+#include <blossom/core/patch/patch_agreement.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <string>
 #include <vector>
 
 #include "fields.hpp"
-#include "maps/points.hpp"
+#include "points.hpp"
 
 namespace blossom::cli {
 

@@ -1,4 +1,4 @@
-#include "maps/points.hpp"
+#include "points.hpp"
 
 #include <blossom/rational/error.hpp>
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 
 #include <algorithm>
 
-#include "maps/kinds.hpp"
+#include "kinds.hpp"
 
 namespace blossom::cli {
 

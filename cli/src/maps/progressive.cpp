@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "maps/kinds.hpp"
+#include "kinds.hpp"
 
 namespace blossom::cli {
 

@@ -1,9 +1,9 @@
-#include "maps/samples.hpp"
+#include "samples.hpp"
 
 #include <fmt/format.h>
 #include <blossom/rational/number_text.hpp>
 
-#include "maps/kinds.hpp"
+#include "kinds.hpp"
 
 namespace blossom::cli {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/interval.hpp>
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/maps/interval.hpp>
+#include <blossom/core/maps/point_array.hpp>
 
 #include <cstddef>
 #include <map>

@@ -1,7 +1,7 @@
-#include "maps/serve.hpp"
+#include "serve.hpp"
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/inverse_formula.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/inverse_formula.hpp>
 
 namespace blossom::cli {
 

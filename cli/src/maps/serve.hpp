@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <concepts>
@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "maps/map.hpp"
+#include "map.hpp"
 
 /// How an operation says which kinds of map it serves.
 

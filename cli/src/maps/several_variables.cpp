@@ -1,13 +1,13 @@
 // Polynomials in several variables: kind polynomial with "variables".
 
 #include <fmt/format.h>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
 #include <map>
 
-#include "maps/kinds.hpp"
+#include "kinds.hpp"
 
 namespace blossom::cli {
 

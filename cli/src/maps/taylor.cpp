@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "maps/kinds.hpp"
+#include "kinds.hpp"
 #include "readable.hpp"
 
 namespace blossom::cli {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "maps/kinds.hpp"
-#include "maps/net_fields.hpp"
+#include "kinds.hpp"
+#include "net_fields.hpp"
 #include "readable.hpp"
 
 namespace blossom::cli {

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
-#include <blossom/core/agreement.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/agreement.hpp>
 
+#include "blossom_arguments.hpp"
+#include "construction_results.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/blossom_arguments.hpp"
-#include "operations/construction_results.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

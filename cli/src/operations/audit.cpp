@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
+#include "evaluator.hpp"
 #include "foreign/doubles.hpp"
 #include "foreign/formats.hpp"
+#include "foreign_options.hpp"
 #include "json_text.hpp"
+#include "map_options.hpp"
 #include "maps/points.hpp"
-#include "operations/evaluator.hpp"
-#include "operations/foreign_options.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
 #include "rounding.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

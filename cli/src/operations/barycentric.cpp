@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
+#include "map_options.hpp"
 #include "maps/patch.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
-#include <blossom/core/basis_functions.hpp>
-#include <blossom/core/greville.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/spline/basis_functions.hpp>
+#include <blossom/core/spline/greville.hpp>
 
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "map_options.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,15 +1,15 @@
 #include <fmt/format.h>
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/de_boor.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include <algorithm>
 
+#include "blossom_arguments.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/blossom_arguments.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/segment.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
+#include "segment.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,6 +1,6 @@
-#include "operations/blossom_arguments.hpp"
+#include "blossom_arguments.hpp"
 
-#include "operations/map_options.hpp"
+#include "map_options.hpp"
 
 namespace blossom::cli {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <blossom/core/blossom.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include <string>
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 namespace blossom::cli {
 

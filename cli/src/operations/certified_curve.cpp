@@ -1,13 +1,13 @@
-#include "operations/certified_curve.hpp"
+#include "certified_curve.hpp"
 
 #include <fmt/format.h>
-#include <blossom/core/de_boor.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>
 
 #include "maps/serve.hpp"
-#include "operations/segment.hpp"
+#include "segment.hpp"
 
 namespace blossom::cli {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/progressive.hpp>
+#include <blossom/core/spline/progressive.hpp>
 
 #include <optional>
 #include <vector>

@@ -1,21 +1,21 @@
 #include <fmt/format.h>
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>
 
 #include "answer.hpp"
+#include "blossom_arguments.hpp"
 #include "certificate.hpp"
+#include "certified_curve.hpp"
 #include "json_text.hpp"
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/blossom_arguments.hpp"
-#include "operations/certified_curve.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/segment.hpp"
-#include "operations/table.hpp"
+#include "segment.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/agreement.hpp>
+#include <blossom/core/blossom/agreement.hpp>
 
 #include "json.hpp"
 

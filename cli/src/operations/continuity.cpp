@@ -1,16 +1,16 @@
 #include <fmt/format.h>
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/continuity.hpp>
-#include <blossom/core/rational_spline.hpp>
+#include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
 
+#include "map_list.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/map_list.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

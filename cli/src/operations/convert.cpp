@@ -1,19 +1,19 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/spline_join.hpp>
-#include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/spline_join.hpp>
 
 #include <algorithm>
 
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
 #include "nearest_name.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/segment.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
+#include "segment.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

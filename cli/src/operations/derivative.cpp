@@ -1,18 +1,18 @@
 #include <fmt/format.h>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/rational_curve.hpp>
-#include <blossom/core/rational_spline.hpp>
+#include <blossom/core/curve/derivative.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include "answer.hpp"
+#include "evaluator.hpp"
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/evaluator.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

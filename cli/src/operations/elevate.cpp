@@ -1,15 +1,15 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
-#include <blossom/core/spline_elevation.hpp>
-#include <blossom/core/taylor_curve.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
 
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include "operations/evaluator.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/pyramid.hpp"
-#include "operations/table.hpp"
+#include "evaluator.hpp"
+#include "map_options.hpp"
+#include "patch_answers.hpp"
+#include "pyramid.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

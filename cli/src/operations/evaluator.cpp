@@ -1,11 +1,11 @@
-#include "operations/evaluator.hpp"
+#include "evaluator.hpp"
 
-#include <blossom/core/curve_values.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/rational_curve.hpp>
-#include <blossom/core/rational_spline.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/derivative.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/spline/curve_values.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include "maps/serve.hpp"
 

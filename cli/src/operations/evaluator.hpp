@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// Values of curves of every kind at parameters.
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "explain/document_format.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "map_options.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

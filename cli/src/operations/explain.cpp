@@ -1,6 +1,6 @@
 #include "explain/chapter_of.hpp"
 #include "explain/document_format.hpp"
-#include "operations/table.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,8 +1,8 @@
 #include "foreign/formats.hpp"
-#include "operations/foreign_options.hpp"
-#include "operations/map_list.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "foreign_options.hpp"
+#include "map_list.hpp"
+#include "map_options.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,7 +1,7 @@
-#include "operations/foreign_options.hpp"
+#include "foreign_options.hpp"
 
 #include "json_text.hpp"
-#include "operations/map_options.hpp"
+#include "map_options.hpp"
 
 namespace blossom::cli {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 namespace blossom::cli {
 

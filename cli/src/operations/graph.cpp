@@ -1,8 +1,8 @@
 #include "maps/graph.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

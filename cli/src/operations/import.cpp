@@ -1,10 +1,10 @@
 #include "foreign/formats.hpp"
+#include "foreign_options.hpp"
 #include "json_text.hpp"
-#include "operations/foreign_options.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

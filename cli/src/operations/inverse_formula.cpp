@@ -1,10 +1,10 @@
 #include <fmt/format.h>
-#include <blossom/core/inverse_formula.hpp>
-#include <blossom/core/patch_inverse_formula.hpp>
+#include <blossom/core/curve/inverse_formula.hpp>
+#include <blossom/core/patch/patch_inverse_formula.hpp>
 
+#include "map_options.hpp"
 #include "maps/patch.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,14 +1,14 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/spline_join.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/spline_join.hpp>
 
 #include <algorithm>
 
+#include "listing.hpp"
+#include "map_list.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_list.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,4 +1,4 @@
-#include "operations/listing.hpp"
+#include "listing.hpp"
 
 #include <fmt/format.h>
 

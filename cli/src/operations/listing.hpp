@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// Maps of a result for a person.
 

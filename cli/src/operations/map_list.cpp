@@ -1,10 +1,10 @@
-#include "operations/map_list.hpp"
+#include "map_list.hpp"
 
 #include <algorithm>
 
 #include "json_text.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/map_options.hpp"
 
 namespace blossom::cli {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// Several maps in one request.
 

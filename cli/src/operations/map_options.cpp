@@ -1,4 +1,4 @@
-#include "operations/map_options.hpp"
+#include "map_options.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// How a command line becomes a request.
 

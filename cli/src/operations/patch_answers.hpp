@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// What the operations answer for maps on products of simplices and in several variables. Each reads the
 /// fields of the request besides the map and finishes it.

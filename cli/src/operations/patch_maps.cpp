@@ -1,11 +1,11 @@
 // Patches made of patches: subdivision, degree raising.
 
 #include <fmt/format.h>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/patch_subdivision.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
 
 #include "maps/serve.hpp"
-#include "operations/patch_answers.hpp"
+#include "patch_answers.hpp"
 
 namespace blossom::cli {
 

@@ -1,14 +1,14 @@
 // Control nets of patches over simplices and boxes, and their conversion to other forms.
 
 #include <fmt/format.h>
-#include <blossom/core/patch_conversion.hpp>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/patch_subdivision.hpp>
-#include <blossom/core/tensor_bspline_change.hpp>
+#include <blossom/core/patch/patch_conversion.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 
 #include <algorithm>
 
-#include "operations/patch_answers.hpp"
+#include "patch_answers.hpp"
 
 namespace blossom::cli {
 

@@ -1,17 +1,17 @@
 // Agreement of the constructions on patches, and their continuity.
 
 #include <fmt/format.h>
-#include <blossom/core/patch_contact.hpp>
-#include <blossom/core/polynomial_text.hpp>
-#include <blossom/core/tensor_bspline_contact.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/patch/patch_contact.hpp>
+#include <blossom/core/patch/tensor_bspline_contact.hpp>
 
 #include <algorithm>
 
+#include "blossom_arguments.hpp"
+#include "construction_results.hpp"
+#include "map_list.hpp"
 #include "maps/serve.hpp"
-#include "operations/blossom_arguments.hpp"
-#include "operations/construction_results.hpp"
-#include "operations/map_list.hpp"
-#include "operations/patch_answers.hpp"
+#include "patch_answers.hpp"
 
 namespace blossom::cli {
 

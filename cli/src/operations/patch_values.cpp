@@ -1,16 +1,16 @@
 // Values of patches: evaluation, blossoms, derivatives.
 
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/rational_patch.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/nurbs/rational_patch.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
 
 #include <algorithm>
 #include <map>
 
+#include "blossom_arguments.hpp"
+#include "directions.hpp"
 #include "maps/serve.hpp"
-#include "operations/blossom_arguments.hpp"
-#include "operations/directions.hpp"
-#include "operations/patch_answers.hpp"
+#include "patch_answers.hpp"
 
 namespace blossom::cli {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "decisions.hpp"
-#include "operations/table.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,9 +1,9 @@
-#include "operations/pyramid.hpp"
+#include "pyramid.hpp"
 
 #include <fmt/format.h>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/subdivision.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/subdivision.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include "maps/serve.hpp"
 

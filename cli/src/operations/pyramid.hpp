@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// Every node of the triangle that evaluates a curve.
 

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_reduction.hpp>
-#include <blossom/core/spline_reduction.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_reduction.hpp>
+#include <blossom/core/spline/spline_reduction.hpp>
 
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,11 +1,11 @@
 #include <fmt/format.h>
-#include <blossom/core/knot_removal.hpp>
+#include <blossom/core/spline/knot_removal.hpp>
 
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

@@ -1,10 +1,10 @@
 #include <fmt/format.h>
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/roots.hpp>
+#include <blossom/core/curve/roots.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
 
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/map_options.hpp"
-#include "operations/table.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

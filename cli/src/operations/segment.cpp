@@ -1,8 +1,8 @@
-#include "operations/segment.hpp"
+#include "segment.hpp"
 
-#include <blossom/core/de_boor.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
-#include "operations/map_options.hpp"
+#include "map_options.hpp"
 
 namespace blossom::cli {
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 
 #include <cstddef>
 #include <optional>
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 /// Which polynomial of a B-spline is meant.
 

@@ -1,14 +1,14 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/spline_split.hpp>
-#include <blossom/core/subdivision.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/subdivision.hpp>
+#include <blossom/core/spline/spline_split.hpp>
 
+#include "listing.hpp"
+#include "map_options.hpp"
 #include "maps/serve.hpp"
-#include "operations/listing.hpp"
-#include "operations/map_options.hpp"
-#include "operations/patch_answers.hpp"
-#include "operations/table.hpp"
+#include "patch_answers.hpp"
 #include "surface/obj.hpp"
 #include "svg/plot.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

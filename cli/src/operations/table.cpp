@@ -1,4 +1,4 @@
-#include "operations/table.hpp"
+#include "table.hpp"
 
 namespace blossom::cli {
 

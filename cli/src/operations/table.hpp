@@ -1,6 +1,6 @@
 #pragma once
 
-#include "operations/operation.hpp"
+#include "operation.hpp"
 
 namespace blossom::cli {
 

@@ -1,10 +1,10 @@
 // Tensor products of B-splines made of others: parts, refinement, degree raising, Bezier patches.
 
 #include <fmt/format.h>
-#include <blossom/core/patch_elevation.hpp>
-#include <blossom/core/tensor_bspline_change.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 
-#include "operations/patch_answers.hpp"
+#include "patch_answers.hpp"
 
 namespace blossom::cli {
 

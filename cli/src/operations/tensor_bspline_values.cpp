@@ -1,14 +1,14 @@
 // Values of tensor products of B-splines: evaluation, blossoms, derivatives.
 
 #include <fmt/format.h>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/tensor_bspline_change.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include <algorithm>
 #include <map>
 
-#include "operations/directions.hpp"
-#include "operations/patch_answers.hpp"
+#include "directions.hpp"
+#include "patch_answers.hpp"
 
 namespace blossom::cli {
 

@@ -1,4 +1,4 @@
-#include "prove/junit.hpp"
+#include "junit.hpp"
 
 #include <fmt/format.h>
 #include <pugixml.hpp>

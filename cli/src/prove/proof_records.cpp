@@ -1,4 +1,4 @@
-#include "prove/proof_records.hpp"
+#include "proof_records.hpp"
 
 #include <fmt/format.h>
 #include <blossom/proofs/coq.hpp>
@@ -10,8 +10,8 @@
 #include <set>
 
 #include "json_text.hpp"
+#include "junit.hpp"
 #include "proof_certificate.hpp"
-#include "prove/junit.hpp"
 
 namespace blossom::cli {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "prove/proof_task.hpp"
+#include "proof_task.hpp"
 
 namespace blossom::cli {
 

@@ -1,4 +1,4 @@
-#include "prove/proof_task.hpp"
+#include "proof_task.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "surface/domain_grid.hpp"
+#include "domain_grid.hpp"
 
 #include <blossom/rational/error.hpp>
 

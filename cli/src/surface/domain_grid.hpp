@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/bezier_patch.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
 
 #include <cstddef>
 #include <vector>

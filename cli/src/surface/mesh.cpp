@@ -1,13 +1,13 @@
-#include "surface/mesh.hpp"
+#include "mesh.hpp"
 
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/tensor_bspline_change.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 
 #include <algorithm>
 #include <map>
 
+#include "net.hpp"
 #include "operations/patch_answers.hpp"
-#include "surface/net.hpp"
 
 namespace blossom::cli {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include "domain_grid.hpp"
 #include "maps/map.hpp"
-#include "surface/domain_grid.hpp"
-#include "surface/place.hpp"
+#include "place.hpp"
 
 namespace blossom::cli {
 

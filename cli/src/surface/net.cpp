@@ -1,4 +1,4 @@
-#include "surface/net.hpp"
+#include "net.hpp"
 
 #include <numeric>
 

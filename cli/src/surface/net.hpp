@@ -1,6 +1,6 @@
 #pragma once
 
-#include "surface/mesh.hpp"
+#include "mesh.hpp"
 
 namespace blossom::cli {
 

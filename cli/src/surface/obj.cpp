@@ -1,10 +1,10 @@
-#include "surface/obj.hpp"
+#include "obj.hpp"
 
 #include <fmt/format.h>
 #include <blossom/rational/double_conversion.hpp>
 
+#include "mesh.hpp"
 #include "operations/listing.hpp"
-#include "surface/mesh.hpp"
 
 namespace blossom::cli {
 

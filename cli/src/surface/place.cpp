@@ -1,4 +1,4 @@
-#include "surface/place.hpp"
+#include "place.hpp"
 
 #include "operations/patch_answers.hpp"
 

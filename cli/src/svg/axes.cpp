@@ -1,4 +1,4 @@
-#include "svg/axes.hpp"
+#include "axes.hpp"
 
 #include <fmt/format.h>
 #include <blossom/rational/double_conversion.hpp>

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "svg/frame.hpp"
-#include "svg/svg_document.hpp"
+#include "frame.hpp"
+#include "svg_document.hpp"
 
 namespace blossom::cli {
 

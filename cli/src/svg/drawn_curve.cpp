@@ -1,8 +1,8 @@
-#include "svg/drawn_curve.hpp"
+#include "drawn_curve.hpp"
 
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "svg/frame.hpp"
+#include "frame.hpp"
 
 #include <fmt/format.h>
 #include <blossom/rational/double_conversion.hpp>

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "svg/picture.hpp"
+#include "picture.hpp"
 
 namespace blossom::cli {
 

@@ -1,12 +1,12 @@
-#include "svg/picture.hpp"
+#include "picture.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 
-#include "svg/axes.hpp"
-#include "svg/frame.hpp"
-#include "svg/svg_document.hpp"
+#include "axes.hpp"
+#include "frame.hpp"
+#include "svg_document.hpp"
 
 namespace blossom::cli {
 

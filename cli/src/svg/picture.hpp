@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "svg/drawn_curve.hpp"
+#include "drawn_curve.hpp"
 
 namespace blossom::cli {
 

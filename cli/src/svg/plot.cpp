@@ -1,4 +1,4 @@
-#include "svg/plot.hpp"
+#include "plot.hpp"
 
 #include <fmt/format.h>
 #include <blossom/rational/number_text.hpp>
@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "operations/listing.hpp"
-#include "svg/picture.hpp"
-#include "svg/surface_plot.hpp"
+#include "picture.hpp"
+#include "surface_plot.hpp"
 
 namespace blossom::cli {
 

@@ -1,4 +1,4 @@
-#include "svg/shading.hpp"
+#include "shading.hpp"
 
 #include <fmt/format.h>
 

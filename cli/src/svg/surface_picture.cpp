@@ -1,4 +1,4 @@
-#include "svg/surface_picture.hpp"
+#include "surface_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <array>
 #include <numeric>
 
-#include "svg/axes.hpp"
-#include "svg/frame.hpp"
-#include "svg/shading.hpp"
-#include "svg/svg_document.hpp"
-#include "svg/view.hpp"
+#include "axes.hpp"
+#include "frame.hpp"
+#include "shading.hpp"
+#include "svg_document.hpp"
+#include "view.hpp"
 
 namespace blossom::cli {
 

@@ -1,9 +1,9 @@
-#include "svg/surface_plot.hpp"
+#include "surface_plot.hpp"
 
 #include <fmt/format.h>
 
 #include "operations/patch_answers.hpp"
-#include "svg/surface_picture.hpp"
+#include "surface_picture.hpp"
 
 namespace blossom::cli {
 

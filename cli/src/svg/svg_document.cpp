@@ -1,4 +1,4 @@
-#include "svg/svg_document.hpp"
+#include "svg_document.hpp"
 
 #include <fmt/format.h>
 

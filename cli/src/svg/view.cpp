@@ -1,8 +1,8 @@
-#include "svg/view.hpp"
+#include "view.hpp"
 
 #include <algorithm>
 
-#include "svg/shading.hpp"
+#include "shading.hpp"
 
 namespace blossom::cli {
 

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "svg/drawn_curve.hpp"
-#include "svg/surface_picture.hpp"
+#include "drawn_curve.hpp"
+#include "surface_picture.hpp"
 
 namespace blossom::cli {
 

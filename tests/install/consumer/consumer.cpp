@@ -1,7 +1,7 @@
 // The blossom of 1 + 2t + 4t^2 - t^3 at 1, 2, 3.
 
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/blossom.hpp>
 
 #include <cstdio>
 

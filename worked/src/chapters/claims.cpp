@@ -8,7 +8,7 @@
 #include <map>
 #include <optional>
 
-#include "chapters/claims.hpp"
+#include "claims.hpp"
 
 namespace blossom::worked {
 

@@ -4,8 +4,8 @@
 #include <blossom/worked/document.hpp>
 #include <blossom/worked/proof_chapter.hpp>
 
-#include "chapters/ground_formulas.hpp"
-#include "chapters/steps.hpp"
+#include "ground_formulas.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

@@ -1,11 +1,11 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/continuity.hpp>
-#include <blossom/core/de_boor.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <algorithm>
 
-#include "chapters/splines.hpp"
+#include "splines.hpp"
 
 namespace blossom::worked {
 

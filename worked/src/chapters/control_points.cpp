@@ -1,10 +1,10 @@
-#include <blossom/core/conversion.hpp>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <algorithm>
 
-#include "chapters/elementary.hpp"
-#include "chapters/steps.hpp"
+#include "elementary.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

@@ -1,9 +1,9 @@
-#include <blossom/core/conversion.hpp>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
-#include "chapters/triangles.hpp"
+#include "steps.hpp"
+#include "triangles.hpp"
 
 namespace blossom::worked {
 

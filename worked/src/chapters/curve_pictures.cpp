@@ -1,14 +1,14 @@
-#include "chapters/curve_pictures.hpp"
+#include "curve_pictures.hpp"
 
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 
 #include <algorithm>
 #include <utility>
 
-#include "chapters/formulas_of_values.hpp"
-#include "chapters/triangles.hpp"
+#include "formulas_of_values.hpp"
+#include "triangles.hpp"
 
 namespace blossom::worked {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/subdivision.hpp>
+#include <blossom/core/curve/subdivision.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <optional>

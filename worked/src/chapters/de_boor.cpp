@@ -1,10 +1,10 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/splines.hpp"
-#include "chapters/triangles.hpp"
+#include "splines.hpp"
+#include "triangles.hpp"
 
 namespace blossom::worked {
 

@@ -1,8 +1,8 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/degree_elevation.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

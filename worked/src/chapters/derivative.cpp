@@ -1,9 +1,9 @@
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/derivative.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

@@ -1,6 +1,6 @@
-#include "chapters/elementary.hpp"
+#include "elementary.hpp"
 
-#include <blossom/core/polynomial.hpp>
+#include <blossom/core/algebra/polynomial.hpp>
 
 #include <array>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
+#include <blossom/core/maps/argument.hpp>
 
 #include <span>
 #include <vector>

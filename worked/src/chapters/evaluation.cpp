@@ -1,7 +1,7 @@
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

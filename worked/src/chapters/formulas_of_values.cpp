@@ -1,6 +1,6 @@
-#include "chapters/formulas_of_values.hpp"
+#include "formulas_of_values.hpp"
 
-#include <blossom/core/conversion.hpp>
+#include <blossom/core/blossom/conversion.hpp>
 
 namespace blossom::worked {
 

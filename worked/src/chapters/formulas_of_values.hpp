@@ -1,8 +1,8 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/polynomial.hpp>
+#include <blossom/core/algebra/polynomial.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <span>

@@ -1,12 +1,12 @@
-#include "chapters/ground_formulas.hpp"
+#include "ground_formulas.hpp"
 
-#include <blossom/core/argument.hpp>
+#include <blossom/core/maps/argument.hpp>
 
 #include <algorithm>
 #include <iterator>
 
-#include "chapters/formulas_of_values.hpp"
-#include "chapters/symbols.hpp"
+#include "formulas_of_values.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 

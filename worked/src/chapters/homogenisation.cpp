@@ -1,11 +1,11 @@
-#include <blossom/core/agreement.hpp>
-#include <blossom/core/constructions.hpp>
+#include <blossom/core/blossom/agreement.hpp>
+#include <blossom/core/constructions/constructions.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
-#include "chapters/subsets.hpp"
-#include "chapters/symbols.hpp"
+#include "steps.hpp"
+#include "subsets.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 

@@ -1,12 +1,12 @@
-#include <blossom/core/de_boor.hpp>
-#include <blossom/core/knot_insertion.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <algorithm>
 #include <array>
 
-#include "chapters/splines.hpp"
-#include "chapters/triangles.hpp"
+#include "splines.hpp"
+#include "triangles.hpp"
 
 namespace blossom::worked {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "chapters/claims.hpp"
+#include "claims.hpp"
 
 namespace blossom::worked {
 

@@ -1,9 +1,9 @@
-#include <blossom/core/conversion.hpp>
-#include <blossom/core/evaluation.hpp>
-#include <blossom/core/rational_curve.hpp>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

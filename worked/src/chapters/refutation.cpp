@@ -1,13 +1,13 @@
-#include <blossom/core/derivative.hpp>
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/curve/derivative.hpp>
 #include <blossom/proofs/evaluation.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
 
-#include "chapters/claims.hpp"
-#include "chapters/elementary.hpp"
+#include "claims.hpp"
+#include "elementary.hpp"
 
 namespace blossom::worked {
 

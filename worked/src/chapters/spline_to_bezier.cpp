@@ -1,8 +1,8 @@
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/continuity.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/splines.hpp"
+#include "splines.hpp"
 
 namespace blossom::worked {
 

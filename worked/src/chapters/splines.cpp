@@ -1,11 +1,11 @@
-#include "chapters/splines.hpp"
+#include "splines.hpp"
 
-#include <blossom/core/bezier_extraction.hpp>
-#include <blossom/core/de_boor.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/de_boor.hpp>
 
 #include <utility>
 
-#include "chapters/triangles.hpp"
+#include "triangles.hpp"
 
 namespace blossom::worked {
 

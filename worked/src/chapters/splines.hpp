@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <optional>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

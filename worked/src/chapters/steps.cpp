@@ -1,4 +1,4 @@
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "chapters/curve_pictures.hpp"
-#include "chapters/formulas_of_values.hpp"
+#include "curve_pictures.hpp"
+#include "formulas_of_values.hpp"
 
 namespace blossom::worked {
 

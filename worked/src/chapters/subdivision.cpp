@@ -1,7 +1,7 @@
-#include <blossom/core/conversion.hpp>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

@@ -1,4 +1,4 @@
-#include "chapters/subsets.hpp"
+#include "subsets.hpp"
 
 #include <numeric>
 

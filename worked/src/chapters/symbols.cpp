@@ -1,4 +1,4 @@
-#include "chapters/symbols.hpp"
+#include "symbols.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,16 +1,16 @@
-#include <blossom/core/agreement.hpp>
-#include <blossom/core/constructions.hpp>
-#include <blossom/core/evaluation.hpp>
+#include <blossom/core/blossom/agreement.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/constructions/constructions.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <algorithm>
 #include <utility>
 
-#include "chapters/curve_pictures.hpp"
-#include "chapters/elementary.hpp"
-#include "chapters/formulas_of_values.hpp"
-#include "chapters/subsets.hpp"
+#include "curve_pictures.hpp"
+#include "elementary.hpp"
+#include "formulas_of_values.hpp"
+#include "subsets.hpp"
 
 namespace blossom::worked {
 

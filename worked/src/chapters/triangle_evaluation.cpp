@@ -1,8 +1,8 @@
-#include <blossom/core/net_shape.hpp>
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/rational_curve.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/constructions/net_shape.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
 
-#include "chapters/triangle_net.hpp"
+#include "triangle_net.hpp"
 
 namespace blossom::worked {
 

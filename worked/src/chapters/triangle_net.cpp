@@ -1,14 +1,14 @@
-#include "chapters/triangle_net.hpp"
+#include "triangle_net.hpp"
 
-#include <blossom/core/patch_blossom.hpp>
-#include <blossom/core/patch_conversion.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
 #include <numeric>
 #include <span>
 
-#include "chapters/symbols.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 

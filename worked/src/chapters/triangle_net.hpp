@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/bezier_patch.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
 #include <blossom/worked/triangle_chapters.hpp>
 
 #include <array>
@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "chapters/steps.hpp"
+#include "steps.hpp"
 
 namespace blossom::worked {
 

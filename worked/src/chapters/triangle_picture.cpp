@@ -1,9 +1,9 @@
-#include <blossom/core/bezier_curve.hpp>
-#include <blossom/core/patch_blossom.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
 
 #include <numeric>
 
-#include "chapters/triangle_net.hpp"
+#include "triangle_net.hpp"
 
 namespace blossom::worked {
 

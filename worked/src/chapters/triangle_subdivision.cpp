@@ -1,6 +1,6 @@
-#include <blossom/core/patch_subdivision.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
 
-#include "chapters/triangle_net.hpp"
+#include "triangle_net.hpp"
 
 namespace blossom::worked {
 

@@ -1,9 +1,9 @@
-#include "chapters/triangles.hpp"
+#include "triangles.hpp"
 
 #include <algorithm>
 
-#include "chapters/curve_pictures.hpp"
-#include "chapters/formulas_of_values.hpp"
+#include "curve_pictures.hpp"
+#include "formulas_of_values.hpp"
 
 namespace blossom::worked {
 

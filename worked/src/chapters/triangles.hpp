@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/point_array.hpp>
 #include <blossom/worked/document.hpp>
 
 #include <cstddef>

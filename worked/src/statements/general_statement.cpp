@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include "statements/sentences.hpp"
-#include "statements/statement_formulas.hpp"
+#include "sentences.hpp"
+#include "statement_formulas.hpp"
 
 namespace blossom::worked {
 

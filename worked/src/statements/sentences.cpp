@@ -1,4 +1,4 @@
-#include "statements/sentences.hpp"
+#include "sentences.hpp"
 
 #include <algorithm>
 

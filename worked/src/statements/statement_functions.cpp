@@ -1,4 +1,4 @@
-#include "statements/statement_formulas.hpp"
+#include "statement_formulas.hpp"
 
 #include <algorithm>
 

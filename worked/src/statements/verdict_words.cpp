@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "statements/sentences.hpp"
-#include "statements/statement_formulas.hpp"
+#include "sentences.hpp"
+#include "statement_formulas.hpp"
 
 namespace blossom::worked {
 

@@ -1,6 +1,6 @@
 #include "decided_case.hpp"
 
-#include <blossom/core/polynomial_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>

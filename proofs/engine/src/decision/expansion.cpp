@@ -1,4 +1,4 @@
-#include <blossom/core/constructions.hpp>
+#include <blossom/core/constructions/constructions.hpp>
 #include <blossom/proofs/expansion.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>

@@ -1,4 +1,4 @@
-#include <blossom/core/sparse_algebra.hpp>
+#include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/proofs/fraction.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <blossom/core/argument.hpp>
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 #include <blossom/rational/limits.hpp>
 #include <blossom/worked/document.hpp>
 

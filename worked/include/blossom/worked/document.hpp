@@ -1,9 +1,9 @@
 #pragma once
 
-#include <blossom/core/barycentric_frame.hpp>
-#include <blossom/core/bezier_patch.hpp>
-#include <blossom/core/blossom.hpp>
-#include <blossom/core/bspline_curve.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/barycentric_frame.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
 #include <blossom/worked/formula.hpp>
 #include <blossom/worked/notation.hpp>
 #include <blossom/worked/picture.hpp>

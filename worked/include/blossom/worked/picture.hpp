@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/point_array.hpp>
+#include <blossom/core/maps/point_array.hpp>
 #include <blossom/rational/rational.hpp>
 #include <blossom/worked/formula.hpp>
 

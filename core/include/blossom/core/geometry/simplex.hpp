@@ -1,7 +1,7 @@
 #pragma once
 
-#include <blossom/core/barycentric_frame.hpp>
 #include <blossom/core/geometry/space.hpp>
+#include <blossom/core/maps/barycentric_frame.hpp>
 
 #include <cstddef>
 #include <span>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/sparse_polynomial.hpp>
+#include <blossom/core/algebra/sparse_polynomial.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>

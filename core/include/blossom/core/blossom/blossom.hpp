@@ -1,0 +1,106 @@
+#pragma once
+
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace blossom {
+
+/// A curve that is one polynomial.
+using PolynomialMap = std::variant<PolynomialCurve, BezierCurve>;
+
+/// The ways to build a blossom: the three constructions, and the sum of polarization in two forms, with every
+/// term evaluated or with the terms of equally many points taken together.
+enum class Construction { symmetric, polarization, regrouped_polarization, casteljau };
+
+/// The protocol's word for a construction, for instance "casteljau".
+std::string_view construction_name(Construction construction);
+
+/// The homogeneous blossom (polar form) of a polynomial map of formal degree n: the symmetric map of n
+/// arguments, linear in each pair (u, v), with p((t,1), ..., (t,1)) = P(t). Points have mass 1, vectors mass
+/// 0.
+///
+/// Prepared once, asked many times. Values of points are points; each vector among the arguments lowers the
+/// mass of the value, and a value of mass 0 is a vector (a derivative). Source: Goldman, section 4.1;
+/// Ramshaw's multiplicative view. Statements: goldman-haxioms, goldman-thm6.
+class Blossom {
+public:
+    explicit Blossom(PolynomialMap map, Limits limits = {});
+    explicit Blossom(PolynomialCurve curve, Limits limits = {})
+        : Blossom(PolynomialMap(std::move(curve)), limits) {}
+    explicit Blossom(BezierCurve curve, Limits limits = {})
+        : Blossom(PolynomialMap(std::move(curve)), limits) {}
+
+    std::size_t degree() const { return degree_; }
+    std::size_t dimension() const { return dimension_; }
+
+    /// p(arguments) by the formula that suits the representation: elementary symmetric functions for monomial
+    /// coefficients, the Bernstein sum of DeRose, section 4.2, for a control polygon.
+    ///
+    /// Cost: n^2 / 2 multiply-adds on integers, then n and one reduction a coordinate; for n <= 64 words
+    /// nothing is allocated but the result. Errors: `wrong_arity` unless there are n arguments;
+    /// `limit_exceeded`.
+    Coordinates operator()(std::span<const Argument> arguments) const;
+    Coordinates operator()(std::initializer_list<Argument> arguments) const {
+        return (*this)(std::span<const Argument>(arguments.begin(), arguments.size()));
+    }
+
+    /// Coordinate j < dimension() of p(arguments).
+    Rational coordinate(std::size_t j, std::span<const Argument> arguments) const;
+
+    /// The values at many tuples of n arguments, dimension() coordinates each, one after the other.
+    ///
+    /// Cost: what the values cost one by one, and less where words hold all numbers; on `jobs` threads.
+    /// Errors: `wrong_arity`; `limit_exceeded`.
+    std::vector<Rational> values(std::span<const std::vector<Argument>> tuples, std::size_t jobs = 1) const;
+    /// The same into memory of the caller, for those who ask again and again; while words hold all numbers
+    /// nothing is allocated. `results` holds none of the arguments, and is unspecified after
+    /// `limit_exceeded`.
+    ///
+    /// Errors as well: `mismatched_dimensions` unless there are tuples.size() * dimension() results.
+    void values(std::span<const std::vector<Argument>> tuples, std::span<Rational> results,
+                std::size_t jobs = 1) const;
+
+private:
+    friend Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
+                                     Construction construction, const Limits& limits);
+    struct Kernel;
+
+    /// The value of a blossom that is asked once.
+    static Coordinates value_once(const PolynomialMap& map, std::span<const Argument> arguments,
+                                  const Limits& limits);
+
+    std::size_t degree_;
+    std::size_t dimension_;
+    std::shared_ptr<const Kernel> kernel_;  ///< immutable, shared by copies
+};
+
+/// p(arguments) by one named construction, each from its own source: symmetric functions from monomial
+/// coefficients, polarization from values of the map alone, de Casteljau from control points (over [0, 1] for
+/// a `PolynomialCurve`).
+///
+/// Cost: see `constructions`; a change of basis, O(n^2), where the representation is not the construction's
+/// own. Errors: `wrong_arity`; `limit_exceeded`, for polarization when prod(m_i + 1) exceeds
+/// `polarization_terms`, and for the regrouped one when n^2 (n + 1)^2 / 4 exceeds `regrouping_work`.
+Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
+                          Construction construction, const Limits& limits = {});
+
+/// The polarization inverse formula for anything that can be evaluated:
+/// b[t_1..t_n] = (1/n!) sum_N (-1)^(n-N) N^n sum b(mean of N of the t_i), and the constant b(0) for n = 0.
+///
+/// It is the blossom when `map` is a polynomial of degree at most n, otherwise an approximation that
+/// interpolates the diagonal and is not multiaffine. Cost: prod(m_i + 1) - 1 calls of `map`, m_i the
+/// multiplicities. Errors: `limit_exceeded`. Source: Fernandez-Jambrina, equation (20). Statements: fj-cor1,
+/// fj-cost, fj-reduction-not-multiaffine.
+Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)>& map,
+                                std::span<const Parameter> arguments, const Limits& limits = {});
+
+}  // namespace blossom

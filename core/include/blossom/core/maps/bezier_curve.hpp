@@ -1,0 +1,31 @@
+#pragma once
+
+#include <blossom/core/maps/interval.hpp>
+#include <blossom/core/maps/point_array.hpp>
+
+#include <cstddef>
+#include <span>
+
+namespace blossom {
+
+/// A polynomial map t -> Q^d of formal degree n by its control polygon over [a, b]:
+/// P(t) = sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n. It may be evaluated anywhere.
+class BezierCurve {
+public:
+    /// n + 1 control points. Errors: those of `PointArray`, with fields below "/control_points".
+    explicit BezierCurve(std::span<const Coordinates> control_points, Interval interval = {});
+    BezierCurve(PointArray control_points, Interval interval);
+
+    std::size_t degree() const { return control_points_.size() - 1; }
+    std::size_t dimension() const { return control_points_.dimension(); }
+    const Interval& interval() const { return interval_; }
+    const PointArray& control_points() const { return control_points_; }
+
+    friend bool operator==(const BezierCurve&, const BezierCurve&) = default;
+
+private:
+    Interval interval_;
+    PointArray control_points_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <blossom/core/maps/knot_vector.hpp>
+#include <blossom/core/maps/point_array.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// A piecewise polynomial map into Q^d of degree n: on each non-empty span of its knots the polynomial whose
+/// blossom has the control points as values at n consecutive knots.
+///
+/// Unlike the few points of a Bezier curve, the control points keep their own denominators: a common one of
+/// ten thousand unrelated points would have as many digits as all of them together. Source: DeRose,
+/// section 4.6. Statements: derose-46-cubic-scheme, hart-four-points.
+class BSplineCurve {
+public:
+    /// Errors: those of `KnotVector`; `mismatched_dimensions`, below "/control_points".
+    BSplineCurve(std::size_t degree, std::vector<Rational> knots, std::vector<Coordinates> control_points);
+    /// Errors: `wrong_arity` unless there are as many points as the knots are for; `mismatched_dimensions`.
+    BSplineCurve(KnotVector knots, std::vector<Coordinates> control_points);
+
+    std::size_t degree() const { return knots_.degree(); }
+    std::size_t dimension() const { return control_points_.front().size(); }
+    const KnotVector& knots() const { return knots_; }
+    const std::vector<Coordinates>& control_points() const { return control_points_; }
+    /// The n + 1 control points that make up a span.
+    std::span<const Coordinates> points_of(std::size_t span) const {
+        return std::span(control_points_).subspan(knots_.first_point(span), degree() + 1);
+    }
+
+    friend bool operator==(const BSplineCurve&, const BSplineCurve&) = default;
+
+private:
+    KnotVector knots_;
+    std::vector<Coordinates> control_points_;
+};
+
+}  // namespace blossom

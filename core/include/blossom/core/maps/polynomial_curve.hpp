@@ -1,0 +1,45 @@
+#pragma once
+
+#include <blossom/core/algebra/polynomial.hpp>
+#include <blossom/core/maps/point_array.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace blossom {
+
+/// A polynomial map t -> Q^d of formal degree n, by its n + 1 monomial coefficients, lowest first.
+///
+/// The formal degree is the number of arguments of the blossom; it is at least the actual degree, and part of
+/// the value: t of degree 1 and t of degree 2 are different maps with different blossoms (Goldman, section
+/// 2).
+class PolynomialCurve {
+public:
+    /// The formal degree is `degree`, or by default the number of coefficients less one.
+    /// Errors: `degree_too_low` if a coefficient beyond `degree` is not zero; those of `PointArray`.
+    explicit PolynomialCurve(std::span<const Coordinates> coefficients,
+                             std::optional<std::size_t> degree = {});
+    /// One polynomial a coordinate; the formal degree is by default the greatest actual one.
+    explicit PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree = {});
+    /// The scalar map of one polynomial.
+    explicit PolynomialCurve(const Polynomial& polynomial, std::optional<std::size_t> degree = {});
+    explicit PolynomialCurve(PointArray coefficients) : coefficients_(std::move(coefficients)) {}
+
+    std::size_t degree() const { return coefficients_.size() - 1; }
+    std::size_t dimension() const { return coefficients_.dimension(); }
+    /// The greatest k whose coefficient is not zero; 0 for constants.
+    std::size_t actual_degree() const;
+    const PointArray& coefficients() const { return coefficients_; }
+    /// Coordinate j as a polynomial.
+    Polynomial coordinate(std::size_t j) const;
+
+    /// Equal as maps of a formal degree.
+    friend bool operator==(const PolynomialCurve&, const PolynomialCurve&) = default;
+
+private:
+    PointArray coefficients_;
+};
+
+}  // namespace blossom

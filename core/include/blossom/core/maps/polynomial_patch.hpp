@@ -1,0 +1,79 @@
+#pragma once
+
+#include <blossom/core/algebra/sparse_polynomial.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// A polynomial map in several variables by its monomial coefficients. The variables are grouped: the first
+/// s_0 of them belong to factor 0, in which the map has the formal total degree n_0, and so on. One group is
+/// a map with simplex blossom, whose arguments are points; one variable a group is a tensor product.
+///
+/// The coefficient of x_1^(i_1) ... x_s^(i_s) stands at (i_0, i_1, ..., i_s), i_0 = n - i_1 - ... - i_s being
+/// the exponent of the mass that makes the polynomial homogeneous: coefficients have the shape of a control
+/// net. An argument is (mass, x_1, ..., x_s), see `point_argument` and `vector_argument`. Source: DeRose,
+/// theorem 3. Statement: derose-thm3.
+class PolynomialPatch {
+public:
+    /// Coefficients in the order of `NetShape`. Errors: as for `BezierPatch`, below "/coefficients".
+    PolynomialPatch(NetShape shape, PointArray coefficients);
+    /// One polynomial a coordinate, in the variables 0, 1, ... Errors: `degree_too_low` if a term has a
+    /// degree above that of its factor; `wrong_arity` for no polynomial or a variable beyond those of the
+    /// shape; `limit_exceeded`.
+    PolynomialPatch(NetShape shape, std::span<const SparsePolynomial> coordinates, const Limits& limits = {});
+
+    const NetShape& shape() const { return shape_; }
+    std::size_t dimension() const { return coefficients_.dimension(); }
+    const PointArray& coefficients() const { return coefficients_; }
+    /// Coordinate j as a polynomial in the variables 0, 1, ...
+    SparsePolynomial coordinate(std::size_t j) const;
+
+    friend bool operator==(const PolynomialPatch&, const PolynomialPatch&) = default;
+
+private:
+    NetShape shape_;
+    PointArray coefficients_;
+};
+
+/// (1, x_1, ..., x_s), a point as an argument.
+Coordinates point_argument(std::span<const Rational> point);
+/// (0, x_1, ..., x_s), a vector as an argument.
+Coordinates vector_argument(std::span<const Rational> vector);
+
+/// The blossom: the coefficient of x_1^(i_1) ... x_s^(i_s) divided by the multinomial coefficient of i, times
+/// the symmetric function of points with this index, the coefficient of X^i in prod_j (mass_j X_0 + x_j1 X_1
+/// + ... + x_js X_s).
+///
+/// Arguments are tuples (mass, x_1, ..., x_s). Cost and errors: as for control nets. Source: DeRose, theorem
+/// 3 and equation (3). Statement: derose-thm3.
+Coordinates blossom_value(const PolynomialPatch& patch, const PatchArguments& arguments,
+                          const Limits& limits = {});
+
+/// The values at points, x_1, ..., x_s in each factor. Cost: as for control nets. Errors: `wrong_arity`,
+/// `mismatched_dimensions`, `limit_exceeded`.
+std::vector<Coordinates> evaluate(const PolynomialPatch& patch, std::span<const PatchPoint> points,
+                                  const Limits& limits = {});
+
+/// The mixed derivative in the directions x_1, ..., x_s, k_f of them in factor f.
+Coordinates derivative(const PolynomialPatch& patch, const PatchArguments& directions, const PatchPoint& at,
+                       const Limits& limits = {});
+
+/// The same as a map, of degree n_f - k_f in each factor, zero where k_f > n_f.
+PolynomialPatch derivative_patch(const PolynomialPatch& patch, const PatchArguments& directions,
+                                 const Limits& limits = {});
+
+/// The same map with degree n + r in one factor. Errors: `limit_exceeded`.
+PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,
+                        const Limits& limits = {});
+
+/// The same polynomial with its variables grouped otherwise: from a total degree to one degree a variable and
+/// back. Errors: `degree_too_low` if a term has a degree above that of its factor; `wrong_arity` unless the
+/// dimensions have the same sum; `limit_exceeded`.
+PolynomialPatch regrouped(const PolynomialPatch& patch, const NetShape& shape, const Limits& limits = {});
+
+}  // namespace blossom

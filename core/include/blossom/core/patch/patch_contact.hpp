@@ -1,0 +1,75 @@
+#pragma once
+
+#include <blossom/core/maps/barycentric_frame.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace blossom {
+
+/// A patch with the simplices of its factors.
+struct PlacedPatch {
+    BezierPatch patch;
+    std::vector<BarycentricFrame> frames;
+};
+
+/// Arguments, vertices of the left patch, at which two blossoms have different values.
+struct PatchDifference {
+    PatchArguments arguments;
+    Coordinates left;
+    Coordinates right;
+
+    friend bool operator==(const PatchDifference&, const PatchDifference&) = default;
+};
+
+/// How smoothly two patches meet along a face.
+struct PatchContact {
+    /// The greatest k such that all derivatives of order at most k are equal on the face, -1 if the values
+    /// are not; none if the maps are the same.
+    std::optional<std::ptrdiff_t> order;
+    /// The first blossom value that differs: at k + 1 vertices off the face, and vertices of the face.
+    std::optional<PatchDifference> first_difference;
+
+    bool is_infinite() const { return !order; }
+
+    friend bool operator==(const PatchContact&, const PatchContact&) = default;
+};
+
+/// A face of a product of simplices: for each factor which of the vertices span it.
+using Face = std::vector<std::vector<std::size_t>>;
+
+/// The face of the left domain spanned by those vertices that are vertices of the right one too. Errors:
+/// `mismatched_dimensions` for different factors; `not_adjacent` if a factor has no common vertex.
+Face shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right);
+
+/// The contact of two patches along a face of the left domain, decided by their blossoms: order k exactly
+/// when f and g agree with at most k arguments anywhere and the others on the face. Blossoms are affine in
+/// each argument, so that the vertices of the left domain decide: the control points of both maps over it
+/// with at most k vertices off the face.
+///
+/// The degrees are raised to the greater ones. Cost: that of the net of the right patch over the simplices of
+/// the left one. Errors: `mismatched_dimensions`, `wrong_arity`; `limit_exceeded`. Source: DeRose, theorem 2
+/// and section 5. Statement: derose-thm3.
+PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
+                     const Limits& limits = {});
+
+/// The contact of the projected maps A/w and B/v, whose weights are the last coordinates, decided by that of
+/// the polynomial maps A v and B w: their difference vanishes on the face to the same order, since neither
+/// weight vanishes everywhere on it. The first difference is one of blossom values of A v and B w.
+///
+/// Cost: the products of nets, and a contact in the sums of the degrees. Errors: `zero_weight` if a weight
+/// vanishes on the whole face; as for `contact`. Source: DeRose, theorem 2 and section 5.
+PatchContact projected_contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
+                               const Limits& limits = {});
+
+/// A contact and its reason as a sentence.
+std::string to_string(const PatchContact& contact);
+/// The same of projected maps.
+std::string projected_contact_text(const PatchContact& contact);
+
+}  // namespace blossom

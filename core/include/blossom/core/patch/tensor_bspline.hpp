@@ -1,0 +1,77 @@
+#pragma once
+
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/core/maps/interval.hpp>
+#include <blossom/core/maps/knot_vector.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+/// A tensor product of B-splines in any number of directions: a grid of control points, each row of which in
+/// any direction is a spline curve over the knots of that direction.
+///
+/// The points follow each other with the index of the last direction moving fastest. On each box of spans the
+/// map is one polynomial, whose blossom has the control points as values at consecutive knots in every
+/// direction. A rational (NURBS) one has its weight as last coordinate, see `rational_curve.hpp`. Every
+/// algorithm is that for curves applied along the rows. Source: DeRose, section 5; Fernandez-Jambrina,
+/// equation (9). Statements: derose-tensor-allresults, fj-eq9.
+class TensorBSpline {
+public:
+    /// Errors: `wrong_arity` for no direction or another number of points than the knots are for;
+    /// `mismatched_dimensions`; the fields lie below "/control_points".
+    TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordinates> control_points);
+
+    std::size_t directions() const { return knots_.size(); }
+    std::size_t dimension() const { return control_points_.front().size(); }
+    const KnotVector& knots(std::size_t direction) const { return knots_[direction]; }
+    const std::vector<KnotVector>& knots() const { return knots_; }
+    const std::vector<Coordinates>& control_points() const { return control_points_; }
+
+    friend bool operator==(const TensorBSpline&, const TensorBSpline&) = default;
+
+private:
+    std::vector<KnotVector> knots_;
+    std::vector<Coordinates> control_points_;
+};
+
+/// The blossom of the polynomial on a box of spans, one a direction, at any arguments, one list a direction:
+/// the values of the rows of the last direction, then of those in the one before, and so on.
+///
+/// Cost: for degrees n the (n + 1)^d points of the box, n^2 / 2 combinations a row. Errors: `wrong_arity`,
+/// `outside_domain`, `limit_exceeded`. Source: Fernandez-Jambrina, equation (9).
+Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::size_t> spans,
+                            std::span<const std::vector<Argument>> arguments, const Limits& limits = {});
+
+/// The spans with the parameters, to their right, at the end of a domain the last. Errors: `outside_domain`
+/// with the field "/at/d", `wrong_arity`.
+std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters);
+
+/// The value at parameters, on the spans to their right, at the end of a domain on the last. Errors: as
+/// there, `outside_domain` with the field "/at/d".
+Coordinates evaluate(const TensorBSpline& spline, std::span<const Rational> parameters,
+                     const Limits& limits = {});
+
+/// The partial derivative of order orders[d] in each direction: n! / (n - k)! times the blossom with k unit
+/// vectors in each; zero where k > n.
+Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t> orders,
+                       std::span<const Rational> parameters, const Limits& limits = {});
+
+/// The same map over more knots in one direction, by Boehm's algorithm on every row. Cost, errors: that of
+/// the rows, see `insert_knots_boehm`.
+TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
+                           std::span<const Rational> knots, const Limits& limits = {});
+
+/// The polynomial on a box of spans as a Bezier patch over it, by the points at the ends of the spans.
+/// Errors: `outside_domain`, `limit_exceeded`.
+BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,
+                           const Limits& limits = {});
+
+/// The intervals of a box of spans.
+std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::size_t> spans);
+
+}  // namespace blossom

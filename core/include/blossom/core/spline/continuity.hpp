@@ -1,0 +1,66 @@
+#pragma once
+
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace blossom {
+
+/// Arguments at which two blossoms have different values.
+struct BlossomDifference {
+    std::vector<Argument> arguments;
+    Coordinates left;
+    Coordinates right;
+
+    friend bool operator==(const BlossomDifference&, const BlossomDifference&) = default;
+};
+
+/// How smoothly two polynomial maps meet at a parameter.
+struct Contact {
+    /// The greatest k such that the derivatives of orders 0..k are equal, -1 if the values are not; none if
+    /// the maps are the same.
+    std::optional<std::ptrdiff_t> order;
+    /// The first blossom value that differs: at (s^(n-k-1), (s + 1)^(k+1)) for order k.
+    std::optional<BlossomDifference> first_difference;
+
+    bool is_infinite() const { return !order; }
+
+    friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// The contact of two maps at s, decided by their blossoms over the greater of the two formal degrees: order
+/// k exactly when f(x_1, ..., x_k, s, ..., s) = g(x_1, ..., x_k, s, ..., s) for all x_i. Since blossoms are
+/// affine in each argument, the values with x_i = s or s + 1 decide, and beyond what order k - 1 says only
+/// that with all x_i = s + 1.
+///
+/// Cost: at most n + 1 blossom values of each map. Errors: `mismatched_dimensions`, `limit_exceeded`.
+/// Source: DeRose, theorem 2 and equations (5) to (7). Statements: derose-thm2, derose-eq6, derose-ck-def.
+Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rational& s,
+                const Limits& limits = {});
+
+/// The spans on the two sides of s, which are the same where s is not a knot.
+/// Errors: `outside_domain` unless s lies strictly inside the domain.
+std::pair<std::size_t, std::size_t> sides(const KnotVector& knots, const Rational& s);
+
+/// The contact of the segments on the two sides of s: at a knot of multiplicity m at least order n - m, and
+/// infinite where s is not a knot. Errors: `outside_domain` unless s lies inside the domain, not at an end;
+/// `limit_exceeded`. Source: DeRose, section 4.6. Statements: derose-46-c2cond, derose-46-general-cd1.
+Contact contact(const BSplineCurve& curve, const Rational& s, const Limits& limits = {});
+
+/// What contact of order k is in geometry: "the point", "the tangent", "the osculating parabola", "the
+/// osculating curve of degree k". Its blossom is f(x_1, ..., x_k, s^(n-k)), which both curves share.
+std::string osculating_name(std::size_t order);
+
+/// "The curves meet with order 1 at 3, sharing the tangent but not the osculating parabola".
+std::string contact_text(std::ptrdiff_t order, const Rational& s);
+
+/// A contact and its reason as a sentence: `contact_text` and then, for instance, ": the blossom values at
+/// (3, 4, 4) are (1, 2) and (1, 3)".
+std::string to_string(const Contact& contact, const Rational& s);
+
+}  // namespace blossom

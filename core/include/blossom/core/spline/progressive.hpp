@@ -1,0 +1,140 @@
+#pragma once
+
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/constructions/constructions.hpp>
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace blossom {
+
+namespace constructions {
+
+/// De Boor's triangle with any arguments: after k levels, with arguments u_1, ..., u_k, entry l of a row is
+/// f(u_1, ..., u_k, t_(k+l), ..., t_(n+l-1)), for l = 0..n-k. Level 0 are the progressive values f(t_l, ...,
+/// t_(l+n-1)).
+///
+/// On the level of (u, v) = `argument` neighbours are combined by the coordinates of the argument in
+/// [t_(k+l), t_(n+l)]: (t_(n+l) v - u) / (t_(n+l) - t_(k+l)) and (u - t_(k+l) v) / (t_(n+l) - t_(k+l)).
+/// Written for any commutative ring R that contains the integers; the knots are integers over q, and each
+/// level is scaled by the least common multiple of its differences of knots. Source: DeRose, figure 10, with
+/// the right end t_(n+l), where the print has t_(n+k+l). Statements: derose-fig10, derose-fig10-comment1,
+/// derose-fig10-comment2.
+template <class R>
+class ProgressiveTriangle {
+public:
+    /// One row of n + 1 values a coordinate, and 2n knots t_i = knots[i] / q with t_j != t_(n+l) for l <= j <
+    /// n.
+    ProgressiveTriangle(std::vector<std::vector<R>> rows, std::span<const Integer> knots, Integer q)
+        : rows_(std::move(rows)), knots_(knots), q_(std::move(q)) {}
+
+    /// One level more. Cost: n - k combinations a coordinate, and the weights.
+    void descend(const HomogeneousPair<R>& argument) {
+        const std::size_t n = knots_.size() / 2;
+        const std::size_t entries = n - level_;
+        Integer common = 1;
+        for (std::size_t l = 0; l < entries; ++l) common = lcm(common, knots_[n + l] - knots_[level_ + l]);
+        for (std::size_t l = 0; l < entries; ++l) {
+            const Integer& begin = knots_[level_ + l];
+            const Integer& end = knots_[n + l];
+            const Integer scale = divide_exactly(common, end - begin);
+            const R parameter = R(q_ * scale) * argument.u;
+            const R left = R(end * scale) * argument.mass - parameter;
+            const R right = parameter - R(begin * scale) * argument.mass;
+            for (auto& row : rows_) row[l] = left * row[l] + right * row[l + 1];
+        }
+        for (auto& row : rows_) row.pop_back();
+        denominator_ *= common;
+        ++level_;
+    }
+
+    std::size_t level() const { return level_; }
+    const std::vector<std::vector<R>>& rows() const { return rows_; }
+    /// What the levels have multiplied the rows by.
+    const Integer& denominator() const { return denominator_; }
+    /// Entry l of the present row.
+    Quotients<R> entry(std::size_t l) const {
+        Quotients<R> value{{}, denominator_};
+        for (const auto& row : rows_) value.numerators.push_back(row[l]);
+        return value;
+    }
+
+private:
+    std::vector<std::vector<R>> rows_;
+    std::span<const Integer> knots_;
+    Integer q_;
+    Integer denominator_ = 1;
+    std::size_t level_ = 0;
+};
+
+/// The blossom from progressive values: the apex of the triangle.
+/// Cost: n^2 / 2 weights, and as many combinations a coordinate.
+template <class R>
+Quotients<R> by_progressive_values(Rows<R> values, std::span<const Integer> knots, const Integer& q,
+                                   std::span<const HomogeneousPair<R>> arguments) {
+    std::vector<std::vector<R>> rows;
+    for (const auto row : values) rows.emplace_back(row.begin(), row.end());
+    ProgressiveTriangle<R> triangle(std::move(rows), knots, q);
+    for (const auto& argument : arguments) triangle.descend(argument);
+    return triangle.entry(0);
+}
+
+}  // namespace constructions
+
+/// A polynomial map of formal degree n by its progressive values v_j = f(t_j, ..., t_(j+n-1)), j = 0..n, over
+/// 2n knots t_0, ..., t_(2n-1) in any order.
+///
+/// They determine the map exactly when t_j != t_(n+l) for all l <= j < n. A Bezier curve over [a, b] is the
+/// case (a^n, b^n), a segment of a B-spline that of the 2n knots around it. Source: DeRose, section 4.6.
+/// Statements: derose-46-progressive, derose-progressive-vij, derose-46-bezier-progressive.
+class ProgressiveCurve {
+public:
+    /// n + 1 points. Errors: `wrong_arity` unless there are 2n knots; `bad_knots` if two knots are equal that
+    /// must not be; those of `PointArray`, with fields below "/control_points".
+    ProgressiveCurve(std::vector<Rational> knots, std::span<const Coordinates> control_points);
+
+    std::size_t degree() const { return control_points_.size() - 1; }
+    std::size_t dimension() const { return control_points_.dimension(); }
+    const std::vector<Rational>& knots() const { return knots_; }
+    const PointArray& control_points() const { return control_points_; }
+
+    friend bool operator==(const ProgressiveCurve&, const ProgressiveCurve&) = default;
+
+private:
+    std::vector<Rational> knots_;
+    PointArray control_points_;
+};
+
+/// f(arguments) by de Boor's triangle with one argument a level.
+/// Cost: n^2 / 2 combinations of points on integers. Errors: `wrong_arity` unless there are n arguments;
+/// `limit_exceeded`. Source: DeRose, figure 10. Statement: derose-fig10.
+Coordinates blossom_value(const ProgressiveCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits = {});
+
+/// De Boor's triangle as data, one argument a level: point l of level k is
+/// f(u_1, ..., u_k, t_(k+l), ..., t_(n+l-1)). Level 0 are the control points, the last level is the value.
+/// Cost: n^2 / 2 combinations of points. Errors: those of `blossom_value`. Source: DeRose, figure 10.
+/// Statement: derose-fig10.
+std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& curve,
+                                                      std::span<const Argument> arguments,
+                                                      const Limits& limits = {});
+
+/// f(t, ..., t), for any t.
+Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Limits& limits = {});
+
+/// The control polygon over [a, b]: P_k = f(a^(n-k), b^k).
+/// Cost: n^3 / 6 combinations of points. Errors: `limit_exceeded`.
+/// Source: DeRose, figure 9. Statement: derose-fig9-sablonniere.
+BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval,
+                           const Limits& limits = {});
+
+/// The progressive values of a polynomial map of formal degree n over 2n knots.
+/// Cost: n + 1 blossom values. Errors: those of `ProgressiveCurve`; `limit_exceeded`.
+ProgressiveCurve progressive_form(const PolynomialMap& map, std::vector<Rational> knots,
+                                  const Limits& limits = {});
+
+}  // namespace blossom

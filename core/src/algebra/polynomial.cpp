@@ -1,0 +1,161 @@
+#include <blossom/core/algebra/polynomial.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+
+namespace blossom {
+
+namespace {
+
+RationalVector trimmed(const RationalVector& coefficients) {
+    std::vector<Integer> numerators = coefficients.numerators();
+    while (!numerators.empty() && numerators.back().is_zero()) numerators.pop_back();
+    RationalVector result = coefficients.over_same_denominator(std::move(numerators));
+    result.make_canonical();
+    return result;
+}
+
+/// a / da + sign * b / db over one denominator.
+RationalVector combined(const RationalVector& a, const RationalVector& b, int sign) {
+    const Integer denominator = lcm(a.denominator(), b.denominator());
+    const Integer scale_a = divide_exactly(denominator, a.denominator());
+    const Integer scale_b = divide_exactly(denominator, b.denominator()) * Integer(sign);
+    std::vector<Integer> sums(std::max(a.size(), b.size()));
+    for (std::size_t k = 0; k < a.size(); ++k) sums[k].add_product(a.numerators()[k], scale_a);
+    for (std::size_t k = 0; k < b.size(); ++k) sums[k].add_product(b.numerators()[k], scale_b);
+    return {std::move(sums), denominator};
+}
+
+/// The polynomial divided by its content, with integer coefficients.
+Polynomial primitive(const Polynomial& polynomial) {
+    Integer content;
+    for (const Integer& numerator : polynomial.coefficients().numerators()) content = gcd(content, numerator);
+    return Polynomial(RationalVector(polynomial.coefficients().numerators(), content));
+}
+
+Polynomial monic(const Polynomial& polynomial) {
+    if (polynomial.is_zero()) return polynomial;
+    return Polynomial(RationalVector(polynomial.coefficients().numerators(),
+                                     polynomial.coefficients().numerators().back()));
+}
+
+}  // namespace
+
+Polynomial::Polynomial(const Rational& constant) : Polynomial(RationalVector({&constant, 1})) {}
+
+Polynomial::Polynomial(const RationalVector& coefficients) : coefficients_(trimmed(coefficients)) {}
+
+Polynomial Polynomial::monomial(std::size_t k) {
+    std::vector<Integer> numerators(k + 1);
+    numerators.back() = 1;
+    return Polynomial(RationalVector(std::move(numerators), 1));
+}
+
+Polynomial operator+(const Polynomial& a, const Polynomial& b) {
+    return Polynomial(combined(a.coefficients_, b.coefficients_, 1));
+}
+
+Polynomial operator-(const Polynomial& a, const Polynomial& b) {
+    return Polynomial(combined(a.coefficients_, b.coefficients_, -1));
+}
+
+Polynomial operator-(const Polynomial& a) { return Polynomial() - a; }
+
+Polynomial operator*(const Polynomial& a, const Polynomial& b) {
+    if (a.is_zero() || b.is_zero()) return {};
+    const auto& x = a.coefficients_.numerators();
+    const auto& y = b.coefficients_.numerators();
+    std::vector<Integer> products(x.size() + y.size() - 1);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        for (std::size_t j = 0; j < y.size(); ++j) products[i + j].add_product(x[i], y[j]);
+    }
+    return Polynomial(
+        RationalVector(std::move(products), a.coefficients_.denominator() * b.coefficients_.denominator()));
+}
+
+Rational Polynomial::operator()(const Rational& t) const {
+    if (is_zero()) return {};
+    const auto& numerators = coefficients_.numerators();
+    Integer value = numerators.back();
+    Integer power = 1;
+    for (std::size_t k = degree(); k-- > 0;) {
+        power *= t.denominator();
+        value = value * t.numerator() + numerators[k] * power;
+    }
+    return {value, coefficients_.denominator() * power};
+}
+
+Polynomial compose(const Polynomial& outer, const Polynomial& inner) {
+    Polynomial value;
+    for (std::size_t k = outer.coefficients().size(); k-- > 0;) value = value * inner + Polynomial(outer[k]);
+    return value;
+}
+
+Polynomial derivative(const Polynomial& polynomial) {
+    std::vector<Integer> numerators = polynomial.coefficients().numerators();
+    if (numerators.size() < 2) return {};
+    for (std::size_t k = 1; k < numerators.size(); ++k) numerators[k - 1] = numerators[k] * Integer(k);
+    numerators.pop_back();
+    return Polynomial(polynomial.coefficients().over_same_denominator(std::move(numerators)));
+}
+
+// Pseudo-division: every step multiplies by the leading coefficient of b instead of dividing by it.
+std::pair<Polynomial, Polynomial> divide(const Polynomial& a, const Polynomial& b) {
+    if (b.is_zero())
+        throw Error(ErrorCode::division_by_zero, "a polynomial cannot be divided by the zero polynomial");
+    const auto& divisor = b.coefficients().numerators();
+    std::vector<Integer> remainder = a.coefficients().numerators();
+    if (remainder.size() < divisor.size()) return {Polynomial(), a};
+
+    const std::size_t steps = remainder.size() - divisor.size() + 1;
+    std::vector<Integer> quotient(steps);
+    const Integer& leading = divisor.back();
+    Integer scale = 1;
+    for (std::size_t step = steps; step-- > 0;) {
+        const Integer top = remainder.back();
+        remainder.pop_back();
+        for (Integer& entry : remainder) entry *= leading;
+        for (Integer& entry : quotient) entry *= leading;
+        for (std::size_t j = 0; j + 1 < divisor.size(); ++j)
+            remainder[step + j].add_product(-top, divisor[j]);
+        quotient[step] = top;
+        scale *= leading;
+    }
+    // leading^steps * numerators(a) = quotient * numerators(b) + remainder
+    const Integer denominator = scale * a.coefficients().denominator();
+    for (Integer& entry : quotient) entry *= b.coefficients().denominator();
+    return {Polynomial(RationalVector(std::move(quotient), denominator)),
+            Polynomial(RationalVector(std::move(remainder), denominator))};
+}
+
+Polynomial divide_exactly(const Polynomial& a, const Polynomial& b) {
+    auto [quotient, remainder] = divide(a, b);
+    if (!remainder.is_zero()) {
+        throw Error(ErrorCode::inexact_division, "the divisor of degree " + std::to_string(b.degree()) +
+                                                     " does not divide the polynomial of degree " +
+                                                     std::to_string(a.degree()));
+    }
+    return quotient;
+}
+
+Polynomial gcd(const Polynomial& a, const Polynomial& b) {
+    Polynomial x = a;
+    Polynomial y = b;
+    while (!y.is_zero()) {
+        Polynomial rest = divide(x, y).second;
+        x = std::move(y);
+        y = rest.is_zero() ? rest : primitive(rest);
+    }
+    return monic(x);
+}
+
+Polynomial pow(const Polynomial& base, std::size_t exponent) {
+    Polynomial result = 1;
+    for (Polynomial square = base; exponent != 0; exponent >>= 1) {
+        if (exponent & 1) result *= square;
+        if (exponent > 1) square *= square;
+    }
+    return result;
+}
+
+}  // namespace blossom

@@ -1,0 +1,66 @@
+#include "patch_product.hpp"
+
+#include "maps/patch_kernel.hpp"
+
+namespace blossom {
+
+namespace {
+
+Form form_of_rows(const NetShape& shape, const PointArray& coefficients) {
+    Form form{shape, {}, coefficients.denominator()};
+    for (const auto row : coefficients.rows()) form.rows.emplace_back(row.begin(), row.end());
+    return form;
+}
+
+NetShape sum_of(const NetShape& a, const NetShape& b, const Limits& limits) {
+    std::vector<SimplexFactor> factors;
+    factors.reserve(a.factors());
+    for (std::size_t f = 0; f < a.factors(); ++f)
+        factors.push_back({a[f].dimension, a[f].degree + b[f].degree});
+    return NetShape(std::move(factors), limits);
+}
+
+}  // namespace
+
+Form form_of(const BezierPatch& patch) {
+    return form_of_rows(patch.shape(), form_of(patch.shape(), patch.control_net()));
+}
+
+Form form_of(const PolynomialPatch& patch) { return form_of_rows(patch.shape(), patch.coefficients()); }
+
+BezierPatch patch_of_form(const Form& form, const BezierPatch&) {
+    return {form.shape, polar_of(form.shape, canonical_points(form.rows, form.denominator))};
+}
+
+PolynomialPatch patch_of_form(const Form& form, const PolynomialPatch&) {
+    return {form.shape, canonical_points(form.rows, form.denominator)};
+}
+
+ProductTable::ProductTable(const NetShape& a, const NetShape& b, const Limits& limits)
+    : shape_(sum_of(a, b, limits)) {
+    require_within(a.size(), limits.numbers / b.size(), "numbers", "the number of coefficients to multiply");
+    const auto of_a = net_indices(a);
+    const auto of_b = net_indices(b);
+    places_.reserve(of_a.size() * of_b.size());
+    std::vector<MultiIndex> sum;
+    for (const auto& left : of_a) {
+        for (const auto& right : of_b) {
+            sum = left;
+            for (std::size_t f = 0; f < sum.size(); ++f) {
+                for (std::size_t k = 0; k < sum[f].size(); ++k) sum[f][k] += right[f][k];
+            }
+            places_.push_back(shape_.position_of(sum));
+        }
+    }
+}
+
+std::vector<Integer> ProductTable::product(std::span<const Integer> a, std::span<const Integer> b) const {
+    std::vector<Integer> result(shape_.size());
+    std::size_t pair = 0;
+    for (const Integer& left : a) {
+        for (const Integer& right : b) result[places_[pair++]] += left * right;
+    }
+    return result;
+}
+
+}  // namespace blossom

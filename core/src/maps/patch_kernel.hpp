@@ -1,0 +1,47 @@
+#pragma once
+
+// What control nets and monomial coefficients share: both are weighted by products of powers of the
+// coordinates of an argument, with respect to the vertices, or to the origin and the unit vectors.
+
+#include <blossom/core/maps/bezier_patch.hpp>
+
+#include <string>
+#include <utility>
+
+#include "integer_tuple.hpp"
+
+namespace blossom {
+
+/// The blossom with the values `polar` at the elements of the frame, which the arguments are given in:
+/// prod_j sum_k argument_jk X_k, factor by factor, with the values in place of the monomials in X.
+Coordinates polar_value(const NetShape& shape, const PointArray& polar, const PatchArguments& arguments,
+                        const Limits& limits);
+
+/// The homogeneous polynomial with these coefficients at each of the points.
+std::vector<Coordinates> form_values(const NetShape& shape, const PointArray& coefficients,
+                                     std::span<const PatchPoint> points, const Limits& limits);
+
+/// The values times the multinomial coefficients: a homogeneous polynomial.
+PointArray form_of(const NetShape& shape, const PointArray& polar);
+/// The inverse.
+PointArray polar_of(const NetShape& shape, const PointArray& form);
+
+/// The derivative in these directions, k_f of them in factor f of degree n_f: prod n_f! / (n_f - k_f)! times
+/// the value at n_f - k_f copies of the point and the directions; zero where k_f > n_f.
+Coordinates polar_derivative_at(const NetShape& shape, const PointArray& polar,
+                                const PatchArguments& directions, const PatchPoint& at, const Limits& limits);
+
+/// The same as values at the elements of the frame, of degrees n_f - k_f; zero of degree 0 where some k_f >
+/// n_f.
+std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArray& polar,
+                                                 const PatchArguments& directions, const Limits& limits);
+
+/// Errors: `wrong_arity`, `mismatched_dimensions`, with fields below `field`.
+void require_point(const NetShape& shape, const PatchPoint& point, const std::string& field);
+void require_directions(const NetShape& shape, const PatchArguments& directions);
+
+/// Errors: `not_affine`, at `field`, unless the coordinates have the sum `mass`; `what` is a point or a
+/// vector.
+void require_mass(const Coordinates& tuple, int mass, const std::string& what, const std::string& field);
+
+}  // namespace blossom

@@ -1,0 +1,82 @@
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace blossom {
+
+namespace {
+
+void require_formal_degree(std::size_t actual, std::size_t formal) {
+    if (actual <= formal) return;
+    throw Error(ErrorCode::degree_too_low,
+                "the formal degree " + std::to_string(formal) + " is below the actual degree " +
+                    std::to_string(actual),
+                "/degree");
+}
+
+PointArray padded(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree) {
+    const PointArray given(coefficients);
+    std::size_t actual = given.size() - 1;
+    while (actual > 0 && std::ranges::all_of(coefficients[actual], &Rational::is_zero)) --actual;
+    const std::size_t formal = degree.value_or(given.size() - 1);
+    require_formal_degree(actual, formal);
+
+    std::vector<Integer> numerators;
+    numerators.reserve(given.dimension() * (formal + 1));
+    for (std::size_t j = 0; j < given.dimension(); ++j) {
+        const auto row = given.coordinate(j).first(std::min(given.size(), formal + 1));
+        numerators.insert(numerators.end(), row.begin(), row.end());
+        numerators.resize((j + 1) * (formal + 1));
+    }
+    return {given.dimension(), given.numbers().over_same_denominator(std::move(numerators))};
+}
+
+PointArray stacked(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree) {
+    if (coordinates.empty()) throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
+    std::size_t actual = 0;
+    Integer denominator = 1;
+    for (const Polynomial& coordinate : coordinates) {
+        actual = std::max(actual, coordinate.degree());
+        denominator = lcm(denominator, coordinate.coefficients().denominator());
+    }
+    const std::size_t formal = degree.value_or(actual);
+    require_formal_degree(actual, formal);
+
+    std::vector<Integer> numerators;
+    numerators.reserve(coordinates.size() * (formal + 1));
+    for (std::size_t j = 0; j < coordinates.size(); ++j) {
+        const RationalVector& row = coordinates[j].coefficients();
+        const Integer scale = divide_exactly(denominator, row.denominator());
+        for (const Integer& numerator : row.numerators()) numerators.push_back(numerator * scale);
+        numerators.resize((j + 1) * (formal + 1));
+    }
+    return {coordinates.size(), RationalVector(std::move(numerators), denominator)};
+}
+
+}  // namespace
+
+PolynomialCurve::PolynomialCurve(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree)
+    : coefficients_(padded(coefficients, degree)) {}
+
+PolynomialCurve::PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree)
+    : coefficients_(stacked(coordinates, degree)) {}
+
+PolynomialCurve::PolynomialCurve(const Polynomial& polynomial, std::optional<std::size_t> degree)
+    : coefficients_(stacked({&polynomial, 1}, degree)) {}
+
+std::size_t PolynomialCurve::actual_degree() const {
+    std::size_t k = degree();
+    const auto vanishes = [&](std::span<const Integer> row) { return row[k].is_zero(); };
+    while (k > 0 && std::ranges::all_of(coefficients_.rows(), vanishes)) --k;
+    return k;
+}
+
+Polynomial PolynomialCurve::coordinate(std::size_t j) const {
+    const auto row = coefficients_.coordinate(j);
+    return Polynomial(coefficients_.numbers().over_same_denominator({row.begin(), row.end()}));
+}
+
+}  // namespace blossom

@@ -1,0 +1,145 @@
+#include <blossom/core/patch/patch_contact.hpp>
+#include <blossom/core/patch/patch_elevation.hpp>
+#include <blossom/core/patch/patch_subdivision.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+#include <numeric>
+
+#include "maps/bracketed.hpp"
+#include "patch_faces.hpp"
+
+namespace blossom {
+
+namespace {
+
+void require_same_factors(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right) {
+    const bool same =
+        std::ranges::equal(left, right, [](const BarycentricFrame& a, const BarycentricFrame& b) {
+            return a.dimension() == b.dimension() && a.space_dimension() == b.space_dimension();
+        });
+    if (same) return;
+    throw Error(ErrorCode::mismatched_dimensions,
+                "the domains are products of simplices of different dimensions");
+}
+
+std::vector<std::size_t> common_degrees(const NetShape& left, const NetShape& right) {
+    std::vector<std::size_t> degrees;
+    degrees.reserve(left.factors());
+    for (std::size_t f = 0; f < left.factors(); ++f)
+        degrees.push_back(std::max(left[f].degree, right[f].degree));
+    return degrees;
+}
+
+PatchArguments vertices_at(std::span<const BarycentricFrame> frames, const std::vector<MultiIndex>& indices) {
+    PatchArguments arguments;
+    for (std::size_t f = 0; f < indices.size(); ++f) {
+        auto& list = arguments.emplace_back();
+        for (std::size_t k = 0; k < indices[f].size(); ++k) {
+            list.insert(list.end(), indices[f][k], frames[f].vertices()[k]);
+        }
+    }
+    return arguments;
+}
+
+}  // namespace
+
+Face shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right) {
+    require_same_factors(left, right);
+    Face face;
+    for (std::size_t f = 0; f < left.size(); ++f) {
+        auto& own = face.emplace_back();
+        for (std::size_t k = 0; k <= left[f].dimension(); ++k) {
+            const auto& others = right[f].vertices();
+            if (std::ranges::find(others, left[f].vertices()[k]) != others.end()) own.push_back(k);
+        }
+        if (own.empty()) {
+            throw Error(ErrorCode::not_adjacent,
+                        "the domains share no vertex of factor " + std::to_string(f));
+        }
+    }
+    return face;
+}
+
+std::size_t distance_from(const std::vector<MultiIndex>& indices, const Face& face) {
+    std::size_t off = 0;
+    for (std::size_t f = 0; f < indices.size(); ++f) {
+        off += std::accumulate(indices[f].begin(), indices[f].end(), std::size_t{0});
+        for (const std::size_t vertex : face[f]) off -= indices[f][vertex];
+    }
+    return off;
+}
+
+void require_comparable(const PlacedPatch& left, const PlacedPatch& right, const Face& face) {
+    require_same_factors(left.frames, right.frames);
+    if (left.patch.dimension() != right.patch.dimension()) {
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "patches in " + std::to_string(left.patch.dimension()) + " and in " +
+                        std::to_string(right.patch.dimension()) + " dimensions have no contact");
+    }
+    if (face.size() != left.frames.size()) {
+        throw Error(ErrorCode::wrong_arity, "a face of a product of " + std::to_string(left.frames.size()) +
+                                                " simplices has as many factors, not " +
+                                                std::to_string(face.size()));
+    }
+}
+
+BezierPatch over_frames(const PlacedPatch& patch, std::span<const BarycentricFrame> frames,
+                        const Limits& limits) {
+    BezierPatch net = patch.patch;
+    for (std::size_t factor = 0; factor < frames.size(); ++factor) {
+        std::vector<Coordinates> elements;
+        for (const Coordinates& vertex : frames[factor].vertices())
+            elements.push_back(patch.frames[factor].of_point(vertex));
+        net = with_frame(net, factor, elements, limits);
+    }
+    return net;
+}
+
+PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
+                     const Limits& limits) {
+    require_comparable(left, right, face);
+    const std::vector<std::size_t> degrees = common_degrees(left.patch.shape(), right.patch.shape());
+    const BezierPatch f = elevated_to(left.patch, degrees, limits);
+    const BezierPatch g =
+        over_frames({elevated_to(right.patch, degrees, limits), right.frames}, left.frames, limits);
+    const auto indices = net_indices(f.shape());
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (first && distance_from(indices[i], face) >= distance_from(indices[*first], face)) continue;
+        if (f.control_net()[i] != g.control_net()[i]) first = i;
+    }
+    if (!first) return {};
+    return {static_cast<std::ptrdiff_t>(distance_from(indices[*first], face)) - 1,
+            PatchDifference{vertices_at(left.frames, indices[*first]), f.control_net()[*first],
+                            g.control_net()[*first]}};
+}
+
+namespace {
+
+std::string text_of(const PatchContact& contact, const std::string& same, const std::string& what) {
+    if (contact.is_infinite()) return "The patches are the same " + same;
+    const PatchDifference& difference = *contact.first_difference;
+    std::string arguments;
+    for (const auto& list : difference.arguments) {
+        arguments += (arguments.empty() ? "" : "; ") +
+                     listed(list, [](const Coordinates& point) { return bracketed(point); });
+    }
+    const std::string values =
+        what + arguments + "] are " + bracketed(difference.left) + " and " + bracketed(difference.right);
+    if (*contact.order < 0) return "The patches do not meet along the face" + values;
+    return "The patches meet with order " + std::to_string(*contact.order) + " along the face" + values;
+}
+
+}  // namespace
+
+std::string to_string(const PatchContact& contact) {
+    return text_of(contact, "polynomial", ": the blossom values at [");
+}
+
+std::string projected_contact_text(const PatchContact& contact) {
+    return text_of(contact, "rational map",
+                   ": of the points of each multiplied by the weight of the other, the blossom values at [");
+}
+
+}  // namespace blossom

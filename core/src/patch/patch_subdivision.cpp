@@ -1,0 +1,210 @@
+#include <blossom/core/patch/patch_subdivision.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <optional>
+#include <string>
+
+#include "maps/patch_kernel.hpp"
+
+namespace blossom {
+
+namespace {
+
+using Levels = std::vector<std::vector<std::vector<Integer>>>;
+
+/// The pyramids of all coordinates, and what the argument was multiplied by.
+struct Pyramids {
+    Levels rows;
+    Integer scale;
+
+    BezierPatch piece(const BezierPatch& patch, std::size_t factor, std::size_t vertex) const {
+        std::vector<std::vector<Integer>> net;
+        for (const auto& levels : rows) {
+            net.push_back(constructions::with_vertex_replaced(patch.shape(), factor, vertex, levels, scale));
+        }
+        return {patch.shape(), canonical_points(net, patch.control_net().denominator() *
+                                                         pow(scale, patch.shape()[factor].degree))};
+    }
+};
+
+Pyramids pyramids(const BezierPatch& patch, std::size_t factor, const Coordinates& argument,
+                  const Limits& limits) {
+    const auto [dimension, degree] = patch.shape()[factor];
+    const IntegerTuple tuple = cleared(argument);
+    require_result_bits(bits_of(patch.control_net()) + degree * tuple.bits(), limits);
+    const std::size_t entries = multi_index_count(dimension + 1, degree, limits);
+    require_within(
+        entries,
+        limits.numbers / patch.dimension() / patch.shape().before(factor) / patch.shape().behind(factor),
+        "numbers", "the number of points of the pyramid of one factor");
+    Pyramids result{{}, tuple.scale};
+    for (const auto row : patch.control_net().rows()) {
+        result.rows.push_back(constructions::pyramid<Integer>(patch.shape(), factor, row, tuple.entries));
+    }
+    return result;
+}
+
+/// The net with element order[k] of the frame in place k.
+BezierPatch permuted(const BezierPatch& patch, std::size_t factor, std::span<const std::size_t> order) {
+    const NetShape& shape = patch.shape();
+    const std::vector<MultiIndex> indices = multi_indices(shape[factor].dimension, shape[factor].degree);
+    const std::size_t behind = shape.behind(factor);
+    std::vector<std::size_t> source;
+    for (const MultiIndex& index : indices) {
+        MultiIndex old(index.size());
+        for (std::size_t k = 0; k < order.size(); ++k) old[order[k]] = index[k];
+        source.push_back(position(old));
+    }
+    const auto rows = each_row(patch.control_net(), [&](std::span<const Integer> row) {
+        std::vector<Integer> net;
+        net.reserve(row.size());
+        for (std::size_t block = 0; block < row.size(); block += source.size() * behind) {
+            for (const std::size_t place : source) {
+                for (std::size_t k = 0; k < behind; ++k) net.push_back(row[block + place * behind + k]);
+            }
+        }
+        return net;
+    });
+    return {shape, canonical_points(rows, patch.control_net().denominator())};
+}
+
+[[noreturn]] void refuse_dependent(std::span<const std::size_t> elements) {
+    std::string names;
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        names += (i == 0 ? "" : i + 1 == elements.size() ? " and " : ", ") + std::to_string(elements[i]);
+    }
+    throw Error(ErrorCode::degenerate_simplex,
+                elements.size() == 1 ? "element " + names + " of the frame is zero"
+                                     : "the elements " + names + " of the frame are linearly dependent",
+                "/elements/" + std::to_string(elements.back()));
+}
+
+/// The coordinates of an argument when `element`, with coordinates that do not vanish at `place`, stands
+/// there.
+void exchange(Coordinates& argument, const Coordinates& element, std::size_t place) {
+    const Rational own = argument[place] / element[place];
+    for (std::size_t k = 0; k < argument.size(); ++k) argument[k] -= own * element[k];
+    argument[place] = own;
+}
+
+bool is_unit(const Coordinates& tuple, std::size_t place) {
+    for (std::size_t k = 0; k < tuple.size(); ++k) {
+        if (tuple[k] != (k == place ? 1 : 0)) return false;
+    }
+    return true;
+}
+
+void require_elements(const NetShape& shape, std::size_t factor, std::span<const Coordinates> elements) {
+    const std::size_t vertices = shape[factor].dimension + 1;
+    const auto require = [&](std::size_t given, ErrorCode code, const std::string& what,
+                             const std::string& field) {
+        if (given == vertices) return;
+        throw Error(code,
+                    what + " must have length " + std::to_string(vertices) + ", not " + std::to_string(given),
+                    field);
+    };
+    require(elements.size(), ErrorCode::wrong_arity, "the list of elements of a frame", "/elements");
+    for (std::size_t j = 0; j < elements.size(); ++j) {
+        require(elements[j].size(), ErrorCode::mismatched_dimensions, "element " + std::to_string(j),
+                "/elements/" + std::to_string(j));
+    }
+}
+
+}  // namespace
+
+BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<const Coordinates> elements,
+                       const Limits& limits) {
+    require_elements(patch.shape(), factor, elements);
+    const std::size_t vertices = elements.size();
+    std::vector<Coordinates> remaining(elements.begin(), elements.end());
+    std::vector<std::optional<std::size_t>> occupant(vertices);  // by place, the element that stands there
+    std::vector<std::size_t> order;                              // by element, its place
+    BezierPatch result = patch;
+    for (std::size_t j = 0; j < vertices; ++j) {
+        const Coordinates element = remaining[j];
+        std::optional<std::size_t> place;
+        std::vector<std::size_t> dependent;
+        for (std::size_t k = 0; k < vertices; ++k) {
+            if (element[k].is_zero()) continue;
+            if (occupant[k]) {
+                dependent.push_back(*occupant[k]);
+            } else if (!place || k == j) {
+                place = k;
+            }
+        }
+        if (!place) {
+            std::ranges::sort(dependent);
+            dependent.push_back(j);
+            refuse_dependent(dependent);
+        }
+        if (!is_unit(element, *place)) {
+            result = pyramids(result, factor, element, limits).piece(result, factor, *place);
+            for (std::size_t i = j + 1; i < vertices; ++i) exchange(remaining[i], element, *place);
+        }
+        occupant[*place] = j;
+        order.push_back(*place);
+    }
+    return std::ranges::is_sorted(order) ? result : permuted(result, factor, order);
+}
+
+std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor, const Coordinates& point,
+                                   const Limits& limits) {
+    const std::size_t vertices = patch.shape()[factor].dimension + 1;
+    if (point.size() != vertices) {
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "a point of factor " + std::to_string(factor) + " has " + std::to_string(vertices) +
+                        " barycentric coordinates, not " + std::to_string(point.size()),
+                    "/at");
+    }
+    require_mass(point, 1, "the point to subdivide at", "/at");
+    for (std::size_t k = 0; k < vertices; ++k) {
+        if (!point[k].is_zero()) continue;
+        throw Error(ErrorCode::degenerate_simplex,
+                    "barycentric coordinate " + std::to_string(k) +
+                        " of the point is 0: it lies on the face opposite to vertex " + std::to_string(k) +
+                        ", with which it spans no simplex",
+                    "/at");
+    }
+    const Pyramids shared = pyramids(patch, factor, point, limits);
+    std::vector<BezierPatch> pieces;
+    pieces.reserve(vertices);
+    for (std::size_t k = 0; k < vertices; ++k) pieces.push_back(shared.piece(patch, factor, k));
+    return pieces;
+}
+
+// The pieces are walks of s steps from (0, m) to (m, s): at each step one of the two vertices moves on to the
+// next, and the midpoint of the two is a vertex of the piece.
+std::vector<std::vector<Coordinates>> midpoint_simplices(std::size_t dimension) {
+    std::vector<std::vector<Coordinates>> simplices;
+    for (std::size_t choice = 0; choice < std::size_t{1} << dimension; ++choice) {
+        std::size_t first = 0;
+        auto second = static_cast<std::size_t>(std::popcount(choice));
+        auto& simplex = simplices.emplace_back();
+        for (std::size_t step = 0;; ++step) {
+            Coordinates& vertex = simplex.emplace_back(dimension + 1);
+            vertex[first] += Rational(1, 2);
+            vertex[second] += Rational(1, 2);
+            if (step == dimension) break;
+            ++((choice >> step & 1) != 0 ? first : second);
+        }
+    }
+    return simplices;
+}
+
+std::vector<MidpointPiece> subdivide_at_midpoints(const BezierPatch& patch, std::size_t factor,
+                                                  const Limits& limits) {
+    const std::size_t dimension = patch.shape()[factor].dimension;
+    require_within(dimension, 20, "numbers", "the dimension of a simplex to divide into 2^s pieces");
+    require_within(patch.control_net().numbers().size(), limits.numbers >> dimension, "numbers",
+                   "the number of coordinates of each of the 2^s pieces");
+    std::vector<MidpointPiece> pieces;
+    for (auto& elements : midpoint_simplices(dimension)) {
+        BezierPatch piece = with_frame(patch, factor, elements, limits);
+        pieces.push_back({std::move(piece), std::move(elements)});
+    }
+    return pieces;
+}
+
+}  // namespace blossom

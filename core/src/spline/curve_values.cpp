@@ -1,0 +1,235 @@
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/spline/curve_values.hpp>
+#include <blossom/rational/prepared_polynomial.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <mutex>
+#include <optional>
+
+#include "maps/on_threads.hpp"
+#include "maps/result_room.hpp"
+#include "progressive_frame.hpp"
+
+namespace blossom {
+
+/// Forms, and whether their values at all parameters in words are within the limits.
+class CurveValues::Forms {
+public:
+    Forms(const PointArray& coefficients, const Limits& limits)
+        : forms_(coefficients.numbers(), coefficients.dimension()), limits_(limits) {
+        constexpr std::size_t word_bits = 64;
+        const std::size_t digits = forms_.value_bits(word_bits) / 3 + 1;
+        words_are_within_ = digits <= limits.digits && digits * dimension() <= limits.output_digits;
+    }
+
+    std::size_t dimension() const { return forms_.rows(); }
+
+    void evaluate(const Rational& t, std::span<Rational> values) const {
+        if (t.numerator().is_word() && t.denominator().is_word())
+            return evaluate(t.numerator().word(), t.denominator().word(), values);
+        evaluate_any(t, values);
+    }
+    /// At numerator / denominator in lowest terms.
+    void evaluate(std::int64_t numerator, std::int64_t denominator, std::span<Rational> values) const {
+        if (words_are_within_ && numerator != std::numeric_limits<std::int64_t>::min())
+            return forms_.evaluate(numerator, denominator, values);
+        evaluate_any(Rational(numerator, denominator), values);
+    }
+
+private:
+    [[gnu::noinline]] void evaluate_any(const Rational& t, std::span<Rational> values) const {
+        const std::size_t bits = std::max(t.numerator().bit_length(), t.denominator().bit_length());
+        require_result_bits(forms_.value_bits(bits), limits_, values.size());
+        forms_.evaluate(t, values);
+    }
+
+    FormValues forms_;
+    Limits limits_;
+    bool words_are_within_;
+};
+
+namespace {
+
+/// `evaluate(t, results)` for every parameter.
+template <class Evaluate>
+void set_values(std::span<const Rational> parameters, std::size_t dimension, std::span<Rational> results,
+                std::size_t jobs, const Evaluate& evaluate) {
+    require_room(parameters.size(), "parameters", dimension, results.size());
+    on_threads(parameters.size(), jobs, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            evaluate(parameters[i], results.subspan(i * dimension, dimension));
+    });
+}
+
+Integer floor_of(const Rational& value) {
+    Integer quotient = value.numerator() / value.denominator();
+    if (value.sign() < 0 && !value.is_integer()) quotient -= 1;
+    return quotient;
+}
+
+}  // namespace
+
+CurveValues::CurveValues(const PolynomialCurve& curve, const Limits& limits)
+    : forms_(std::make_shared<const Forms>(curve.coefficients(), limits)) {}
+
+CurveValues::CurveValues(const BezierCurve& curve, const Limits& limits)
+    : CurveValues(monomial_form(curve, limits), limits) {}
+
+std::size_t CurveValues::dimension() const { return forms_->dimension(); }
+
+Coordinates CurveValues::operator()(const Parameter& t) const {
+    Coordinates value(dimension());
+    forms_->evaluate(t.value, value);
+    return value;
+}
+
+std::vector<Rational> CurveValues::at(std::span<const Rational> parameters, std::size_t jobs) const {
+    std::vector<Rational> results(parameters.size() * dimension());
+    at(parameters, results, jobs);
+    return results;
+}
+
+void CurveValues::at(std::span<const Rational> parameters, std::span<Rational> results,
+                     std::size_t jobs) const {
+    set_values(parameters, dimension(), results, jobs,
+               [&](const Rational& t, std::span<Rational> result) { forms_->evaluate(t, result); });
+}
+
+/// What all copies share: the curve and its segments, each prepared once.
+class SplineValues::Segments {
+public:
+    Segments(const BSplineCurve& curve, const Limits& limits)
+        : curve_(curve),
+          limits_(limits),
+          segments_(std::make_unique<Segment[]>(curve.knots().size())),
+          knots_(curve.knots().knots()) {
+        read_words();
+    }
+
+    std::size_t dimension() const { return curve_.dimension(); }
+
+    void evaluate(const Rational& t, std::span<Rational> values) const {
+        if (denominator_ == 0 || !t.numerator().is_word() || !t.denominator().is_word())
+            return evaluate_any(t, values);
+        const std::int64_t numerator = t.numerator().word();
+        const std::int64_t denominator = t.denominator().word();
+        const Segment& segment = prepared(span_of(t, numerator, denominator));
+        // t less an integer is in lowest terms too.
+        std::int64_t moved = 0;
+        if (__builtin_mul_overflow(segment.word_origin, denominator, &moved) ||
+            __builtin_sub_overflow(numerator, moved, &moved))
+            return evaluate_any(t, values);
+        segment.forms->evaluate(moved, denominator, values);
+    }
+
+private:
+    struct Segment {
+        std::atomic<bool> is_ready = false;
+        std::once_flag once;
+        Integer origin;
+        std::int64_t word_origin = 0;  ///< the same where knots are words
+        std::optional<CurveValues::Forms> forms;
+    };
+
+    [[gnu::noinline]] void evaluate_any(const Rational& t, std::span<Rational> values) const {
+        const Segment& segment = prepared(curve_.knots().span_at(t));
+        segment.forms->evaluate(t - segment.origin, values);
+    }
+
+    const Segment& prepared(std::size_t span) const {
+        Segment& segment = segments_[span];
+        if (!segment.is_ready.load(std::memory_order_acquire)) prepare_once(span, segment);
+        return segment;
+    }
+
+    [[gnu::noinline]] void prepare_once(std::size_t span, Segment& segment) const {
+        std::call_once(segment.once, [&] { prepare(span, segment); });
+    }
+
+    void prepare(std::size_t span, Segment& segment) const {
+        const KnotVector& knots = curve_.knots();
+        const ProgressiveFrame frame(knots.around(span), curve_.points_of(span), limits_);
+        const PolynomialCurve whole =
+            monomial_form(frame.control_points(Interval(knots[span], knots[span + 1])), limits_);
+        segment.origin = floor_of(knots[span]);
+        segment.word_origin = segment.origin.to_int64().value_or(0);
+        segment.forms.emplace(taylor_form(whole, segment.origin, limits_).coefficients, limits_);
+        segment.is_ready.store(true, std::memory_order_release);
+    }
+
+    void read_words() {
+        for (const Integer& knot : knots_.numerators()) {
+            if (!knot.is_word()) return;
+            words_.push_back(knot.word());
+        }
+        denominator_ = knots_.denominator().word();
+        list_spans();
+    }
+
+    /// The spans of all integers from the first knot of the domain up to the last, if they are not too many.
+    void list_spans() {
+        constexpr std::uint64_t most = 1024;
+        const std::size_t begin = curve_.knots().begin_index();
+        const std::size_t end = curve_.knots().end_index();
+        first_ = words_[begin];
+        last_ = words_[end];
+        if (static_cast<std::uint64_t>(last_) - static_cast<std::uint64_t>(first_) > most) return;
+        std::size_t span = begin;
+        for (std::int64_t place = first_; place < last_; ++place) {
+            while (words_[span + 1] <= place) ++span;
+            spans_.push_back(static_cast<std::uint32_t>(span));
+        }
+    }
+
+    /// As KnotVector::span_at for t = numerator / denominator: no knot lies between t and its floor, once
+    /// both are multiplied by the denominator of the knots.
+    std::size_t span_of(const Rational& t, std::int64_t numerator, std::int64_t denominator) const {
+        std::int64_t place = 0;
+        if (__builtin_mul_overflow(numerator, denominator_, &place)) return curve_.knots().span_at(t);
+        const std::int64_t quotient = place / denominator;
+        const std::int64_t floor = quotient - (quotient * denominator > place ? 1 : 0);
+        if (floor < first_ || floor >= last_) return curve_.knots().span_at(t);
+        if (!spans_.empty()) return spans_[static_cast<std::size_t>(floor - first_)];
+        const auto* const first = words_.data() + curve_.knots().begin_index();
+        const auto* const last = words_.data() + curve_.knots().end_index();
+        return static_cast<std::size_t>(std::upper_bound(first, last, floor) - words_.data()) - 1;
+    }
+
+    BSplineCurve curve_;
+    Limits limits_;
+    std::unique_ptr<Segment[]> segments_;
+    RationalVector knots_;
+    std::vector<std::int64_t> words_;  ///< the knots over `denominator_`
+    std::int64_t denominator_ = 0;     ///< 0 unless all are words
+    std::int64_t first_ = 0;           ///< the ends of the domain over it
+    std::int64_t last_ = 0;
+    std::vector<std::uint32_t> spans_;  ///< of first_, first_ + 1, ..., last_ - 1; or empty
+};
+
+SplineValues::SplineValues(const BSplineCurve& curve, const Limits& limits)
+    : segments_(std::make_shared<const Segments>(curve, limits)) {}
+
+std::size_t SplineValues::dimension() const { return segments_->dimension(); }
+
+Coordinates SplineValues::operator()(const Parameter& t) const {
+    Coordinates value(dimension());
+    segments_->evaluate(t.value, value);
+    return value;
+}
+
+std::vector<Rational> SplineValues::at(std::span<const Rational> parameters, std::size_t jobs) const {
+    std::vector<Rational> results(parameters.size() * dimension());
+    at(parameters, results, jobs);
+    return results;
+}
+
+void SplineValues::at(std::span<const Rational> parameters, std::span<Rational> results,
+                      std::size_t jobs) const {
+    set_values(parameters, dimension(), results, jobs,
+               [&](const Rational& t, std::span<Rational> result) { segments_->evaluate(t, result); });
+}
+
+}  // namespace blossom

@@ -1,0 +1,188 @@
+#include <blossom/core/spline/knot_insertion.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <string>
+
+#include "progressive_frame.hpp"
+
+namespace blossom {
+
+namespace {
+
+[[noreturn]] void refuse(ErrorCode code, std::size_t i, const Rational& knot, const std::string& rule) {
+    throw Error(code, "knot " + std::to_string(i) + " to insert (" + to_string(knot) + ") " + rule,
+                "/knots/" + std::to_string(i));
+}
+
+/// The knots to insert in order, each of them legal.
+std::vector<Rational> in_order(const KnotVector& knots, std::span<const Rational> inserted) {
+    std::vector<std::size_t> order(inserted.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, [&](std::size_t i, std::size_t j) { return inserted[i] < inserted[j]; });
+
+    const Interval domain = knots.domain();
+    std::vector<Rational> sorted;
+    sorted.reserve(inserted.size());
+    std::size_t multiplicity = 0;
+    for (const std::size_t i : order) {
+        const Rational& knot = inserted[i];
+        if (knot < domain.a() || domain.b() < knot) {
+            refuse(ErrorCode::outside_domain, i, knot,
+                   "lies outside the domain [" + to_string(domain.a()) + ", " + to_string(domain.b()) + "]");
+        }
+        const bool repeated = !sorted.empty() && sorted.back() == knot;
+        multiplicity = (repeated ? multiplicity : knots.multiplicity(knot)) + 1;
+        if (multiplicity > knots.degree() + 1) {
+            refuse(ErrorCode::bad_knots, i, knot,
+                   "would have multiplicity " + std::to_string(multiplicity) +
+                       ", more than degree + 1 = " + std::to_string(knots.degree() + 1));
+        }
+        sorted.push_back(knot);
+    }
+    return sorted;
+}
+
+void require_size(const BSplineCurve& curve, std::size_t inserted, const Limits& limits) {
+    require_within(inserted, limits.numbers, "numbers", "the number of knots to insert", "/knots");
+    const std::size_t points = curve.control_points().size() + inserted;
+    require_within(points * curve.dimension(), limits.numbers, "numbers", "the number of coordinates",
+                   "/knots");
+}
+
+/// A curve whose knots and points before a moving place are refined already, and behind it still those of
+/// `curve`.
+class Refinement {
+public:
+    Refinement(const BSplineCurve& curve, std::size_t inserted, const Limits& limits)
+        : curve_(curve), limits_(limits) {
+        knots_.reserve(curve.knots().size() + inserted);
+        points_.reserve(curve.control_points().size() + inserted);
+    }
+
+    /// Boehm's step; the knots come in order. At the end of the domain they are put before their equals
+    /// there, so that the span to the left of them is the last.
+    void insert(const Rational& knot) {
+        const KnotVector& old = curve_.knots();
+        const bool at_end = knot == old[old.end_index()];
+        while (at_end ? old[old_knots_] < knot : old_knots_ < old.size() && old[old_knots_] <= knot) {
+            knots_.push_back(old[old_knots_++]);
+        }
+        const std::size_t first = knots_.size() - 1 - old.begin_index();
+        const std::size_t n = curve_.degree();
+        while (points_.size() <= first + n) points_.push_back(curve_.control_points()[old_points_++]);
+
+        const std::vector<Rational> knots = around(knot);
+        const ProgressiveFrame frame(knots, std::span(points_).subspan(first, n + 1), limits_);
+        ProgressiveDescent level(frame);
+        if (n > 0) level.descend(Parameter(knot));
+        points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(first + n), points_[first + n]);
+        for (std::size_t l = 0; l < n; ++l) points_[first + 1 + l] = level.entry(l);
+        if (at_end) {
+            ++at_end_;
+        } else {
+            knots_.push_back(knot);
+        }
+    }
+
+    BSplineCurve finish() && {
+        const KnotVector& old = curve_.knots();
+        knots_.insert(knots_.end(), at_end_, old[old.end_index()]);
+        while (old_knots_ < old.size()) knots_.push_back(old[old_knots_++]);
+        while (old_points_ < curve_.control_points().size())
+            points_.push_back(curve_.control_points()[old_points_++]);
+        return {curve_.degree(), std::move(knots_), std::move(points_)};
+    }
+
+private:
+    /// n knots on each side of the place.
+    std::vector<Rational> around(const Rational& knot) const {
+        const std::size_t n = curve_.degree();
+        std::vector<Rational> around(knots_.end() - static_cast<std::ptrdiff_t>(n), knots_.end());
+        around.insert(around.end(), std::min(n, at_end_), knot);
+        for (std::size_t i = old_knots_; around.size() < 2 * n; ++i) around.push_back(curve_.knots()[i]);
+        return around;
+    }
+
+    const BSplineCurve& curve_;
+    const Limits& limits_;
+    std::vector<Rational> knots_;
+    std::vector<Coordinates> points_;
+    std::size_t old_knots_ = 0;   ///< how many knots of the curve are in `knots_`
+    std::size_t old_points_ = 0;  ///< how many points of the curve have come to `points_`
+    std::size_t at_end_ = 0;      ///< knots inserted at the end of the domain
+};
+
+/// The knots with those to insert among them, behind their equals and at the end of the domain before them.
+struct MergedKnots {
+    std::vector<Rational> knots;
+    std::vector<bool> inserted;  ///< which of them
+};
+
+MergedKnots merged(const KnotVector& knots, std::span<const Rational> inserted) {
+    const Rational& end = knots[knots.end_index()];
+    MergedKnots result;
+    std::size_t next = 0;
+    const auto take_inserted = [&] {
+        result.knots.push_back(inserted[next++]);
+        result.inserted.push_back(true);
+    };
+    for (const Rational& knot : knots.knots()) {
+        while (next < inserted.size() && (inserted[next] < knot || (inserted[next] == end && knot == end))) {
+            take_inserted();
+        }
+        result.knots.push_back(knot);
+        result.inserted.push_back(false);
+    }
+    return result;
+}
+
+}  // namespace
+
+BSplineCurve insert_knots_boehm(const BSplineCurve& curve, std::span<const Rational> knots,
+                                const Limits& limits) {
+    require_size(curve, knots.size(), limits);
+    Refinement refinement(curve, knots.size(), limits);
+    for (const Rational& knot : in_order(curve.knots(), knots)) refinement.insert(knot);
+    return std::move(refinement).finish();
+}
+
+BSplineCurve insert_knots_oslo(const BSplineCurve& curve, std::span<const Rational> knots,
+                               const Limits& limits) {
+    require_size(curve, knots.size(), limits);
+    const KnotVector& old = curve.knots();
+    const std::size_t n = curve.degree();
+    auto [all, inserted] = merged(old, in_order(old, knots));
+    KnotVector finer(n, std::move(all), old.points() + knots.size());
+
+    std::vector<Coordinates> points;
+    points.reserve(finer.points());
+    std::optional<ProgressiveFrame> frame;
+    std::size_t frame_span = 0;
+    std::size_t before_window = 0;
+    std::size_t counted = 0;
+    std::optional<std::size_t> last_inserted;
+    for (std::size_t j = 0; j < finer.points(); ++j) {
+        const std::size_t begin = finer.window_index(j);
+        for (; counted < begin; ++counted) before_window += static_cast<std::size_t>(inserted[counted]);
+        for (std::size_t i = begin; i < begin + n; ++i) {
+            if (inserted[i]) last_inserted = i;
+        }
+        if (!last_inserted || *last_inserted < begin) {
+            points.push_back(curve.control_points()[j - before_window]);
+            continue;
+        }
+        const std::size_t span = old.span_at(finer[*last_inserted]);
+        if (!frame || span != frame_span) {
+            frame.emplace(old.around(span), curve.points_of(span), limits);
+            frame_span = span;
+        }
+        const auto window = finer.window(j);
+        points.push_back(frame->value(std::vector<Argument>(window.begin(), window.end())));
+    }
+    return {std::move(finer), std::move(points)};
+}
+
+}  // namespace blossom

@@ -1,0 +1,108 @@
+#include <blossom/core/spline/progressive.hpp>
+#include <blossom/rational/error.hpp>
+
+#include <string>
+
+#include "progressive_frame.hpp"
+
+namespace blossom {
+
+namespace {
+
+PointArray values(std::span<const Coordinates> points) {
+    try {
+        return PointArray(points);
+    } catch (const Error& error) {
+        throw error.below("/control_points");
+    }
+}
+
+void require_determined(std::span<const Rational> knots, std::size_t n) {
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t l = 0; l <= j; ++l) {
+            if (knots[j] != knots[n + l]) continue;
+            throw Error(ErrorCode::bad_knots,
+                        "knots " + std::to_string(j) + " and " + std::to_string(n + l) + " are equal (" +
+                            to_string(knots[j]) +
+                            "); progressive values determine a map only if knots j and n + l differ for l <= "
+                            "j < n = " +
+                            std::to_string(n),
+                        "/knots/" + std::to_string(n + l));
+        }
+    }
+}
+
+void require_arity(std::span<const Argument> arguments, std::size_t degree) {
+    if (arguments.size() == degree) return;
+    throw Error(ErrorCode::wrong_arity,
+                "the blossom of a map of formal degree " + std::to_string(degree) + " takes " +
+                    std::to_string(degree) + " arguments, not " + std::to_string(arguments.size()),
+                "/arguments");
+}
+
+}  // namespace
+
+ProgressiveCurve::ProgressiveCurve(std::vector<Rational> knots, std::span<const Coordinates> control_points)
+    : knots_(std::move(knots)), control_points_(values(control_points)) {
+    if (knots_.size() != 2 * degree()) {
+        throw Error(ErrorCode::wrong_arity,
+                    std::to_string(degree() + 1) + " progressive values need " +
+                        std::to_string(2 * degree()) + " knots, not " + std::to_string(knots_.size()),
+                    "/knots");
+    }
+    require_determined(knots_, degree());
+}
+
+Coordinates blossom_value(const ProgressiveCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits) {
+    require_arity(arguments, curve.degree());
+    return ProgressiveFrame(curve, limits).value(arguments);
+}
+
+std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& curve,
+                                                      std::span<const Argument> arguments,
+                                                      const Limits& limits) {
+    const std::size_t n = curve.degree();
+    require_arity(arguments, n);
+    require_within((n + 1) * (n + 2) / 2 * curve.dimension(), limits.numbers, "numbers",
+                   "the count of numbers");
+    const ProgressiveFrame frame(curve, limits);
+    ProgressiveDescent descent(frame);
+    std::vector<std::vector<Coordinates>> levels{curve.control_points().to_points()};
+    for (std::size_t k = 0; k < n; ++k) {
+        descent.descend(arguments[k]);
+        std::vector<Coordinates> level;
+        level.reserve(n - k);
+        for (std::size_t l = 0; l < n - k; ++l) level.push_back(descent.entry(l));
+        levels.push_back(std::move(level));
+    }
+    return levels;
+}
+
+Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Limits& limits) {
+    return blossom_value(curve, with_copies({}, curve.degree(), t), limits);
+}
+
+BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval, const Limits& limits) {
+    return ProgressiveFrame(curve, limits).control_points(interval);
+}
+
+ProgressiveCurve progressive_form(const PolynomialMap& map, std::vector<Rational> knots,
+                                  const Limits& limits) {
+    const Blossom blossom(map, limits);
+    const std::size_t n = blossom.degree();
+    const std::vector<Argument> arguments(knots.begin(), knots.end());
+    std::vector<Coordinates> points;
+    for (std::size_t j = 0; j + n <= arguments.size() && j <= n; ++j) {
+        points.push_back(blossom(std::span(arguments).subspan(j, n)));
+    }
+    if (points.size() != n + 1) {
+        throw Error(ErrorCode::wrong_arity,
+                    "progressive values of degree " + std::to_string(n) + " need " + std::to_string(2 * n) +
+                        " knots, not " + std::to_string(knots.size()),
+                    "/knots");
+    }
+    return {std::move(knots), points};
+}
+
+}  // namespace blossom

@@ -1,0 +1,72 @@
+#pragma once
+
+// What FormValues keeps of its rows.
+
+#include <blossom/rational/prepared_polynomial.hpp>
+
+#include <atomic>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "evaluation_by_halves.hpp"
+#include "form_limbs.hpp"
+#include "number/uint128.hpp"
+#include "quotients/small_primes.hpp"
+
+namespace blossom {
+
+/// The odd primes of a number from the table, and the part of it that has others; 0 for 0.
+struct PrimeParts {
+    explicit PrimeParts(const Integer& value);
+
+    small_primes::Set primes = 0;
+    Integer rest = 1;
+    std::uint64_t rest_word = 1;  ///< 0 if it is none
+
+    /// Whether the rest and a word v > 0 have a prime in common.
+    bool rest_meets(std::uint64_t v) const {
+        if (rest_word == 1 || v < 2 + small_primes::table.primes[small_primes::count - 1].prime) return false;
+        if (rest_word != 0) return gcd_of_words(rest_word % v, v) != 1;
+        return !gcd(rest, Integer(v)).is_one();
+    }
+};
+
+/// One row of coefficients over the denominator of all.
+class FormRow {
+public:
+    FormRow(std::span<const Integer> coefficients, std::span<const std::int64_t> words,
+            const Integer& denominator);
+
+    const std::span<const std::int64_t> words;  ///< empty unless all numbers are words
+    const PrimeParts greatest;                  ///< of the greatest coefficient
+    const FormLimbs limbs;
+
+    Rational value_by_halves(const Integer& u, const Integer& v) const;
+
+private:
+    const std::span<const Integer> coefficients_;
+    const Integer& denominator_;
+    // As much is spent on what pays when many values follow as has been spent without.
+    mutable std::atomic<std::size_t> asked_ = 0;
+    mutable std::once_flag once_plain_;
+    mutable std::once_flag once_prepared_;
+    mutable std::optional<FormHalves> plain_;
+    mutable std::optional<FormHalves> prepared_;
+};
+
+struct FormValues::Prepared {
+    Prepared(RationalVector numbers, std::size_t row_count);
+
+    RationalVector numbers;
+    std::size_t degree;
+    std::size_t sum_bits;  ///< of (n + 1) max |C_k|
+    std::vector<std::int64_t> words;
+    std::uint64_t word_denominator = 0;       ///< if the denominator is a word, otherwise 0
+    std::vector<std::uint64_t> denominators;  ///< factors of it, unless they are not all words
+    small_primes::Set denominator_primes = 0;
+    std::deque<FormRow> rows;
+};
+
+}  // namespace blossom

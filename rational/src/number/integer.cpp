@@ -1,0 +1,382 @@
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/integer.hpp>
+
+#include <algorithm>
+#include <atomic>
+#include <bit>
+#include <mutex>
+#include <vector>
+
+#include "backend.hpp"
+#include "uint128.hpp"
+
+namespace blossom {
+
+using backend::Number;
+
+namespace {
+
+/// The numbers that this thread gave back last, with the memory that they hold: what is computed next needs
+/// about as much. Nothing here has a destructor, so that integers of any lifetime may give back.
+struct Spares {
+    Integer::Large* first;
+    std::size_t words;  ///< that all of them hold
+};
+/// What one of them may hold, and all of a thread.
+constexpr std::size_t most_words_of_spare = 32;
+constexpr std::size_t most_words_of_spares = std::size_t{1} << 13;
+thread_local Spares spares{};
+thread_local bool spares_are_closed = false;  ///< when the thread ends
+
+/// Lists of spares that were too many for one thread, for those that have none: results are mostly given back
+/// by another thread than the one that computed them. Whether it is full or empty is seen without the lock,
+/// for which threads would wait at every number otherwise.
+class Depot {
+public:
+    /// Whether there was room.
+    bool put(const Spares& list) {
+        if (words_.load(std::memory_order_relaxed) + list.words > most_words) return false;
+        const std::lock_guard lock(mutex_);
+        const std::size_t words = words_.load(std::memory_order_relaxed) + list.words;
+        if (words > most_words || size_ == most_lists) return false;
+        lists_[size_++] = list;
+        words_.store(words, std::memory_order_relaxed);
+        return true;
+    }
+    Spares take() {
+        if (words_.load(std::memory_order_relaxed) == 0) return {};
+        const std::lock_guard lock(mutex_);
+        if (size_ == 0) return {};
+        const Spares& list = lists_[--size_];
+        words_.store(words_.load(std::memory_order_relaxed) - list.words, std::memory_order_relaxed);
+        return list;
+    }
+
+private:
+    static constexpr std::size_t most_words = 32 * most_words_of_spares;
+    static constexpr std::size_t most_lists = 128;
+
+    std::mutex mutex_;
+    std::size_t size_ = 0;
+    std::atomic<std::size_t> words_ = 0;  ///< of all lists; changed by who holds the lock
+    Spares lists_[most_lists] = {};
+};
+constinit Depot depot;
+
+/// Leaves them to others when the thread ends.
+struct SparesOfThread {
+    SparesOfThread() = default;
+    SparesOfThread(const SparesOfThread&) = delete;
+    SparesOfThread(SparesOfThread&&) = delete;
+    SparesOfThread& operator=(const SparesOfThread&) = delete;
+    SparesOfThread& operator=(SparesOfThread&&) = delete;
+    ~SparesOfThread() {
+        spares_are_closed = true;
+        if (spares.first && depot.put(spares)) spares = {};
+        while (spares.first) delete std::exchange(spares.first, spares.first->next);
+    }
+    void start() const {}
+};
+thread_local const SparesOfThread spares_of_thread;
+
+/// A number of any value.
+Integer::Large* take_large() {
+    if (!spares.first) {
+        if (spares_are_closed) return new Integer::Large;
+        spares = depot.take();
+        if (!spares.first) return new Integer::Large;
+        spares_of_thread.start();
+    }
+    Integer::Large* const number = std::exchange(spares.first, spares.first->next);
+    spares.words -= backend::words_held(number->value);
+    return number;
+}
+
+void give_back(Integer::Large* number) noexcept {
+    const std::size_t words = backend::words_held(number->value);
+    if (spares_are_closed || words > most_words_of_spare) {
+        delete number;
+        return;
+    }
+    if (spares.words + words > most_words_of_spares) {
+        if (!depot.put(spares)) {
+            delete number;
+            return;
+        }
+        spares = {};
+    }
+    if (!spares.first) spares_of_thread.start();
+    number->next = std::exchange(spares.first, number);
+    spares.words += words;
+}
+
+void require_divisor(const Integer& divisor) {
+    if (divisor.is_zero()) throw Error(ErrorCode::division_by_zero, "an integer cannot be divided by 0");
+}
+
+}  // namespace
+
+// ---- the two representations
+
+Integer::Large& Integer::promote() {
+    if (!large_) {
+        large_ = take_large();
+        large_->value = std::exchange(small_, 0);
+    }
+    return *large_;
+}
+
+Integer& Integer::settle() {
+    if (const auto word = backend::to_word(large_->value)) {
+        small_ = *word;
+        release();
+    }
+    return *this;
+}
+
+Integer Integer::from_unsigned(std::uint64_t value) {
+    Integer result;
+    result.promote().value = value;
+    return std::move(result.settle());
+}
+
+void Integer::copy_large(const Integer& other) {
+    large_ = take_large();
+    large_->value = other.large_->value;
+}
+
+void Integer::assign_large(const Integer& other) {
+    if (!other.large_) {
+        release();
+        small_ = other.small_;
+    } else if (large_) {
+        large_->value = other.large_->value;
+    } else {
+        copy_large(other);
+        small_ = 0;
+    }
+}
+
+void Integer::release() noexcept { give_back(std::exchange(large_, nullptr)); }
+
+Integer IntegerAccess::from_number(Number&& value) {
+    return computed([&](Number& number) { number.swap(value); });
+}
+
+template <class Compute>
+Integer IntegerAccess::computed(const Compute& compute) {
+    Integer result;
+    result.large_ = take_large();
+    compute(result.large_->value);
+    return std::move(result.settle());
+}
+
+// ---- arithmetic beyond 64 bits
+
+int Integer::large_sign() const { return large_->value.sign(); }
+
+std::size_t Integer::bit_length() const {
+    if (!large_) return static_cast<std::size_t>(std::bit_width(magnitude(small_)));
+    return backend::bit_length(large_->value);
+}
+
+bool Integer::is_odd() const {
+    return large_ ? boost::multiprecision::bit_test(large_->value, 0) : (small_ & 1) != 0;
+}
+
+Integer& Integer::add_large(const Integer& other) {
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& term) { value += term; });
+    return settle();
+}
+
+Integer& Integer::subtract_large(const Integer& other) {
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& term) { value -= term; });
+    return settle();
+}
+
+Integer& Integer::multiply_large(const Integer& other) {
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& factor) { value *= factor; });
+    return settle();
+}
+
+Integer Integer::product_large(const Integer& a, const Integer& b) {
+    if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
+    return IntegerAccess::visit(b, [&](const auto& factor) {
+        return IntegerAccess::computed(
+            [&](Number& product) { backend::multiply(product, a.large_->value, factor); });
+    });
+}
+
+Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
+    if (!a.large_) return b.large_ ? add_product_large(b, a) : *this += a * b;
+    Number& sum = promote().value;
+    IntegerAccess::visit(b, [&](const auto& factor) { backend::add_product(sum, a.large_->value, factor); });
+    return settle();
+}
+
+void Integer::negate_large() {
+    Number& value = promote().value;
+    value = -value;
+    settle();
+}
+
+bool Integer::equal_large(const Integer& a, const Integer& b) {
+    return a.large_ && b.large_ && a.large_->value == b.large_->value;
+}
+
+std::strong_ordering Integer::compare_large(const Integer& a, const Integer& b) {
+    const auto order = [](int sign) { return sign <=> 0; };
+    if (!a.large_) return order(-b.large_sign());
+    if (!b.large_) return order(a.large_sign());
+    return order(a.large_->value.compare(b.large_->value));
+}
+
+Integer& Integer::operator/=(const Integer& other) {
+    require_divisor(other);
+    const bool overflows = small_ == std::numeric_limits<std::int64_t>::min() && other.small_ == -1;
+    if (!large_ && !other.large_ && !overflows) {
+        small_ /= other.small_;
+        return *this;
+    }
+    Number& value = promote().value;
+    IntegerAccess::visit(other, [&](const auto& divisor) { value /= divisor; });
+    return settle();
+}
+
+Integer& Integer::operator%=(const Integer& other) {
+    require_divisor(other);
+    if (!large_ && !other.large_) {
+        small_ = other.small_ == -1 ? 0 : small_ % other.small_;
+        return *this;
+    }
+    const Number divisor = IntegerAccess::to_number(other);
+    Number& value = promote().value;
+    value %= divisor;
+    return settle();
+}
+
+Integer& Integer::operator<<=(std::size_t bits) {
+    if (is_zero()) return *this;
+    promote().value <<= bits;
+    return settle();
+}
+
+Integer& Integer::operator>>=(std::size_t bits) {
+    if (!large_) {
+        small_ >>= std::min<std::size_t>(bits, 63);
+        return *this;
+    }
+    // Backends differ on negative values: -(((-x) - 1) >> k) - 1 is the floor for all of them.
+    Number& value = large_->value;
+    const bool negative = value.sign() < 0;
+    if (negative) value = -value - 1;
+    value >>= bits;
+    if (negative) value = -value - 1;
+    return settle();
+}
+
+// ---- number theory
+
+Integer abs(Integer value) {
+    if (value.sign() < 0) value.negate();
+    return value;
+}
+
+Integer gcd(const Integer& a, const Integer& b) {
+    const auto x = a.to_int64();
+    const auto y = b.to_int64();
+    if (x && y) return *y == 0 ? magnitude(*x) : gcd_of_words(magnitude(*x), magnitude(*y));
+    if (!x && !y) {
+        return IntegerAccess::computed([&](Number& common) {
+            backend::set_gcd(common, IntegerAccess::large(a), IntegerAccess::large(b));
+        });
+    }
+    const Integer& large = x ? b : a;
+    const std::uint64_t word = magnitude(x ? *x : *y);
+    if (word == 0) return abs(large);
+    return gcd_of_words(backend::remainder(IntegerAccess::large(large), word), word);
+}
+
+Integer lcm(const Integer& a, const Integer& b) {
+    if (a.is_zero() || b.is_zero()) return 0;
+    return abs(divide_exactly(a, gcd(a, b)) * b);
+}
+
+Integer pow(const Integer& base, std::size_t exponent) {
+    Integer result = 1;
+    Integer square = base;
+    for (std::size_t rest = exponent; rest != 0; rest >>= 1) {
+        if (rest & 1) result *= square;
+        if (rest > 1) square *= square;
+    }
+    return result;
+}
+
+Integer divide_exactly(const Integer& a, const Integer& b) {
+    if (a.to_int64()) return a / b;
+    require_divisor(b);
+    return IntegerAccess::visit(b, [&](const auto& divisor) {
+        return IntegerAccess::computed([&](Number& quotient) {
+            backend::set_exact_quotient(quotient, IntegerAccess::large(a), divisor);
+        });
+    });
+}
+
+Integer dot(std::span<const Integer> a, std::span<const Integer> b) {
+    Integer sum;
+    for (std::size_t i = 0; i < a.size(); ++i) sum.add_product(a[i], b[i]);
+    return sum;
+}
+
+// ---- words
+
+void IntegerAccess::set_magnitude(Integer& value, std::span<const std::uint64_t> words, bool negative) {
+    std::size_t used = words.size();
+    while (used > 1 && words[used - 1] == 0) --used;
+    if (used == 1 && words[0] <= static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) {
+        const auto word = static_cast<std::int64_t>(words[0]);
+        return set_word(value, negative ? -word : word);
+    }
+    if (!value.large_) value.large_ = take_large();
+    value.small_ = 0;
+    backend::set_words(value.large_->value, words.first(used), negative);
+    // The least value of 64 bits is a word.
+    if (used == 1) value.settle();
+}
+
+Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
+    // Words that only repeat the sign.
+    std::size_t used = words.size();
+    const auto sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
+    while (used > 1 && words[used - 1] == sign && (words[used - 2] ^ sign) >> 63 == 0) --used;
+    if (used == 1) return static_cast<std::int64_t>(words[0]);
+    return computed([&](Number& number) { backend::set_twos_complement(number, words.first(used)); });
+}
+
+void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {
+    if (!value.large_) {
+        const auto low = static_cast<std::uint64_t>(value.small_);
+        std::ranges::fill(words, value.small_ < 0 ? ~std::uint64_t{0} : 0);
+        words[0] = low;
+        return;
+    }
+    std::ranges::fill(words, 0);
+    const Number& number = value.large_->value;
+    backend::to_words(number, words);
+    bool carry = number.sign() < 0;
+    if (!carry) return;
+    for (std::uint64_t& word : words) {
+        word = ~word + static_cast<std::uint64_t>(carry);
+        carry = carry && word == 0;
+    }
+}
+
+}  // namespace blossom
+
+std::size_t std::hash<blossom::Integer>::operator()(const blossom::Integer& value) const noexcept {
+    return blossom::IntegerAccess::visit(
+        value, [](const auto& number) { return std::hash<std::remove_cvref_t<decltype(number)>>{}(number); });
+}

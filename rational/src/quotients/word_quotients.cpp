@@ -1,0 +1,250 @@
+#include "word_quotients.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "limbs/limb_arithmetic.hpp"
+#include "quotient_reduction.hpp"
+#include "residues/residue_system.hpp"
+#include "vectors/prime_lanes.hpp"
+#include "word_gcds.hpp"
+
+namespace blossom {
+
+namespace {
+
+constexpr std::size_t most_words = DenominatorWords::most_words + 1;
+
+/// A number >= 0 in the first `size` of the words that somebody else holds.
+struct Words {
+    std::uint64_t* words;
+    std::size_t size;
+
+    std::span<const std::uint64_t> span() const { return {words, size}; }
+
+    void multiply(std::uint64_t factor) { limbs::multiply_by_word(words, size, factor); }
+    void divide(std::uint64_t divisor) const {
+        Wide rest = 0;
+        for (std::size_t i = size; i-- > 0;) {
+            rest = rest << 64 | words[i];
+            words[i] = static_cast<std::uint64_t>(rest / divisor);
+            rest %= divisor;
+        }
+    }
+    /// Divides by an odd divisor from the least word upwards, with 1/divisor modulo 2^64, and passes the
+    /// words of the quotient to `keep`. What is left over is congruent to the number times a power of 2^-64
+    /// modulo the divisor, and 0 if it divides the number.
+    template <class Keep>
+    std::uint64_t divide_from_below(std::uint64_t divisor, std::uint64_t inverse, const Keep& keep) const {
+        std::uint64_t carry = 0;
+        for (std::size_t i = 0; i < size; ++i) {
+            const bool borrow = words[i] < carry;
+            const std::uint64_t digit = (words[i] - carry) * inverse;
+            keep(i, digit);
+            carry =
+                static_cast<std::uint64_t>(Wide{digit} * divisor >> 64) + static_cast<std::uint64_t>(borrow);
+        }
+        return carry;
+    }
+    /// Whether the prime divides the number, which it then is divided by.
+    bool divide_by(const small_primes::Prime& prime) const {
+        if (divide_from_below(prime.prime, prime.inverse, [](auto, auto) {}) != 0) return false;
+        divide_from_below(prime.prime, prime.inverse,
+                          [&](std::size_t i, std::uint64_t digit) { words[i] = digit; });
+        return true;
+    }
+};
+
+/// Neighbouring primes whose product is a word.
+struct PrimeGroup {
+    small_primes::Set primes = 0;
+    std::uint64_t product = 1;
+    std::uint64_t inverse = 1;
+};
+
+constexpr auto prime_groups = [] {
+    std::array<PrimeGroup, 3> groups{};
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < small_primes::count; ++i) {
+        const std::uint64_t prime = small_primes::table.primes[i].prime;
+        if (groups[last].product > ~std::uint64_t{0} / prime) ++last;
+        groups[last].product *= prime;
+        groups[last].primes |= small_primes::Set{1} << i;
+    }
+    for (PrimeGroup& group : groups) group.inverse = inverse_of_odd(group.product);
+    return groups;
+}();
+
+constexpr auto prime_lane_table = [] {
+    constexpr std::uint64_t mask = (std::uint64_t{1} << prime_lanes::digit_bits) - 1;
+    static_assert(prime_lanes::lanes * prime_lanes::primes_a_lane == small_primes::count);
+    prime_lanes::Table table{};
+    for (std::size_t i = 0; i < small_primes::count; ++i) {
+        const std::size_t lane = i % prime_lanes::lanes;
+        const small_primes::Prime& prime = small_primes::table.primes[i];
+        std::uint64_t& product = table.products[lane];
+        product = i < prime_lanes::lanes ? prime.prime : product * prime.prime;
+        table.inverses_of_products[lane] = inverse_of_odd(product) & mask;
+        table.inverses[i / prime_lanes::lanes][lane] = prime.inverse & mask;
+        table.most[i / prime_lanes::lanes][lane] = mask / prime.prime;
+    }
+    return table;
+}();
+
+prime_lanes::Divisors chosen_divisors() {
+    static const prime_lanes::Divisors chosen = []() -> prime_lanes::Divisors {
+#if defined(BLOSSOM_AVX512_IFMA)
+        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+            __builtin_cpu_supports("avx512ifma"))
+            return prime_lanes::avx512_divisors;
+#endif
+        return nullptr;
+    }();
+    return chosen;
+}
+
+/// The primes of a set that divide the number.
+small_primes::Set divisors(const Words& number, small_primes::Set set) {
+    if (const prime_lanes::Divisors in_lanes = chosen_divisors())
+        return in_lanes(prime_lane_table, number.words, number.size) & set;
+    small_primes::Set result = 0;
+    for (const PrimeGroup& group : prime_groups) {
+        if ((set & group.primes) == 0) continue;
+        const std::uint64_t rest = number.divide_from_below(group.product, group.inverse, [](auto, auto) {});
+        for (small_primes::Set left = set & group.primes; left != 0; left &= left - 1) {
+            const bool divides = small_primes::table.primes[std::countr_zero(left)].divides(rest);
+            result |= divides ? left & (0 - left) : 0;
+        }
+    }
+    return result;
+}
+
+/// The product of the factors in `words`, which has room for it.
+Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
+    words[0] = 1;
+    Words result{words, 1};
+    for (const std::uint64_t factor : factors) result.multiply(factor);
+    return result;
+}
+
+/// Modulo 2^128, as small_primes::Prime.
+struct WideInverse {
+    Wide inverse = 0;
+    Wide most = 0;
+};
+constexpr auto wide_inverses = [] {
+    std::array<WideInverse, small_primes::count> result{};
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const small_primes::Prime& prime = small_primes::table.primes[i];
+        result[i] = {Wide{prime.inverse} * (2 - Wide{prime.prime} * prime.inverse), ~Wide{0} / prime.prime};
+    }
+    return result;
+}();
+
+int trailing_zeros(Wide value) {
+    const auto low = static_cast<std::uint64_t>(value);
+    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
+}
+
+/// For a numerator > 0 and a denominator of two words each, by dividing what is common out of both.
+void set_reduced_pair(Rational& value, const Words& numerator, bool negative,
+                      const DenominatorWords& denominator) {
+    small_primes::Set common = divisors(numerator, denominator.primes());
+    const std::span<const std::uint64_t> factors = denominator.words();
+    Wide top = numerator.size == 1 ? 0 : Wide{numerator.words[1]} << 64;
+    top |= numerator.words[0];
+    Wide bottom = factors.size() == 1 ? Wide{factors[0]} : Wide{factors[0]} * factors[1];
+    const int twos = std::min(trailing_zeros(top), trailing_zeros(bottom));
+    top >>= twos;
+    bottom >>= twos;
+    for (; common != 0; common &= common - 1) {
+        const WideInverse& prime = wide_inverses[static_cast<std::size_t>(std::countr_zero(common))];
+        for (;;) {
+            const Wide less = bottom * prime.inverse;
+            const Wide quotient = top * prime.inverse;
+            if (less > prime.most || quotient > prime.most) break;
+            bottom = less;
+            top = quotient;
+        }
+    }
+    const auto words_of = [](Wide number) {
+        return std::array{static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(number >> 64)};
+    };
+    RationalAccess::set_lowest_terms(value, words_of(top), negative, words_of(bottom));
+}
+
+/// The same of any number of words, the denominator factor by factor.
+void set_reduced_by_primes(Rational& value, const Words& top, bool negative,
+                           const DenominatorWords& denominator) {
+    std::uint64_t left[most_words];
+    const std::span<std::uint64_t> factors = std::span(left).first(denominator.words().size());
+    const std::size_t twos = limbs::trailing_zeros(top.words);
+    std::size_t shared_twos = 0;
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const std::uint64_t factor = denominator.words()[i];
+        const std::size_t shift =
+            std::min(twos - shared_twos, static_cast<std::size_t>(std::countr_zero(factor)));
+        factors[i] = factor >> shift;
+        shared_twos += shift;
+    }
+    if (shared_twos != 0) limbs::shift_right(top.words, top.size, shared_twos);
+    small_primes::for_each(divisors(top, denominator.primes()), [&](const small_primes::Prime& prime) {
+        for (std::uint64_t& factor : factors) {
+            while (prime.divides(factor)) {
+                if (!top.divide_by(prime)) return;
+                factor *= prime.inverse;
+            }
+        }
+    });
+    std::uint64_t words[most_words];
+    RationalAccess::set_lowest_terms(value, top.span(), negative, product(factors, words).span());
+}
+
+/// The same in general; false, and nothing is done, if what is common to both is longer than a word.
+bool set_reduced_in_place(Rational& value, const Words& top, bool negative,
+                          std::span<const std::uint64_t> factors) {
+    std::uint64_t common[most_words];
+    gcds_with_words(top.span(), factors, common);
+    std::uint64_t shared = 1;
+    for (const std::uint64_t factor : std::span(common).first(factors.size()))
+        if (__builtin_mul_overflow(shared, factor, &shared)) return false;
+    std::uint64_t words[most_words];
+    const Words bottom = product(factors, words);
+    if (shared != 1 && factors.size() > 1)
+        shared = gcd_of_words(limbs::remainder(top.words, top.size, shared), shared);
+    if (shared != 1) {
+        top.divide(shared);
+        bottom.divide(shared);
+    }
+    RationalAccess::set_lowest_terms(value, top.span(), negative, bottom.span());
+    return true;
+}
+
+}  // namespace
+
+void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
+    const std::uint64_t size = magnitude(numerator);
+    const std::uint64_t common = gcd_of_words(size % denominator, denominator);
+    const auto top = static_cast<std::int64_t>(common == 1 ? size : size / common);
+    RationalAccess::set_words(value, numerator < 0 ? -top : top,
+                              static_cast<std::int64_t>(common == 1 ? denominator : denominator / common));
+}
+
+void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negative,
+                 const DenominatorWords& denominator, std::span<const Integer> further) {
+    const std::span<const std::uint64_t> factors = denominator.words();
+    const Words top{numerator.data(), limbs::used(numerator.data(), numerator.size())};
+    const bool is_short = further.empty();
+    if (top.size == 0) {
+        value = 0;
+    } else if (is_short && factors.empty()) {
+        value = IntegerAccess::from_magnitude(top.span(), negative);
+    } else if (is_short && denominator.primes() != small_primes::any_primes) {
+        const bool is_pair = top.size <= 2 && factors.size() <= 2;
+        (is_pair ? set_reduced_pair : set_reduced_by_primes)(value, top, negative, denominator);
+    } else if (!is_short || !set_reduced_in_place(value, top, negative, factors)) {
+        value = reduced_quotient(top.span(), negative, factors, further);
+    }
+}
+
+}  // namespace blossom

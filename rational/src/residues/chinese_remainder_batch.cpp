@@ -1,0 +1,106 @@
+#include "chinese_remainder_batch.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <mutex>
+
+#include "limbs/limb_arithmetic.hpp"
+#include "prime_field.hpp"
+#include "residue_system.hpp"
+
+namespace blossom::residues {
+
+namespace {
+
+/// So many digits, those that the number does not have zero.
+std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
+    constexpr std::size_t digit_bits = BatchTables::digit_bits;
+    constexpr std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
+    std::vector<std::uint64_t> words(limbs::size_of(number));
+    limbs::write_magnitude(number, words.data(), words.size());
+    std::vector<std::uint64_t> digits;
+    digits.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) digits.push_back(limbs::bits_from(words, i * digit_bits) & mask);
+    return digits;
+}
+
+}  // namespace
+
+std::shared_ptr<const BatchCombination> BatchCombination::for_bits(std::size_t bits) {
+    constexpr std::size_t most_groups = BatchTables::most_primes / lanes;
+    constexpr std::size_t most_kept = 16;
+    // The Chinese remainder theorem takes a product twice as large as for one number.
+    if (operations().radix_bits != BatchTables::digit_bits || bits > most_groups * lanes * 50) return nullptr;
+    const std::size_t groups = groups_for(bits + 1);
+    if (groups > most_groups) return nullptr;
+    static std::mutex mutex;
+    static std::deque<std::shared_ptr<const BatchCombination>> kept;
+    {
+        const std::lock_guard lock(mutex);
+        for (const auto& combination : kept)
+            if (combination->groups() == groups) return combination;
+    }
+    auto made = std::make_shared<const BatchCombination>(groups);
+    const std::lock_guard lock(mutex);
+    kept.push_back(made);
+    if (kept.size() > most_kept) kept.pop_front();
+    return made;
+}
+
+BatchCombination::BatchCombination(std::size_t groups) {
+    constexpr std::size_t step = BatchTables::digits_at_once;
+    Integer product = 1;
+    for (std::size_t g = 0; g < groups; ++g)
+        for (const std::uint64_t prime : moduli(g).prime.lane) product *= prime;
+    digits_ = (product.bit_length() + BatchTables::digit_bits - 1) / BatchTables::digit_bits;
+    const std::size_t held = (digits_ + step - 1) / step * step;
+    product_ = digits_of(product, held);
+    const std::size_t primes = groups * lanes;
+    cofactors_.resize(held * primes);
+    for (std::size_t g = 0; g < groups; ++g) {
+        const Moduli& group = moduli(g);
+        Octet& factor = factors_.emplace_back();
+        for (std::size_t i = 0; i < lanes; ++i) {
+            const PrimeField field(group.prime.lane[i]);
+            const Integer cofactor = divide_exactly(product, field.prime());
+            factor.lane[i] = field.product(field.inverse(field.of(cofactor)), group.radix.lane[i]);
+            const std::vector<std::uint64_t> digits = digits_of(cofactor, held);
+            for (std::size_t d = 0; d < held; ++d)
+                cofactors_[(d / step * primes + g * lanes + i) * step + d % step] = digits[d];
+            reciprocals_.push_back(static_cast<std::uint64_t>((Wide{1} << 101) / field.prime()));
+        }
+    }
+}
+
+BatchTables BatchCombination::tables() const {
+    return {groups() * lanes,  digits_,         (digits_ * BatchTables::digit_bits + 63) / 64,
+            cofactors_.data(), product_.data(), reciprocals_.data()};
+}
+
+std::vector<Integer> BatchCombination::integers(Octet* residues, std::size_t stride,
+                                                std::size_t count) const {
+    for (std::size_t g = 0; g < groups(); ++g) {
+        Octet* const row = residues + g * stride;
+        std::fill(row + count, row + stride, Octet{});
+        operations().scale(moduli(g), row, factors_[g], count, row);
+        operations().reduce(moduli(g), row, count);
+    }
+    std::vector<Integer> numbers;
+    numbers.reserve(count);
+#if defined(BLOSSOM_AVX512_IFMA)
+    const BatchTables tables = this->tables();
+    const Buffer room(tables.primes + product_.size() + 2);
+    const Buffer words(tables.words);
+    std::vector<std::uint64_t> number(tables.words);
+    for (std::size_t begin = 0; begin < count; begin += lanes) {
+        ifma_batch(tables, residues + begin, stride, room.data(), words.data());
+        for (std::size_t i = 0; i < lanes && begin + i < count; ++i) {
+            for (std::size_t w = 0; w < number.size(); ++w) number[w] = words.data()[w].lane[i];
+            numbers.push_back(IntegerAccess::from_twos_complement(number));
+        }
+    }
+#endif
+    return numbers;
+}
+
+}  // namespace blossom::residues

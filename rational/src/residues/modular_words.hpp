@@ -1,0 +1,24 @@
+#pragma once
+
+// Words modulo a prime below 2^63, for tables: not for what is computed again and again.
+
+#include <cstdint>
+
+#include "number/uint128.hpp"
+
+namespace blossom::modular {
+
+inline std::uint64_t product(std::uint64_t a, std::uint64_t b, std::uint64_t prime) {
+    return static_cast<std::uint64_t>(Wide{a} * b % prime);
+}
+
+inline std::uint64_t power(std::uint64_t base, std::uint64_t exponent, std::uint64_t prime) {
+    std::uint64_t result = 1;
+    for (; exponent != 0; exponent >>= 1) {
+        if (exponent & 1) result = product(result, base, prime);
+        base = product(base, base, prime);
+    }
+    return result;
+}
+
+}  // namespace blossom::modular

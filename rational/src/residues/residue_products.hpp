@@ -1,0 +1,72 @@
+#pragma once
+
+// Products of polynomials modulo the primes of one group.
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "vectors/residue_lanes.hpp"
+
+namespace blossom::residues {
+
+/// Memory for octets, with what its last user left in it. Each thread keeps a few buffers that are given back
+/// for the next.
+class Buffer {
+public:
+    explicit Buffer(std::size_t size);
+    Buffer(const Buffer&) = delete;
+    Buffer(Buffer&&) = delete;
+    Buffer& operator=(const Buffer&) = delete;
+    Buffer& operator=(Buffer&&) = delete;
+    ~Buffer();
+    Octet* data() const { return memory_.octets.get(); }
+
+    struct Memory {
+        std::unique_ptr<Octet[]> octets;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
+        std::size_t size = 0;
+    };
+
+private:
+    Memory memory_;
+};
+
+/// The product of polynomials that lie one after the other, by a balanced tree.
+class ProductTree {
+public:
+    /// `sizes` are the numbers of coefficients, none of them 0.
+    explicit ProductTree(std::vector<std::size_t> sizes);
+
+    /// The number of coefficients of the product.
+    std::size_t product_size() const { return product_size(0, begins_.size() - 1); }
+    std::size_t product_size(std::size_t begin, std::size_t end) const {
+        return begins_[end] - begins_[begin] - (end - begin - 1);
+    }
+
+    /// The coefficients of the product, where those of the factors and of the product stand for themselves
+    /// times the radix. Valid until the next call.
+    const Octet* product(const Moduli& moduli, const Octet* polynomials);
+    /// Those of polynomials [begin, end) alone, to `to`.
+    void product(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
+                 Octet* to) const {
+        multiply(moduli, polynomials, begin, end, to, scratch_.data());
+    }
+
+private:
+    /// Of polynomials [begin, end) to `to`.
+    void multiply(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
+                  Octet* to, Octet* scratch) const;
+    static std::vector<std::size_t> begins_of(std::vector<std::size_t> sizes);
+
+    std::vector<std::size_t> begins_;
+    Buffer result_;
+    Buffer scratch_;
+};
+
+/// The coefficients of the product of a[0..m) and b[0..n), divided by the radix; m >= n >= 1. Cost: n^1.58 by
+/// Karatsuba's method for m = n beyond a basecase. `scratch` has `scratch_size(m)` places.
+void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
+              Octet* product, Octet* scratch);
+constexpr std::size_t scratch_size(std::size_t m) { return 6 * m + 256; }
+
+}  // namespace blossom::residues

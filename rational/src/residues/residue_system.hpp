@@ -1,0 +1,64 @@
+#pragma once
+
+// Integers by their residues modulo groups of eight primes.
+
+#include <blossom/rational/integer.hpp>
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "number/uint128.hpp"
+#include "vectors/residue_lanes.hpp"
+
+namespace blossom::residues {
+
+/// The greatest level of vector instructions that may be used: "ifma", or what the environment variable
+/// BLOSSOM_VECTOR_LEVEL says.
+std::string_view vector_level();
+
+/// The operations for this processor, the first of "ifma", "avx2" and "portable" that it has from the one on
+/// that `vector_level` names.
+const Operations& operations();
+
+/// Group i of the primes, the same for the whole life of the program.
+const Moduli& moduli(std::size_t group);
+
+/// As few groups as determine an integer of at most `bits` bits and its sign.
+std::size_t groups_for(std::size_t bits);
+
+/// Integers of up to so many bits have residues: there are enough primes.
+inline constexpr std::size_t most_bits = 2'000'000;
+
+/// Integers as magnitudes in digits of as many bits as the primes have.
+class Digits {
+public:
+    void reserve(std::size_t values, std::size_t digits_of_one);
+    void push_back(SignedWide value);
+    void push_back(const Integer& value);
+    std::size_t size() const { return negative_.size(); }
+    std::size_t most_digits() const { return most_digits_; }
+    /// Of all values, modulo the primes: times the radix if the powers are those of `montgomery_powers`.
+    void residues(const Moduli& moduli, const Octet* powers, Octet* residues) const;
+
+private:
+    void finish(bool negative);
+
+    std::vector<std::uint64_t> words_;  ///< of one value, while it is split
+    std::vector<std::uint64_t> digits_;
+    std::vector<std::size_t> begins_{0};
+    std::vector<std::uint8_t> negative_;
+    std::size_t most_digits_ = 0;
+};
+
+/// 2^(b k) for k < count and primes of b bits, times the radix or, for residues in Montgomery's form, its
+/// square.
+std::vector<Octet> plain_powers(const Moduli& moduli, std::size_t count);
+std::vector<Octet> montgomery_powers(const Moduli& moduli, std::size_t count);
+
+/// The integer of least magnitude with these residues, one octet a group. Its tables are kept for the numbers
+/// of groups met last.
+Integer integer_with(std::span<const Octet> residues);
+
+}  // namespace blossom::residues

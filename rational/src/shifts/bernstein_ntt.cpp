@@ -1,0 +1,168 @@
+#include "bernstein_ntt.hpp"
+
+#include <blossom/rational/bernstein_kernel.hpp>
+#include <blossom/rational/rational_vector.hpp>
+
+#include <algorithm>
+#include <bit>
+
+#include "residues/chinese_remainder_batch.hpp"
+#include "residues/residue_system.hpp"
+#include "residues/taylor_shift_ntt.hpp"
+#include "sums/fixed_width_rows.hpp"
+
+namespace blossom {
+
+namespace {
+
+using residues::BatchCombination;
+using residues::Buffer;
+using residues::Digits;
+using residues::Moduli;
+using residues::Octet;
+using residues::operations;
+using residues::ShiftTables;
+
+/// As many numbers as there are coefficients, of at most `bits` bits each: `transform(tables, numbers, room)`
+/// turns the residues of the coefficients into theirs, with room for tables.size() octets.
+template <class Transform>
+std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coefficients, std::size_t bits,
+                                                const Transform& transform) {
+    const std::size_t count = coefficients.size();
+    const std::size_t size = std::bit_ceil(2 * count);
+    if (size > std::size_t{1} << operations().root_order) return std::nullopt;
+    const auto combination = BatchCombination::for_bits(bits);
+    if (!combination) return std::nullopt;
+    Digits digits;
+    digits.reserve(count, 2);
+    for (const Integer& coefficient : coefficients) digits.push_back(coefficient);
+    const std::size_t stride = (count + residues::lanes - 1) / residues::lanes * residues::lanes;
+    const Buffer numbers(combination->groups() * stride);
+    const Buffer room(size);
+    for (std::size_t g = 0; g < combination->groups(); ++g) {
+        const Moduli& group = residues::moduli(g);
+        if (!has_transform(group, size)) return std::nullopt;
+        Octet* const row = numbers.data() + g * stride;
+        digits.residues(group, plain_powers(group, digits.most_digits()).data(), row);
+        transform(*ShiftTables::of_group(g, size), row, room.data());
+    }
+    return combination->integers(numbers.data(), stride, count);
+}
+
+/// m_j with sum_k c_k t^k = sum_j m_j (t - 1)^j, from c_k in `numbers` to `numbers`.
+void shift_by_one(const ShiftTables& tables, std::size_t count, Octet* numbers, Octet* room) {
+    const Moduli& group = tables.moduli();
+    operations().multiply_each(group, numbers, tables.factorials(), count, room);
+    std::reverse(room, room + count);
+    tables.multiply_by_exponential(room, count);
+    std::reverse(room, room + count);
+    operations().multiply_each(group, room, tables.inverse_factorials(), count, numbers);
+}
+
+/// numbers[k] *= first * ratio^k
+void scale_by_powers(const Moduli& group, const Octet& first, Octet ratio, std::size_t count, Octet* numbers,
+                     Octet* room) {
+    room[0] = first;
+    for (std::size_t done = 1; done < count; done *= 2) {
+        operations().scale(group, room, ratio, std::min(done, count - done), room + done);
+        operations().scale(group, &ratio, ratio, 1, &ratio);
+    }
+    operations().multiply_each(group, numbers, room, count, numbers);
+}
+
+/// A word below 2^49 in magnitude, times the radix.
+Octet residue_of(const Moduli& group, std::int64_t value) {
+    Octet result{};
+    for (std::size_t i = 0; i < residues::lanes; ++i)
+        result.lane[i] = static_cast<std::uint64_t>(value) + (value < 0 ? group.prime.lane[i] : 0);
+    operations().scale(group, &result, group.square, 1, &result);
+    return result;
+}
+
+Octet product(const Moduli& group, const Octet& a, const Octet& b) {
+    Octet result{};
+    operations().scale(group, &a, b, 1, &result);
+    return result;
+}
+
+/// base^exponent, times the radix like the base.
+Octet power(const Moduli& group, Octet base, std::size_t exponent) {
+    Octet result = group.radix;
+    for (; exponent != 0; exponent >>= 1) {
+        if ((exponent & 1) != 0) result = product(group, result, base);
+        base = product(group, base, base);
+    }
+    return result;
+}
+
+/// What a line is modulo the primes of a group, all times the radix: t = a + length s.
+struct LineResidues {
+    LineResidues(const Moduli& group, const WordQuotient& a, const WordQuotient& b)
+        : denominator_of_a(residue_of(group, a.denominator)) {
+        const bool from_zero = a.numerator == 0;
+        const Octet p = residue_of(group, from_zero ? 1 : a.numerator);
+        const Octet& q = denominator_of_a;
+        const Octet r = residue_of(group, b.numerator);
+        const Octet s = residue_of(group, b.denominator);
+        const Octet qs = product(group, q, s);
+        const Octet reciprocal = inverse(group, product(group, p, qs));  // 1/pqs
+        const Octet inverse_of_q = product(group, reciprocal, product(group, p, s));
+        const Octet qr = product(group, q, r);
+        const Octet ps = product(group, p, s);
+        start = product(group, p, inverse_of_q);
+        Octet determinant = qr;
+        if (!from_zero) operations().subtract(group, &qr, &ps, 1, &determinant);
+        // (r/s - p/q) / (p/q), or r/s
+        slope = product(group, product(group, determinant, q), reciprocal);
+        if (from_zero) slope = product(group, slope, inverse_of_q);
+        ratio = product(group, s, inverse_of_q);
+    }
+
+    Octet denominator_of_a;
+    Octet start{};  ///< a, or nothing of use if that is 0
+    Octet slope{};  ///< length / a, or length if a is 0
+    Octet ratio{};  ///< the denominator of b by that of a
+};
+
+}  // namespace
+
+namespace residues {
+
+std::optional<std::vector<Integer>> shifted_by_one(std::span<const Integer> coefficients, std::size_t bits) {
+    return in_residues(coefficients, bits, [&](const ShiftTables& tables, Octet* numbers, Octet* room) {
+        shift_by_one(tables, coefficients.size(), numbers, room);
+    });
+}
+
+}  // namespace residues
+
+// With t = a + (b - a) s and F = sum_j m_j (t - a)^j, F is sum_j m_j (b - a)^j s^j (s + (1 - s))^(n-j): its
+// coefficients in s and 1 - s, reversed, are a shift by one of those of the reversed polynomial in s.
+std::optional<std::vector<Integer>> form_on_line(std::span<const Integer> coefficients, const WordQuotient& a,
+                                                 const WordQuotient& b) {
+    const std::size_t count = coefficients.size();
+    if (count < 2) return std::nullopt;
+    // |w_k| is at most the value at x = y = 1 of the form with all magnitudes.
+    fixed_width::BitBound bound(greatest_bit_length(coefficients) +
+                                static_cast<std::size_t>(std::bit_width(count)));
+    const std::uint64_t growth = std::max(magnitude(a.numerator) + magnitude(b.numerator),
+                                          magnitude(a.denominator) + magnitude(b.denominator));
+    for (std::size_t i = 1; i < count; ++i) bound.multiply(growth);
+    return in_residues(coefficients, bound.bits(),
+                       [&](const ShiftTables& tables, Octet* numbers, Octet* room) {
+                           const Moduli& group = tables.moduli();
+                           const LineResidues line(group, a, b);
+                           if (a.numerator != 0) {
+                               scale_by_powers(group, group.radix, line.start, count, numbers, room);
+                               shift_by_one(tables, count, numbers, room);
+                           }
+                           scale_by_powers(group, group.radix, line.slope, count, numbers, room);
+                           std::reverse(numbers, numbers + count);
+                           shift_by_one(tables, count, numbers, room);
+                           std::reverse(numbers, numbers + count);
+                           scale_by_powers(group, power(group, line.denominator_of_a, count - 1), line.ratio,
+                                           count, numbers, room);
+                       });
+}
+
+}  // namespace blossom

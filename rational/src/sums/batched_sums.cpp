@@ -1,0 +1,158 @@
+// Sums for eight tuples of factors side by side, on processors that compute so.
+
+#include <blossom/rational/blossom_sums.hpp>
+
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "prepared_rows.hpp"
+#include "vectors/eight_sums.hpp"
+
+namespace blossom {
+
+namespace {
+
+using word_lanes::lanes;
+
+/// What computes eight sums at a time here; nothing on processors without.
+struct WordLanes {
+    const word_lanes::Operations* narrow = nullptr;
+    const word_lanes::WideOperations* wide = nullptr;
+};
+const WordLanes& chosen_word_lanes() {
+    static const WordLanes chosen = []() -> WordLanes {
+#if defined(BLOSSOM_AVX512_WORDS)
+        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
+            __builtin_cpu_supports("avx512ifma"))
+            return {&word_lanes::avx512_operations, &word_lanes::wide_avx512_operations};
+#endif
+        return {};
+    }();
+    return chosen;
+}
+
+constexpr auto small_divisors = [] {
+    std::array<word_lanes::Divisor, small_primes::count> divisors{};
+    for (std::size_t i = 0; i < divisors.size(); ++i)
+        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most,
+                       small_primes::table.primes[i].most >> 12};
+    return divisors;
+}();
+constexpr auto wide_divisors = [] {
+    constexpr std::uint64_t limb_mask = (std::uint64_t{1} << 52) - 1;
+    std::array<word_lanes::WideDivisor, small_primes::count> divisors{};
+    for (std::size_t i = 0; i < divisors.size(); ++i) {
+        const auto& [prime, half_inverse, most] = small_primes::table.primes[i];
+        const Wide inverse = half_inverse * (2 - prime * Wide{half_inverse});
+        divisors[i] = {{static_cast<std::uint64_t>(inverse) & limb_mask,
+                        static_cast<std::uint64_t>(inverse >> 52) & limb_mask},
+                       limb_mask / prime};
+    }
+    return divisors;
+}();
+constexpr word_lanes::Divisors lane_divisors{small_primes::table.of, small_primes::greatest_known,
+                                             small_divisors.data(), wide_divisors.data()};
+
+static_assert(RationalAccess::is_four_words);
+
+/// Whether what computes eight sums at a time can read the numbers.
+bool is_short(const WordLine& line) {
+    return std::in_range<std::int32_t>(line.a) && std::in_range<std::int32_t>(line.b) &&
+           std::in_range<std::int32_t>(line.q) && std::in_range<std::int32_t>(line.length);
+}
+
+using Prepared = LinearFactorSums::Prepared;
+
+struct Given {
+    word_lanes::Rows rows;
+    const void* const* tuples;
+    std::size_t count;
+    const WordLine* line;
+};
+
+/// Of sums and denominators that two words hold as `WideOperations` demands.
+constexpr std::size_t most_wide_bits = 102;
+
+/// Whether every product of `count` numbers > 0 and one of the rows may have this many bits.
+bool may_have(const Given& given, std::size_t bits) { return given.rows.bits + given.count <= bits; }
+
+[[gnu::always_inline]] inline bool evaluate_narrow(const word_lanes::Operations& operations,
+                                                   const Given& given, std::span<Rational> sums) {
+    if (given.count > word_lanes::most_factors || !may_have(given, 63)) return false;
+    word_lanes::Quotients quotients[word_lanes::most_rows];
+    if (!operations.sums(given.rows, given.tuples, given.count, given.line, lane_divisors, quotients))
+        return false;
+    const std::size_t stride = given.rows.rows;
+    if (stride == 1 && operations.store(quotients[0], sums.data())) return true;
+    for (std::size_t j = 0; j < stride; ++j) {
+        Rational* sum = sums.data() + j;
+        for (std::size_t l = 0; l < lanes; ++l, sum += stride)
+            RationalAccess::set_words(*sum, quotients[j].numerators[l], quotients[j].denominators[l]);
+    }
+    return true;
+}
+
+/// Whether the first tuple alone leaves hope for all eight, which take longer to be read.
+bool first_may_fit(const Given& given, const Rational* pairs) {
+    if (given.line != nullptr) return true;
+    std::size_t bits = given.rows.bits;
+    for (std::size_t i = 0; i < given.count; ++i) {
+        const Rational& u = pairs[2 * i];
+        const Rational& m = pairs[2 * i + 1];
+        if (!u.numerator().is_word() || !u.denominator().is_word()) return false;
+        const auto bottom = static_cast<std::uint64_t>(u.denominator().word());
+        if (bottom > small_primes::greatest_known) return false;
+        bits += static_cast<std::size_t>(
+            std::bit_width(magnitude(u.numerator().word()) + (m.is_zero() ? 0 : bottom)));
+    }
+    return bits <= most_wide_bits;
+}
+
+Integer integer(std::uint64_t low, std::uint64_t high, bool negative) {
+    const std::uint64_t words[] = {low, high};
+    return IntegerAccess::from_magnitude(std::span(words).first(high == 0 ? 1 : 2), negative);
+}
+
+[[gnu::noinline]] bool evaluate_wide(const word_lanes::WideOperations& operations, const Given& given,
+                                     const Rational* pairs, std::span<Rational> sums) {
+    if (given.count > word_lanes::most_wide_factors || !may_have(given, most_wide_bits) ||
+        !first_may_fit(given, pairs))
+        return false;
+    word_lanes::WideQuotients quotients[word_lanes::most_rows];
+    if (!operations.sums(given.rows, given.tuples, given.count, given.line, lane_divisors, quotients))
+        return false;
+    const std::size_t stride = given.rows.rows;
+    for (std::size_t j = 0; j < stride; ++j) {
+        const auto& [tops, bottoms, negative] = quotients[j];
+        for (std::size_t l = 0; l < lanes; ++l) {
+            sums[l * stride + j] =
+                RationalAccess::from_lowest_terms(integer(tops[0][l], tops[1][l], (negative >> l & 1) != 0),
+                                                  integer(bottoms[0][l], bottoms[1][l], false));
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tuples,
+                                      std::span<Rational> sums, const WordLine* line) const {
+    const Prepared& rows = *prepared_;
+    const WordLanes& operations = chosen_word_lanes();
+    if (operations.narrow == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
+        rows.word_denominator == 0 || (line != nullptr && !is_short(*line)))
+        return false;
+    const auto denominator = static_cast<std::uint64_t>(rows.word_denominator);
+    const auto bits = std::bit_width(static_cast<std::uint64_t>(rows.greatest) | denominator);
+    const Given given{
+        {rows.words.data(), rows.rows, static_cast<std::size_t>(bits), denominator, rows.primes},
+        reinterpret_cast<const void* const*>(tuples.data()),
+        rows.size - 1,
+        line};
+    return evaluate_narrow(*operations.narrow, given, sums) ||
+           evaluate_wide(*operations.wide, given, tuples[0], sums);
+}
+
+}  // namespace blossom

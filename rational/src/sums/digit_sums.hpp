@@ -1,0 +1,101 @@
+#pragma once
+
+// Sums over products of linear factors of few bits, in digits in vector lanes where the processor has them.
+
+#include <blossom/rational/blossom_sums.hpp>
+
+#include <algorithm>
+#include <vector>
+
+#include "factor_blocks.hpp"
+#include "limbs/limb_sums.hpp"
+#include "quotients/small_primes.hpp"
+#include "vectors/factor_products.hpp"
+#include "vectors/fold_blocks.hpp"
+
+namespace blossom {
+
+/// The words of the longest sums with their signs.
+inline constexpr std::size_t most_digit_words = digit_folds::most_digits * digit_folds::digit_bits / 64;
+
+/// Rows of numbers as digit_folds reads them.
+class DigitRows {
+public:
+    DigitRows() = default;
+    /// For rows of `size` numbers of at most `bits` bits, `count` in all; empty for too few or too many in a
+    /// row, and where the processor has no lanes for them.
+    DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits);
+
+    bool empty() const { return digits_.empty(); }
+    /// Whether numerators of `bits` bits are summed over these factors.
+    bool suffice(std::span<const WordFactor> factors, std::size_t bits) const;
+    digit_folds::Columns row(std::size_t j) const {
+        return {digits_.data() + j * width_ * stride_, width_, stride_, size_};
+    }
+    std::size_t bits() const { return bits_; }
+
+private:
+    std::size_t size_ = 0;
+    std::size_t bits_ = 0;
+    std::size_t width_ = 0;  ///< digits of a number, one more than it needs: the first fold reads that
+    std::size_t stride_ = 0;
+    std::vector<std::uint64_t> digits_;
+};
+
+/// Blocks of factors in the order in which they are folded.
+// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class DigitFolds {
+public:
+    void add(const digit_folds::Block& block) { blocks_[size_++] = block; }
+
+    /// The sum of one row in two's complement, in as many words as it and a sign take.
+    void sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const;
+
+    /// Two neighbours together have magnitudes that sum to 2^51 at least, but for two full ones.
+    static constexpr std::size_t most_blocks =
+        2 * (digit_folds::most_digits * digit_folds::digit_bits / (digit_folds::digit_bits - 1) + 1) + 3;
+
+private:
+    std::size_t size_ = 0;
+    digit_folds::Block blocks_[most_blocks];
+};
+
+/// Factors for which `suffice` holds, multiplied out in blocks.
+class DigitBlocks {
+public:
+    DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits);
+
+    const DigitFolds& folds() const { return folds_; }
+
+private:
+    FactorBlock products_[DigitFolds::most_blocks];
+    DigitFolds folds_;
+};
+
+/// Factors of few bits, multiplied out in vector lanes.
+// What is not used of the product stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class LaneBlocks {
+public:
+    /// False, and nothing else may be asked, if the processor has no lanes, or if they do not suffice.
+    bool multiply(const DigitRows& rows, std::span<const WordFactor> factors);
+    /// The same for factors m + u X; see LinearFactorSums::evaluate_pairs.
+    bool multiply_pairs(const DigitRows& rows, const Rational* pairs, std::size_t count);
+
+    const DigitFolds& folds() const { return folds_; }
+    /// Of the sums.
+    std::size_t bits() const { return bits_; }
+    /// Words whose product is that of the denominators of the factors, and their primes.
+    std::span<const std::uint64_t> denominators() const { return {product_.denominators, product_.blocks}; }
+    small_primes::Set primes() const { return product_.primes; }
+
+private:
+    bool set_folds(const DigitRows& rows, std::size_t count);
+
+    factor_lanes::Product product_;
+    std::size_t bits_ = 0;
+    DigitFolds folds_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,98 @@
+#pragma once
+
+// Products of as many linear factors as have coefficients of one word.
+
+#include <blossom/rational/blossom_sums.hpp>
+
+#include <algorithm>
+#include <span>
+#include <type_traits>
+
+#include "number/uint128.hpp"
+
+namespace blossom {
+
+/// Calls run(count) with the count as a constant where it is small, so that loops over it are unrolled.
+template <class Run>
+decltype(auto) with_small_constant(std::size_t count, const Run& run) {
+    using std::integral_constant;
+    switch (count) {
+        case 1:
+            return run(integral_constant<std::size_t, 1>{});
+        case 2:
+            return run(integral_constant<std::size_t, 2>{});
+        case 3:
+            return run(integral_constant<std::size_t, 3>{});
+        case 4:
+            return run(integral_constant<std::size_t, 4>{});
+        case 5:
+            return run(integral_constant<std::size_t, 5>{});
+        case 6:
+            return run(integral_constant<std::size_t, 6>{});
+        case 7:
+            return run(integral_constant<std::size_t, 7>{});
+        default:
+            return run(integral_constant<std::size_t, std::dynamic_extent>{});
+    }
+}
+
+/// Multiplies the polynomial in coefficients[0..i] by one factor after the other, i = 0, 1, ...
+template <class Word, std::size_t Count>
+[[gnu::always_inline]] inline void multiply_one_by_one(std::span<const WordFactor, Count> factors,
+                                                       Word* coefficients) {
+    for (std::size_t i = 0; i < factors.size(); ++i) {
+        const auto constant = static_cast<Word>(factors[i].constant);
+        const auto slope = static_cast<Word>(factors[i].slope);
+        coefficients[i + 1] = slope * coefficients[i];
+        for (std::size_t k = i; k > 0; --k)
+            coefficients[k] = constant * coefficients[k] + slope * coefficients[k - 1];
+        coefficients[0] *= constant;
+    }
+}
+
+/// The magnitudes of both coefficients together; below 2^64.
+inline std::uint64_t size_of(const WordFactor& factor) {
+    return magnitude(factor.constant) + magnitude(factor.slope);
+}
+
+/// The product of the first factors of a sequence: of the first one, if any, and of those that follow, `most`
+/// at the most, while the magnitudes of the coefficients sum to less than 2^bits.
+// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class FactorBlock {
+    /// The magnitudes of a factor sum to 2 at least, unless it has one term only.
+    static constexpr std::size_t most_factors = 64;
+
+public:
+    void fill(std::span<const WordFactor> factors, std::size_t most = most_factors, int bits = 63) {
+        bound_ = factors.empty() ? 1 : size_of(factors[0]);
+        degree_ = std::min<std::size_t>(factors.size(), 1);
+        while (degree_ < std::min({factors.size(), most, most_factors})) {
+            std::uint64_t product = 0;
+            if (__builtin_mul_overflow(bound_, size_of(factors[degree_]), &product) || product >> bits != 0)
+                break;
+            bound_ = product;
+            ++degree_;
+        }
+        fits_ = bound_ >> bits == 0;
+        coefficients_[0] = 1;
+        with_small_constant(degree_, [&](auto count) {
+            multiply_one_by_one(std::span<const WordFactor, count>(factors.data(), degree_), coefficients_);
+        });
+    }
+
+    std::size_t degree() const { return degree_; }
+    /// A bound on the sum of the magnitudes, and whether it is below 2^bits; it can fail for one factor
+    /// alone.
+    std::uint64_t bound() const { return bound_; }
+    bool fits() const { return fits_; }
+    std::span<const std::int64_t> coefficients() const { return {coefficients_, degree_ + 1}; }
+
+private:
+    std::size_t degree_ = 0;
+    std::uint64_t bound_ = 0;
+    bool fits_ = false;
+    std::int64_t coefficients_[most_factors + 1];
+};
+
+}  // namespace blossom

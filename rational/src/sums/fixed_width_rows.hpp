@@ -1,0 +1,137 @@
+#pragma once
+
+// Rows of integers in two's complement of a width that is known to suffice, so that no step allocates or can
+// overflow.
+
+#include <blossom/rational/blossom_sums.hpp>
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "limbs/limb_sums.hpp"
+#include "number/backend.hpp"
+#include "number/uint128.hpp"
+
+namespace blossom::fixed_width {
+
+/// A bound on the bits of a product of positive numbers, in integers throughout: factors are multiplied
+/// exactly as long as they fit in a word, and each full word is charged its bit width.
+class BitBound {
+public:
+    explicit BitBound(std::size_t bits = 0) : full_(bits) {}
+
+    void multiply(std::uint64_t factor) {
+        if (factor == 0) return;
+        std::uint64_t product = 0;
+        if (__builtin_mul_overflow(open_, factor, &product)) {
+            full_ += width(open_);
+            product = factor;
+        }
+        open_ = product;
+    }
+    void multiply(Wide factor) {
+        if (factor >> 64 == 0) return multiply(static_cast<std::uint64_t>(factor));
+        full_ += width(open_) + width(factor);
+        open_ = 1;
+    }
+    std::size_t bits() const { return full_ + width(open_); }
+
+private:
+    static std::size_t width(Wide value) {
+        const auto high = static_cast<std::uint64_t>(value >> 64);
+        const auto low = static_cast<std::uint64_t>(value);
+        return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low));
+    }
+
+    std::size_t full_;
+    std::uint64_t open_ = 1;  ///< at least 1
+};
+
+/// Entries of one machine word each; arithmetic wraps, and only intermediate values may.
+template <class Word>
+class WordRow {
+public:
+    explicit WordRow(std::size_t size) : entries_(size) {}
+
+    void set_weights(std::int64_t own, std::int64_t neighbours) {
+        own_ = extended(own);
+        neighbours_ = extended(neighbours);
+    }
+    void combine(std::size_t k, std::size_t neighbour) {
+        entries_[k] = own_ * entries_[k] + neighbours_ * entries_[neighbour];
+    }
+    void scale(std::size_t k) { entries_[k] = own_ * entries_[k]; }
+
+    void set(std::size_t k, const Integer& value) {
+        std::uint64_t words[sizeof(Word) / 8];
+        IntegerAccess::to_twos_complement(value, words);
+        entries_[k] = 0;
+        for (std::size_t i = std::size(words); i-- > 0;) {
+            if constexpr (sizeof(Word) > 8) entries_[k] <<= 64;
+            entries_[k] |= words[i];
+        }
+    }
+    Integer integer(std::size_t k) const {
+        std::uint64_t words[sizeof(Word) / 8];
+        for (std::size_t i = 0; i < std::size(words); ++i) {
+            words[i] = static_cast<std::uint64_t>(entries_[k] >> (64 * i));
+        }
+        return IntegerAccess::from_twos_complement(words);
+    }
+
+private:
+    static Word extended(std::int64_t value) {
+        if constexpr (sizeof(Word) > 8) return static_cast<Word>(static_cast<SignedWide>(value));
+        return static_cast<Word>(value);
+    }
+
+    std::vector<Word> entries_;
+    Word own_ = 0;
+    Word neighbours_ = 0;
+};
+
+/// Entries of many words each. The width in use grows with the bound, level by level.
+class LimbRow {
+public:
+    /// `start_bits` bounds the bits of the entries set before the first level, `final_bits` those after the
+    /// last.
+    LimbRow(std::size_t size, std::size_t start_bits, std::size_t final_bits);
+
+    void set_weights(std::int64_t own, std::int64_t neighbours);
+    void combine(std::size_t k, std::size_t neighbour);
+    void scale(std::size_t k) { combine(k, k, 0); }
+
+    /// Multiplies the polynomial in entries 0..degree by `factor`; the magnitudes in `factor` sum to less
+    /// than 2^63.
+    void multiply(std::span<const std::int64_t> factor, std::size_t degree);
+
+    /// Multiplies entry 0, the others being zero, by the factors, in as few passes as words allow: as many as
+    /// have a product with coefficients of one word are multiplied together first.
+    void multiply_out(std::span<const WordFactor> factors);
+
+    void set(std::size_t k, const Integer& value);
+    Integer integer(std::size_t k) const;
+    /// The entries as they are held, and whether they stand for their negatives.
+    LimbView limbs() const { return {words_.data(), width_, stride_}; }
+    bool negated() const { return negated_; }
+
+private:
+    static std::size_t words_for(std::size_t bits) { return bits / 64 + 1; }
+    std::uint64_t* entry(std::size_t k) { return words_.data() + k * stride_; }
+    void combine(std::size_t k, std::size_t neighbour, std::uint64_t neighbours);
+    void widen();
+
+    std::size_t stride_;
+    std::size_t width_;
+    BitBound bound_;
+    std::vector<std::uint64_t> words_;
+    std::uint64_t own_ = 0;  ///< the weights' magnitudes, after the level's sign went to `negated_`
+    std::uint64_t neighbours_ = 0;
+    bool subtract_ = false;
+    bool negated_ = false;  ///< whether every entry stands for its negative
+};
+
+}  // namespace blossom::fixed_width

@@ -1,0 +1,108 @@
+#pragma once
+
+// How factors are read into lanes; only for sources compiled for AVX-512 with 64-bit products.
+
+// NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
+#include <immintrin.h>
+
+#include "eight_sums.hpp"
+#include "load_factors.hpp"
+
+namespace blossom::word_lanes {
+
+namespace {
+
+using lane_factors::Factor;
+using lane_factors::size_of;
+using lane_factors::united;
+
+inline __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
+
+/// Reads factors m + u X.
+class PairReader {
+public:
+    explicit PairReader(const void* const* tuples) : tuples_(tuples) {}
+
+    /// The factors i of all tuples.
+    [[gnu::always_inline]] Factor read(std::size_t i) {
+        __m512i pairs[lanes];
+#pragma GCC unroll 8
+        for (std::size_t l = 0; l < lanes; ++l) {
+            pairs[l] = _mm512_loadu_si512(static_cast<const std::uint64_t*>(tuples_[l]) +
+                                          lane_factors::pair_words * i);
+            all_ = _mm512_or_si512(all_, pairs[l]);
+        }
+        return lane_factors::factor_of<lanes>(pairs);
+    }
+
+    /// Bits, all of which are 0 if every u that was read is a quotient of words and every m is 0 or 1.
+    __m512i beyond() const { return lane_factors::surplus(all_); }
+
+private:
+    const void* const* tuples_;
+    __m512i all_ = _mm512_setzero_si512();
+};
+
+/// Reads them over another line.
+class LineReader {
+public:
+    LineReader(const void* const* tuples, const WordLine& line)
+        : pairs_(tuples),
+          a_(_mm512_set1_epi64(line.a)),
+          b_(_mm512_set1_epi64(line.b)),
+          q_(_mm512_set1_epi64(line.q)),
+          length_(_mm512_set1_epi64(line.length)) {}
+
+    [[gnu::always_inline]] Factor read(std::size_t i) {
+        // Products of 32 bits with their signs, two of which add to less than 2^63.
+        const Factor factor = pairs_.read(i);
+        const __m512i x = _mm512_mul_epi32(q_, factor.slope);
+        const __m512i from_a = _mm512_mul_epi32(a_, factor.constant);
+        const __m512i to_b = _mm512_mul_epi32(b_, factor.constant);
+        all_ = _mm512_or_si512(all_, _mm512_abs_epi64(factor.slope));
+        all_ = _mm512_or_si512(all_, factor.denominator);
+        return {_mm512_sub_epi64(to_b, x), _mm512_sub_epi64(x, from_a),
+                _mm512_mul_epi32(length_, factor.denominator)};
+    }
+
+    /// The same for numbers of 32 bits with their signs.
+    __m512i beyond() const { return _mm512_or_si512(pairs_.beyond(), _mm512_srli_epi64(all_, 31)); }
+
+private:
+    PairReader pairs_;
+    __m512i a_;
+    __m512i b_;
+    __m512i q_;
+    __m512i length_;
+    __m512i all_ = _mm512_setzero_si512();
+};
+
+/// The numbers of zeros behind the lowest bit set.
+inline __m512i trailing_zeros(__m512i words) {
+    const __m512i lowest = _mm512_and_si512(words, _mm512_sub_epi64(_mm512_setzero_si512(), words));
+    return _mm512_sub_epi64(broadcast(63), _mm512_lzcnt_epi64(lowest));
+}
+
+/// The prime divisors of denominators up to the greatest known.
+class PrimeSets {
+public:
+    explicit PrimeSets(const Divisors& divisors) : of_(divisors.of) {}
+
+    void add(__m512i denominators) {
+        sets_ = _mm256_or_si256(sets_, _mm512_i64gather_epi32(denominators, of_, 4));
+    }
+    std::uint32_t all() const {
+        const std::uint64_t two = united(_mm512_zextsi256_si512(sets_));
+        return static_cast<std::uint32_t>(two | two >> 32);
+    }
+
+private:
+    const std::uint32_t* of_;
+    __m256i sets_ = _mm256_setzero_si256();
+};
+
+}  // namespace
+
+}  // namespace blossom::word_lanes
+
+// NOLINTEND(portability-simd-intrinsics)

@@ -1,0 +1,17 @@
+// Compiled for AVX2; run only where the processor has it.
+
+#include "taylor_lanes_operations.hpp"
+
+namespace blossom::digit_rows {
+
+namespace {
+
+struct Four {
+    using Vector = std::int64_t __attribute__((vector_size(32), may_alias));
+};
+
+}  // namespace
+
+const Operations avx2_operations = OperationsOf<Four>::table;
+
+}  // namespace blossom::digit_rows

@@ -1,0 +1,17 @@
+// Compiled for AVX-512; run only where the processor has it.
+
+#include "taylor_lanes_operations.hpp"
+
+namespace blossom::digit_rows {
+
+namespace {
+
+struct Eight {
+    using Vector = std::int64_t __attribute__((vector_size(64), may_alias));
+};
+
+}  // namespace
+
+const Operations avx512_operations = OperationsOf<Eight>::table;
+
+}  // namespace blossom::digit_rows
