@@ -7,6 +7,7 @@
 #include "quotient_reduction.hpp"
 #include "residues/residue_system.hpp"
 #include "vectors/prime_lanes.hpp"
+#include "vectors/vector_level.hpp"
 #include "word_gcds.hpp"
 
 namespace blossom {
@@ -94,7 +95,7 @@ constexpr auto prime_lane_table = [] {
 prime_lanes::Divisors chosen_divisors() {
     static const prime_lanes::Divisors chosen = []() -> prime_lanes::Divisors {
 #if defined(BLOSSOM_AVX512_IFMA)
-        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
             __builtin_cpu_supports("avx512ifma"))
             return prime_lanes::avx512_divisors;
 #endif

@@ -3,7 +3,6 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
-#include <cstdlib>
 #include <deque>
 #include <mutex>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "modular_words.hpp"
 #include "number/backend.hpp"
 #include "number/uint128.hpp"
+#include "vectors/vector_level.hpp"
 
 namespace blossom::residues {
 
@@ -132,7 +132,7 @@ std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& 
 }
 
 const Operations& chosen_operations() {
-    const std::string_view level = vector_level();
+    const std::string_view level = vectors::level();
 #if defined(BLOSSOM_AVX512_IFMA)
     if (level == "ifma" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
         return ifma_operations;
@@ -144,12 +144,6 @@ const Operations& chosen_operations() {
 }
 
 }  // namespace
-
-std::string_view vector_level() {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here writes the environment
-    const char* variable = std::getenv("BLOSSOM_VECTOR_LEVEL");
-    return variable ? variable : "ifma";
-}
 
 const Operations& operations() {
     static const Operations& chosen = chosen_operations();

@@ -6,7 +6,6 @@
 
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "number/uint128.hpp"
@@ -14,12 +13,8 @@
 
 namespace blossom::residues {
 
-/// The greatest level of vector instructions that may be used: "ifma", or what the environment variable
-/// BLOSSOM_VECTOR_LEVEL says.
-std::string_view vector_level();
-
 /// The operations for this processor, the first of "ifma", "avx2" and "portable" that it has from the one on
-/// that `vector_level` names.
+/// that `vectors::level` names.
 const Operations& operations();
 
 /// Group i of the primes, the same for the whole life of the program.

@@ -8,6 +8,7 @@
 
 #include "prepared_rows.hpp"
 #include "vectors/eight_sums.hpp"
+#include "vectors/vector_level.hpp"
 
 namespace blossom {
 
@@ -23,7 +24,7 @@ struct WordLanes {
 const WordLanes& chosen_word_lanes() {
     static const WordLanes chosen = []() -> WordLanes {
 #if defined(BLOSSOM_AVX512_WORDS)
-        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
             __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
             __builtin_cpu_supports("avx512ifma"))
             return {&word_lanes::avx512_operations, &word_lanes::wide_avx512_operations};

@@ -4,6 +4,7 @@
 
 #include "fixed_width_rows.hpp"
 #include "residues/residue_system.hpp"
+#include "vectors/vector_level.hpp"
 
 namespace blossom {
 
@@ -20,7 +21,7 @@ constexpr std::size_t factors_of_any_denominators = 64;
 digit_folds::Fold chosen_fold() {
     static const digit_folds::Fold chosen = []() -> digit_folds::Fold {
 #if defined(BLOSSOM_AVX512_IFMA)
-        if (residues::vector_level() == "ifma" && __builtin_cpu_supports("avx512f") &&
+        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
             __builtin_cpu_supports("avx512ifma"))
             return digit_folds::avx512_fold;
 #endif
