@@ -1,7 +1,7 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hpp"
+#include "commands/command_line.hpp"
 
 int main(int argc, char* argv[]) {
     const std::vector<std::string> arguments(argv + 1, argv + argc);

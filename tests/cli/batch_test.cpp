@@ -1,4 +1,4 @@
-#include "batch.hpp"
+#include "streams/batch.hpp"
 
 #include <algorithm>
 #include <condition_variable>
@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "served.hpp"
+#include "protocol/answered.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;

@@ -74,6 +74,13 @@ For $x = 0$ and $y = 1$ the left side is $0$ and the right side $1$.
 
 }  // namespace
 
+TEST_CASE("a text without claims is an error of prove, and none where it is only formatted") {
+    const Run proof = run({"prove", "-"}, "number x\n");
+    CHECK(proof.status == 2);
+    CHECK(contains(proof.errors, "there is nothing to decide"));
+    CHECK(run({"prove", "--format", "-"}, "number x\n").status == 0);
+}
+
 TEST_CASE("theorems in LaTeX stand in one file, or in a file each") {
     const Folder folder;
     const std::string file = folder.write("two.blossom", two_theorems);

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "command_line.hpp"
+#include "commands/command_line.hpp"
 #include "support/catch.hpp"
 
 /// The program as a function, for tests.

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "answer.hpp"
-#include "json_text.hpp"
+#include "json/json_text.hpp"
+#include "responses.hpp"
 
 namespace {
 
@@ -31,17 +31,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const blossom::Limits limits = small_limits();
     if (size > limits.line_bytes) return 0;
     const std::string_view line(reinterpret_cast<const char*>(data), size);
-    const blossom::cli::ServedLine served = blossom::cli::serve_line(line, limits);
-    if (served.response.find('\n') != std::string::npos) std::abort();
+    const blossom::protocol::Response served = blossom::protocol::answer(line, limits);
+    if (served.text.find('\n') != std::string::npos) std::abort();
     // Without the `id`, which may hold numbers that are valid and too large for this reader.
-    const auto [echoed, problem] = blossom::cli::read_json(served.response, blossom::Limits{});
+    const auto [echoed, problem] = blossom::protocol::read_json(served.text, blossom::Limits{});
     if (problem) std::abort();
-    blossom::cli::Json::Object members = *echoed.object();
+    blossom::protocol::Json::Object members = *echoed.object();
     std::erase_if(members, [](const auto& member) { return member.first == "id"; });
-    const auto response = nlohmann::json::parse(blossom::cli::to_text(members));
+    const auto response = nlohmann::json::parse(blossom::protocol::to_text(members));
     const bool success = response.at("ok").get<bool>();
     if (success != response.contains("result") || success == response.contains("error")) std::abort();
-    if (served.outcome == blossom::cli::Outcome::disagreement) std::abort();
+    if (served.outcome == blossom::protocol::Outcome::disagreement) std::abort();
     if (!success && response.at("error").at("code") == "internal") std::abort();
     return 0;
 }

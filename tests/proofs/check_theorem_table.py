@@ -52,7 +52,7 @@ def row_problems(theorem, ids, engine, function, test):
     if engine != proved_by_engine(statements):
         yield f"the engine proves it for {proved_by_engine(statements)}"
     match = re.fullmatch(r"`(\w+)` \((\w+\.hpp)\)", function)
-    header = one_file(match[2], ["rational", "core", "cli/src"], "*.hpp") if match else None
+    header = one_file(match[2], ["rational", "core", "protocol/src"], "*.hpp") if match else None
     if header is None or not re.search(rf"\b{match[1]}\(", header):
         yield f"no function {function}"
     test_file, _, words = test.partition(": ")

@@ -1,0 +1,361 @@
+#include "command_line.hpp"
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+#include <system_error>
+
+#include "completion.hpp"
+#include "explain/chapter_of.hpp"
+#include "explain_options.hpp"
+#include "limit_table.hpp"
+#include "operations/map_options.hpp"
+#include "operations/table.hpp"
+#include "prove_command.hpp"
+#include "run_command.hpp"
+#include "write_gallery.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+// Values are kept apart from options by this mark, which no text on a command line begins with: "-t^2" and
+// "-1/2" are polynomials and numbers, "[1]" and "" are texts like any other.
+constexpr char value_mark = '\x1f';
+
+std::string protected_value(const std::string& argument) {
+    const bool option = argument == "-h" || argument.starts_with("--");
+    const bool special = argument.empty() || argument.front() == '-' || argument.front() == '[';
+    return special && !option ? value_mark + argument : argument;
+}
+
+std::vector<std::string> results_of(const CLI::Option& option) {
+    std::vector<std::string> values = option.results();
+    for (std::string& value : values) {
+        if (value.starts_with(value_mark)) value.erase(0, 1);
+    }
+    return values;
+}
+
+std::string result_of(const CLI::Option& option, const std::string& otherwise = "") {
+    return option.count() == 0 ? otherwise : results_of(option).front();
+}
+
+std::size_t integer(const std::string& text, const std::string& name, std::size_t least,
+                    std::size_t greatest) {
+    std::size_t value = 0;
+    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (problem != std::errc{} || end != text.data() + text.size() || value < least || value > greatest) {
+        throw UsageError(
+            fmt::format("{} must be an integer from {} to {}, not \"{}\"", name, least, greatest, text));
+    }
+    return value;
+}
+
+/// An option with one value, whose texts are taken as they are.
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& value, std::string help) {
+    return app.add_option(name, CLI::callback_t(), std::move(help))->type_name(value);
+}
+
+/// The flags of the limits, from their table.
+class LimitOptions {
+public:
+    explicit LimitOptions(CLI::App& app) {
+        const Limits defaults;
+        for (const LimitEntry& entry : limit_table()) {
+            std::string flag = "--max-" + std::string(entry.name);
+            std::ranges::replace(flag, '_', '-');
+            const std::string help = fmt::format("{}; by default {}", entry.help, defaults.*entry.member);
+            options_.push_back(add_value(app, flag, "N", help)->group("Limits"));
+        }
+    }
+    Limits read() const {
+        Limits limits;
+        for (std::size_t i = 0; i < options_.size(); ++i) {
+            const LimitEntry& entry = limit_table()[i];
+            if (options_[i]->count() == 0) continue;
+            limits.*entry.member =
+                integer(result_of(*options_[i]), options_[i]->get_name(), 0, entry.greatest);
+        }
+        return limits;
+    }
+
+private:
+    std::vector<const CLI::Option*> options_;
+};
+
+/// What a command does once the command line is parsed.
+using Action = std::function<Outcome(const Streams& streams)>;
+
+struct Subcommand {
+    const CLI::App* app;
+    Action action;
+};
+
+const Subcommand& chosen(const std::vector<Subcommand>& commands) {
+    return *std::ranges::find_if(commands, [](const Subcommand& command) { return command.app->parsed(); });
+}
+
+std::string shell_text(const std::string& argument) {
+    const bool plain =
+        argument.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_,.:/=") ==
+        std::string::npos;
+    const std::string quote = argument.find('"') == std::string::npos ? "\"" : "'";
+    return plain ? argument : quote + argument + quote;
+}
+
+/// The example of an operation with what it prints, by running it.
+std::string example_text(const Operation& operation) {
+    std::string text = "Example:\n  $ blossom";
+    for (const std::string& argument : operation.example) text += " " + shell_text(argument);
+    std::string output;
+    const auto collect = [&](std::string_view part) {
+        output += part;
+        return true;
+    };
+    run(operation.example,
+        {.input = [](std::span<char>) { return std::size_t{0}; }, .output = collect, .errors = collect});
+    for (const std::string& line : CLI::detail::split(output, '\n'))
+        text += line.empty() ? "\n" : "\n  " + line;
+    return text + "\n";
+}
+
+Subcommand add_operation(CLI::App& app, const Operation& operation) {
+    CLI::App* command = app.add_subcommand(std::string(operation.name), std::string(operation.summary));
+    std::vector<std::pair<const Option*, const CLI::Option*>> options;
+    for (const Option& option : operation.options) {
+        const bool positional = !option.name.starts_with('-');
+        CLI::Option* added = option.value.empty()
+                                 ? command->add_flag(option.name, option.help)
+                                 : add_value(*command, option.name, option.value, option.help);
+        if (positional || option.repeated)
+            added->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(positional);
+        options.emplace_back(&option, added);
+    }
+    const std::string json_help = "print the response as JSON";
+    const CLI::Option* as_json = command->add_flag("--json", json_help);
+    const CLI::Option* numbers =
+        add_value(*command, "--numbers", "double|hexfloat", "give every number correctly rounded too");
+    const CLI::Option* picture =
+        operation.plot ? add_value(*command, "--svg", "FILE", "write a picture of the curves or patches too")
+                       : nullptr;
+    const CLI::Option* mesh =
+        operation.mesh
+            ? add_value(*command, "--obj", "FILE", "write a mesh of the patches too, a Wavefront OBJ file")
+            : nullptr;
+    const LimitOptions limits(*command);
+    if (!operation.example.empty()) command->footer([&operation] { return example_text(operation); });
+
+    const auto action = [=, &operation](const Streams& streams) {
+        Command given{operation,
+                      {},
+                      result_of(*numbers),
+                      as_json->count() > 0,
+                      picture ? result_of(*picture) : "",
+                      mesh ? result_of(*mesh) : "",
+                      limits.read()};
+        for (const auto& [option, parsed] : options) {
+            if (parsed->count() == 0) continue;
+            given.options.push_back(
+                {option, option->value.empty() ? std::vector<std::string>{} : results_of(*parsed)});
+        }
+        return run_command(given, streams);
+    };
+    return {command, action};
+}
+
+constexpr std::size_t most_jobs = 256;
+constexpr std::size_t most_seconds = 1'000'000;
+
+Subcommand add_prove(CLI::App& app, const Operation& operation) {
+    CLI::App* command = app.add_subcommand(std::string(operation.name), std::string(operation.summary));
+    const auto several = [&](const std::string& name, const std::string& value, std::string help) {
+        return add_value(*command, name, value, std::move(help))
+            ->expected(1, CLI::detail::expected_max_vector_size);
+    };
+    const auto flag = [&](const std::string& name, const std::string& help) {
+        return command->add_flag(name, help);
+    };
+    const CLI::Option* paths =
+        several("FILE", "", "files of statements, or folders with files *.blossom")->allow_extra_args();
+    const CLI::Option* statements =
+        several("-e,--statement", "TEXT", "one statement, \"claim\" may be left out")
+            ->allow_extra_args(false);
+    const CLI::Option* degrees =
+        several("--degree", "NAME=N", "declares a map for -e: b=2, or f=2,3")->allow_extra_args(false);
+    const CLI::Option* format = flag("--format", "print the files in canonical form instead");
+    const CLI::Option* quiet = flag("--quiet", "print only what is not as expected, and the summary");
+    const CLI::Option* as_json = flag("--json", "print one line of JSON for each claim");
+    const CLI::Option* certificate =
+        add_value(*command, "--certificate", "FILE", "write a record of each proof, for check-certificate");
+    const CLI::Option* coq = add_value(*command, "--coq", "FILE", "write the proved cases as lemmas of Coq");
+    const CLI::Option* latex =
+        add_value(*command, "--latex", "PATH",
+                  "write each theorem in LaTeX, for \\input: a file, or a folder/ for a file each");
+    const CLI::Option* junit =
+        add_value(*command, "--junit", "FILE", "write the verdicts as a report in JUnit's XML");
+    const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
+    const CLI::Option* timeout = add_value(*command, "--timeout", "SECONDS",
+                                           "give up a case of a claim after so long; by default never");
+    const LimitOptions limits(*command);
+    command->footer([&operation] { return example_text(operation); });
+    const auto action = [=](const Streams& streams) {
+        return prove({.paths = results_of(*paths),
+                      .statements = results_of(*statements),
+                      .degrees = results_of(*degrees),
+                      .only_format = format->count() > 0,
+                      .as_json = as_json->count() > 0,
+                      .quiet = quiet->count() > 0,
+                      .certificate = result_of(*certificate),
+                      .coq = result_of(*coq),
+                      .latex = result_of(*latex),
+                      .junit = result_of(*junit),
+                      .jobs = integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs),
+                      .seconds = integer(result_of(*timeout, "0"), "--timeout", 0, most_seconds),
+                      .limits = limits.read()},
+                     streams);
+    };
+    return {command, action};
+}
+
+/// `explain OP ARGS...`: every operation once more, as a command of this command.
+Subcommand add_explain(CLI::App& app, const Operation& explain) {
+    CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
+    command->require_subcommand(0, 1);
+    const CLI::Option* gallery =
+        add_value(*command, "--gallery", "FOLDER", "write all chapters as a small site");
+    std::vector<Subcommand> commands;
+    for (const Operation& operation : explained_operations()) {
+        commands.push_back(add_operation(*command, operation));
+    }
+    command->footer([&explain] { return example_text(explain); });
+    const auto action = [=](const Streams& streams) {
+        if (gallery->count() > 0) return write_gallery(result_of(*gallery), streams);
+        if (command->get_subcommands().empty()) throw UsageError("explain needs a command or --gallery");
+        return chosen(commands).action(streams);
+    };
+    return {command, action};
+}
+
+Subcommand add_own_command(CLI::App& app, const Operation& operation) {
+    return operation.name == explain_operation().name ? add_explain(app, operation)
+                                                      : add_prove(app, operation);
+}
+
+Subcommand add_check_certificate(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("check-certificate", "Check the proofs that prove --certificate has recorded");
+    const CLI::Option* file =
+        add_value(*command, "FILE", "", "the certificate; \"-\" is the standard input")->required();
+    const LimitOptions limits(*command);
+    command->footer(
+        "Example:\n"
+        "  $ blossom check-certificate proofs.json\n"
+        "  confirmed fj-eq20, line 1: 8 of 8 cases\n"
+        "  1 claims confirmed in all cases");
+    const auto action = [=](const Streams& streams) {
+        return check_certificate_file(result_of(*file), limits.read(), streams);
+    };
+    return {command, action};
+}
+
+Subcommand add_batch(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("batch", "Serve requests in JSON, one a line, from FILE or the standard input");
+    const CLI::Option* file =
+        add_value(*command, "FILE", "", "the requests; by default, or \"-\", standard input");
+    const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
+    const LimitOptions limits(*command);
+    command->footer(
+        "Example:\n"
+        "  $ echo '{\"op\": \"evaluate\", \"map\": {\"kind\": \"polynomial\", \"text\": \"t^2\"}, \"at\": "
+        "[\"1/2\"]}' | blossom batch\n"
+        "  {\"ok\": true, \"result\": {\"values\": [\"1/4\"]}}");
+    const auto action = [=](const Streams& streams) {
+        const std::size_t threads = integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs);
+        const std::string name = result_of(*file, "-");
+        return serve_batch(name == "-" ? streams.input : file_source(name), streams.output, limits.read(),
+                           threads);
+    };
+    return {command, action};
+}
+
+Subcommand add_completion(CLI::App& app) {
+    CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
+    const CLI::Option* shell =
+        add_value(*command, "SHELL", std::string(completion_shells), "the shell")->required();
+    command->footer("Example:\n  source <(blossom completion bash)");
+    const auto action = [shell, &app](const Streams& streams) {
+        const std::string name = result_of(*shell);
+        const auto shells = CLI::detail::split(std::string(completion_shells), '|');
+        if (std::ranges::find(shells, name) == shells.end()) {
+            throw UsageError(
+                fmt::format("there is completion for {}, not for \"{}\"", completion_shells, name));
+        }
+        streams.output(completion_script(app, name));
+        return Outcome::success;
+    };
+    return {command, action};
+}
+
+Outcome wrong_usage(const std::string& message, const Streams& streams) {
+    streams.errors(fmt::format("{} {}\nRun with --help for more information.\n",
+                               Style(streams.coloured_errors).bad("error:"), message));
+    return Outcome::wrong_usage;
+}
+
+}  // namespace
+
+Outcome run(std::span<const std::string> arguments, const Streams& streams) {
+    CLI::App app("Exact blossoms (polar forms) of polynomials over the rationals", "blossom");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "blossom " BLOSSOM_VERSION);
+    app.footer(
+        "A value \"-\" is read from the standard input, a value \"@NAME\" from a file.\n"
+        "Exit status: 0 success, 1 a request was refused, 2 wrong usage, 3 constructions disagree.");
+    app.get_formatter()->column_width(34);
+
+    std::vector<Subcommand> commands;
+    for (const Operation& operation : operations()) {
+        commands.push_back(operation.has_own_command ? add_own_command(app, operation)
+                                                     : add_operation(app, operation));
+    }
+    commands.push_back(add_check_certificate(app));
+    commands.push_back(add_batch(app));
+    commands.push_back(add_completion(app));
+
+    std::vector<std::string> reversed;
+    // "-e" is an option of one command, also behind explain, and a polynomial for the others.
+    const auto command = std::ranges::find_if(
+        arguments, [&](const std::string& argument) { return argument != explain_operation().name; });
+    const bool proves = command != arguments.end() && *command == prove_operation().name;
+    std::ranges::transform(arguments, std::back_inserter(reversed), [&](const std::string& argument) {
+        return proves && argument == "-e" ? argument : protected_value(argument);
+    });
+    std::ranges::reverse(reversed);
+    try {
+        const bool explains = arguments.size() > 1 && arguments.front() == explain_operation().name;
+        if (explains && !arguments[1].starts_with('-') && !has_chapter(arguments[1])) {
+            throw UsageError(no_chapter(arguments[1]));
+        }
+        app.parse(std::move(reversed));
+        return chosen(commands).action(streams);
+    } catch (const CLI::CallForHelp&) {
+        streams.output(app.help());
+        return Outcome::success;
+    } catch (const CLI::CallForVersion& version) {
+        streams.output(std::string(version.what()) + "\n");
+        return Outcome::success;
+    } catch (const CLI::ParseError& error) {
+        return wrong_usage(error.what(), streams);
+    } catch (const UsageError& error) {
+        return wrong_usage(error.what(), streams);
+    } catch (const std::system_error& error) {
+        return wrong_usage(error.what(), streams);
+    }
+}
+
+}  // namespace blossom::cli

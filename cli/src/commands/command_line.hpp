@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "protocol_names.hpp"
+#include "streams/streams.hpp"
+
+namespace blossom::cli {
+
+/// Runs the program with the arguments behind its name; the exit status.
+Outcome run(std::span<const std::string> arguments, const Streams& streams);
+
+}  // namespace blossom::cli

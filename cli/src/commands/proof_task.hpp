@@ -1,0 +1,67 @@
+#pragma once
+
+#include <blossom/proofs/certificate.hpp>
+#include <blossom/proofs/doubtful_names.hpp>
+#include <blossom/proofs/parser.hpp>
+#include <blossom/proofs/prover.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "protocol_names.hpp"
+#include "prove_command.hpp"
+#include "text/readable.hpp"
+
+/// What `prove` has to decide: texts, and in them blocks.
+
+namespace blossom::cli {
+
+/// A text as it was given.
+struct ProofText {
+    std::string name;
+    std::string content;
+    std::size_t prelude;  ///< the bytes in front of what the user wrote: the maps of --degree
+    proofs::Document document;
+
+    std::size_t line(std::size_t offset) const {
+        return proofs::place_of(written(), offset - std::min(offset, prelude)).line;
+    }
+    std::string diagnostic(const Error& error) const {
+        const std::size_t offset = error.offset().value_or(0);
+        if (offset < prelude)
+            return proofs::diagnostic("--degree", std::string_view(content).substr(0, prelude), error);
+        return proofs::diagnostic(name, written(),
+                                  Error(error.code(), error.message(), error.field(), offset - prelude));
+    }
+
+private:
+    std::string_view written() const { return std::string_view(content).substr(prelude); }
+};
+
+/// A block on its way: decided by some thread, reported in order.
+struct ProofTask {
+    std::size_t number = 0;
+    const ProofText* text = nullptr;
+    const proofs::Block* block = nullptr;
+    std::vector<proofs::Decision> decisions = {};
+    std::vector<proofs::Warning> warnings = {};
+    std::vector<proofs::second::Certificate> certificates = {};
+    std::vector<std::string> lemmas = {};
+    std::size_t without_lemma = 0;
+    bool done = false;
+};
+
+/// The files that a path means: itself, or all files *.blossom of a folder. Errors: std::system_error for a
+/// folder without one.
+std::vector<std::string> statement_files(const std::string& path);
+
+/// What the command is given: its files, then its statements. Errors: `UsageError` for nothing.
+std::vector<ProofText> read_texts(const ProveCommand& command, const Streams& streams);
+
+/// The verdict, and the error below it.
+std::string report_text(const ProofTask& task, const proofs::Decision& decision, const Style& style);
+
+}  // namespace blossom::cli

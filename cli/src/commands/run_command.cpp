@@ -1,0 +1,146 @@
+#include "run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "operations/map_options.hpp"
+#include "proof_task.hpp"
+#include "responses.hpp"
+
+namespace blossom::cli {
+
+namespace {
+
+constexpr std::size_t line_width = 76;
+
+bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+std::size_t characters(std::string_view text) {
+    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
+}
+
+/// The line of `text` around `offset`, cut to what fits, and a caret below the place.
+std::string with_caret(std::string_view text, std::size_t offset, const Style& style) {
+    offset = std::min(offset, text.size());
+    const std::size_t line_start = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
+    std::size_t first = offset - line_start > line_width / 2 ? offset - line_width / 2 : line_start;
+    while (first < offset && continues_character(text[first])) ++first;
+    std::size_t last = std::min({text.find('\n', offset), text.size(), first + line_width});
+    while (last < text.size() && last > offset && continues_character(text[last])) --last;
+    return fmt::format("  {}\n  {}{}\n", text.substr(first, last - first),
+                       std::string(characters(text.substr(first, offset - first)), ' '), style.bad("^"));
+}
+
+/// The first option that writes what lies at `pointer`, or around it; "" if none does.
+std::string writer_of(std::string_view pointer, const std::vector<Option>& options) {
+    const Option* writer = nullptr;
+    for (const Option& option : options) {
+        const bool around = pointer.starts_with(option.field) &&
+                            (pointer.size() == option.field.size() || pointer[option.field.size()] == '/');
+        if (around && (!writer || option.field.size() > writer->field.size())) writer = &option;
+    }
+    return writer ? writer->name : "";
+}
+
+/// "-" is standard input and "@NAME" a file, without the line end at its end.
+std::string resolved(const std::string& value, const Streams& streams, const Limits& limits) {
+    const bool from_file = value.starts_with('@');
+    if (!from_file && value != "-") return value;
+    std::string text = read_all(from_file ? file_source(value.substr(1)) : streams.input, limits.line_bytes);
+    while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
+    return text;
+}
+
+struct Refusal {
+    Error error;
+    Json request;
+};
+
+/// The error as a response for machines on the output, or for a person.
+Outcome report(const Refusal& refusal, const Command& command, const Streams& streams) {
+    if (command.as_json) {
+        streams.output(to_text(error_response(Json(), refusal.error)) + "\n");
+    } else {
+        streams.errors(readable_error(refusal.error, refusal.request, command.operation.options,
+                                      Style(streams.coloured_errors)));
+    }
+    return Outcome::refused;
+}
+
+/// One option, applied. The error of a text that is read here, a whole map in JSON, has this text as its
+/// request.
+void apply(const GivenOption& given, const Command& command, const Streams& streams, Json& request) {
+    std::vector<std::string> values;
+    values.reserve(given.values.size());
+    for (const std::string& value : given.values) {
+        if (!given.option->files) {
+            values.push_back(resolved(value, streams, command.limits));
+            continue;
+        }
+        for (const std::string& file : statement_files(value))
+            values.push_back(resolved(file == "-" ? file : "@" + file, streams, command.limits));
+    }
+    try {
+        given.option->apply(request, values, command.limits);
+    } catch (const Error& error) {
+        throw Refusal{error, values.empty() ? Json() : Json(values.front())};
+    }
+}
+
+Json begun_request(const Operation& operation) {
+    Json request = Json::Object{{"op", operation.name}};
+    return operation.explains ? Json::Object{{"op", "explain"}, {"request", std::move(request)}} : request;
+}
+
+Outcome answer_and_print(const Command& command, const Json& request, const Streams& streams) {
+    try {
+        const Json response = success_response(Json(), result_of(request, command.limits));
+        const Style style(streams.coloured_output);
+        const Answered answered{request, *response.find("result"), command.limits, style};
+        if (!command.picture.empty()) write_file(command.picture, command.operation.plot(answered));
+        if (!command.mesh.empty()) write_file(command.mesh, command.operation.mesh(answered));
+        streams.output(command.as_json ? to_text(response) + "\n" : command.operation.render(answered));
+        return outcome_of(response);
+    } catch (const Error& error) {
+        return report({error, request}, command, streams);
+    }
+}
+
+}  // namespace
+
+std::string readable_error(const Error& error, const Json& request, const std::vector<Option>& options,
+                           const Style& style) {
+    std::string message = fmt::format("{} {}\n", style.bad("error:"), error.message());
+    const Json* place = at_pointer(request, error.field());
+    const std::string* text = place ? place->text() : nullptr;
+    if (text && error.offset()) return message + with_caret(*text, *error.offset(), style);
+    if (error.field().empty()) return message;
+    const std::string value = place ? to_text(*place) : "";
+    const bool shown = !value.empty() && value.size() <= line_width;
+    const std::string option = writer_of(error.field(), options);
+    return message + fmt::format("  at {}{}{}\n",
+                                 option.empty() ? error.field() : option + ", " + error.field(),
+                                 shown ? ": " : "", shown ? value : "");
+}
+
+Outcome run_command(const Command& command, const Streams& streams) {
+    Json request = begun_request(command.operation);
+    try {
+        for (const GivenOption& given : command.options) apply(given, command, streams, request);
+        if (!command.numbers.empty()) request["numbers"] = command.numbers;
+        return answer_and_print(command, request, streams);
+    } catch (const Refusal& refusal) {
+        return report(refusal, command, streams);
+    } catch (const Error& error) {
+        return report({error, request}, command, streams);
+    } catch (const UsageError&) {
+        throw;
+    } catch (const std::system_error& problem) {
+        throw UsageError(fmt::format("{}", problem.what()));
+    } catch (const std::exception& problem) {
+        return report({unexpected(problem), request}, command, streams);
+    }
+}
+
+}  // namespace blossom::cli

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "operations/operation.hpp"
+#include "protocol_names.hpp"
+#include "streams/streams.hpp"
+
+namespace blossom::cli {
+
+/// One option of a command and the texts that were given for it.
+struct GivenOption {
+    const Option* option;
+    std::vector<std::string> values;
+};
+
+/// A command as it was typed.
+struct Command {
+    const Operation& operation;
+    std::vector<GivenOption> options;  ///< in the order of the operation's own table
+    std::string numbers;               ///< what --numbers asks for, or ""
+    bool as_json;
+    std::string picture;  ///< the file that --svg names, or ""
+    std::string mesh;     ///< the file that --obj names, or ""
+    Limits limits;
+};
+
+/// Builds the request, answers it and prints the result, or the error with its place.
+/// Errors: `UsageError`.
+Outcome run_command(const Command& command, const Streams& streams);
+
+/// "error: ..." with the place in the request and the option that wrote it, or a caret below the column of a
+/// text.
+std::string readable_error(const Error& error, const Json& request, const std::vector<Option>& options,
+                           const Style& style);
+
+}  // namespace blossom::cli

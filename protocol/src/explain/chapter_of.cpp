@@ -1,0 +1,251 @@
+#include "chapter_of.hpp"
+
+#include <blossom/rational/number_text.hpp>
+#include <blossom/worked/chapters.hpp>
+#include <blossom/worked/proof_chapter.hpp>
+#include <blossom/worked/triangle_chapters.hpp>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "maps/dispatch_on_kind.hpp"
+#include "operations/blossom_arguments.hpp"
+#include "operations/table.hpp"
+#include "responses.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+using worked::Document;
+using worked::GivenMap;
+
+Error one_parameter(std::size_t asked) {
+    return Error(ErrorCode::wrong_arity,
+                 "a worked example is made for one parameter, not for " + std::to_string(asked), "/at");
+}
+
+/// A request that was answered, so that its fields are known to be right.
+class Asked {
+public:
+    Asked(const Json& request, const Limits& allowed) : limits(allowed), request_(request) {
+        if (const Json* map = request.find("map")) map_ = read_map(*map, allowed);
+    }
+
+    const Map& map() const { return *map_; }
+    const Json* find(std::string_view name) const { return request_.find(name); }
+    std::vector<Argument> arguments() const {
+        return read_arguments(*find("arguments"), {.scalar = true}, limits);
+    }
+    std::size_t count(std::string_view name, std::size_t otherwise) const {
+        const Json* value = find(name);
+        return value ? read_count(*value, limits) : otherwise;
+    }
+    Interval interval(const Interval& otherwise) const {
+        const Json* value = find("interval");
+        return value ? read_interval(*value, limits) : otherwise;
+    }
+    /// The only parameter of the field "at". Errors: `wrong_arity` for several: a page has one.
+    Rational parameter() const {
+        const Json& at = *find("at");
+        if (!at.array()) return read_number(at, limits);
+        if (at.array()->size() != 1) throw one_parameter(at.array()->size());
+        return within("at", [&] {
+            return within(std::size_t{0}, [&] { return read_number(at.array()->front(), limits); });
+        });
+    }
+
+    const Limits& limits;
+
+private:
+    const Json& request_;
+    std::optional<Map> map_;
+};
+
+GivenMap one_polynomial_of(const Asked& asked) {
+    return {one_polynomial(asked.map(), asked.limits), asked.map().variable};
+}
+
+Document agreement_chapter(const Asked& asked) {
+    const GivenMap given = one_polynomial_of(asked);
+    if (!asked.find("arguments")) return worked::homogenisation(given, asked.limits);
+    return worked::three_ways(given, asked.arguments(), asked.limits);
+}
+
+const BSplineCurve* spline_of(const Asked& asked) { return std::get_if<BSplineCurve>(&asked.map().value); }
+
+/// The spline of an operation that takes only splines here. Errors: `wrong_kind`.
+const BSplineCurve& required_spline(const Asked& asked) {
+    const BSplineCurve* spline = spline_of(asked);
+    if (!spline) throw Error(ErrorCode::wrong_kind, "a worked example is made for a bspline here", "/map");
+    return *spline;
+}
+
+/// The point of a page on a triangle, in barycentric coordinates. Errors: those of reading it.
+Coordinates barycentric_point(const Patch& patch, const Json& at, const Limits& limits) {
+    const std::vector<Rational> numbers = read_tuple(at, patch.parameters(), limits);
+    if (patch.is_polynomial()) return BarycentricFrame::standard(2).of_point(numbers);
+    return engine_arguments(patch, numbers, 1).front();
+}
+
+using TriangleChapter = Document (*)(const worked::GivenTriangle&, const Coordinates&, const Limits&);
+
+/// Errors: `wrong_kind` unless the domain is one triangle; `wrong_arity` for several points.
+Document triangle_chapter(const Asked& asked, TriangleChapter chapter) {
+    const Patch& patch = std::get<Patch>(asked.map().value);
+    const NetShape& shape = patch.shape();
+    if (shape.factors() != 1 || shape[0].dimension != 2) {
+        throw Error(ErrorCode::wrong_kind,
+                    "a worked example of a patch is made for one on a triangle, or for a polynomial in two "
+                    "variables with a total degree",
+                    "/map");
+    }
+    worked::GivenTriangle given{patch.map, {}, patch.variables, asked.map().form.rational};
+    if (!patch.frames.empty()) given.frame = patch.frames.front();
+    const Json* at = asked.find("at");
+    const bool list = at->array() && !at->array()->empty() && at->array()->front().array();
+    if (list && at->array()->size() > 1) throw one_parameter(at->array()->size());
+    if (at->text()) {
+        throw Error(ErrorCode::wrong_kind,
+                    "a worked example divides a triangle at a point, not at " + quoted(*at->text()), "/at");
+    }
+    return chapter(given, barycentric_point(patch, list ? at->array()->front() : *at, asked.limits),
+                   asked.limits);
+}
+
+bool has_patch(const Asked& asked) { return std::holds_alternative<Patch>(asked.map().value); }
+
+Document evaluation_chapter(const Asked& asked) {
+    if (has_patch(asked)) return triangle_chapter(asked, worked::triangle_evaluation);
+    if (const BSplineCurve* spline = spline_of(asked)) {
+        return worked::de_boor_at(*spline, asked.parameter(), asked.limits);
+    }
+    if (asked.map().form.separate_weights()) {
+        return worked::rational_arc(one_polynomial_of(asked), asked.parameter(), asked.limits);
+    }
+    return worked::evaluation_at(one_polynomial_of(asked), asked.parameter(), asked.limits);
+}
+
+Document derivative_chapter(const Asked& asked) {
+    if (!asked.find("at")) {
+        throw Error(ErrorCode::missing_field, "a worked example of a derivative needs a parameter", "/at");
+    }
+    return worked::derivative_by_delta(one_polynomial_of(asked), asked.count("order", 1), asked.parameter(),
+                                       asked.limits);
+}
+
+Document control_points_chapter(const Asked& asked) {
+    const GivenMap given = one_polynomial_of(asked);
+    const auto* bezier = std::get_if<BezierCurve>(&given.map);
+    return worked::control_points_over(given, asked.interval(bezier ? bezier->interval() : Interval()),
+                                       asked.limits);
+}
+
+Document subdivision_chapter(const Asked& asked) {
+    if (has_patch(asked)) return triangle_chapter(asked, worked::triangle_subdivision);
+    return worked::subdivision_at(one_polynomial_of(asked), asked.parameter(), asked.limits);
+}
+
+Document elevation_chapter(const Asked& asked) {
+    return worked::degree_raised(one_polynomial_of(asked), asked.count("by", 1), asked.limits);
+}
+
+Document conversion_chapter(const Asked& asked) {
+    const GivenMap given = one_polynomial_of(asked);
+    const std::string& to = *asked.find("to")->text();
+    if (to == "monomial") return worked::control_points_to_coefficients(given, asked.limits);
+    if (to != "bernstein") {
+        throw Error(ErrorCode::wrong_kind,
+                    "a worked example is made of a conversion to monomial or bernstein, not to " + to, "/to");
+    }
+    const Interval interval = asked.interval(Interval());
+    if (std::holds_alternative<PolynomialCurve>(given.map) && interval == Interval()) {
+        return worked::coefficients_to_control_points(given, asked.limits);
+    }
+    return worked::control_points_over(given, interval, asked.limits);
+}
+
+Document segments_chapter(const Asked& asked) {
+    return worked::spline_to_bezier(required_spline(asked), asked.limits);
+}
+
+Document insertion_chapter(const Asked& asked) {
+    const std::vector<Rational> knots = read_numbers(*asked.find("knots"), asked.limits);
+    return worked::knots_inserted(required_spline(asked), knots, asked.limits);
+}
+
+Document continuity_chapter(const Asked& asked) {
+    return worked::continuity_at(required_spline(asked), asked.parameter(), asked.limits);
+}
+
+/// A page for each claim of the statement, or of several.
+std::vector<Document> proof_pages(const Json& statement, const Limits& limits) {
+    if (statement.text()) return worked::claims_decided(*statement.text(), limits);
+    std::vector<Document> pages;
+    for (const Json& one : *statement.array())
+        std::ranges::move(proof_pages(one, limits), std::back_inserter(pages));
+    return pages;
+}
+
+/// Says of a rational curve what its points mean, unless its page says so itself.
+Document with_weights(Document document, const Json& request, const Limits& limits) {
+    const Json* given = request.find("map");
+    if (!given) return document;
+    const Map map = read_map(*given, limits);
+    const bool said = std::holds_alternative<Patch>(map.value) ||
+                      (*request.find("op")->text() == evaluate_operation().name &&
+                       !std::holds_alternative<BSplineCurve>(map.value));
+    if (!map.form.rational || (said && !map.form.homogeneous)) return document;
+    document.statement.emplace_back(worked::Paragraph{
+        "The curve is rational, and all its values here are homogeneous: the last coordinate is a weight, "
+        "and "
+        "a point of the curve has the others divided by it. All that is said is of the homogeneous curve."});
+    return document;
+}
+
+struct Chapter {
+    std::string_view operation;
+    Document (*make)(const Asked& asked);
+};
+
+constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
+                                            {"blossom", agreement_chapter},
+                                            {"evaluate", evaluation_chapter},
+                                            {"derivative", derivative_chapter},
+                                            {"control-points", control_points_chapter},
+                                            {"convert", conversion_chapter},
+                                            {"subdivide", subdivision_chapter},
+                                            {"elevate", elevation_chapter},
+                                            {"insert-knots", insertion_chapter},
+                                            {"segments", segments_chapter},
+                                            {"continuity", continuity_chapter}}};
+
+}  // namespace
+
+bool has_chapter(std::string_view operation) {
+    return operation == prove_operation().name ||
+           std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
+}
+
+std::string no_chapter(std::string_view operation) {
+    std::string known;
+    for (const Chapter& chapter : chapters) {
+        known += std::string(chapter.operation) + ", ";
+    }
+    known += prove_operation().name;
+    return "there is no chapter for the operation " + quoted(operation) + "; there is for " + known;
+}
+
+std::vector<Document> chapters_of(const Json& request, const Limits& limits) {
+    static_cast<void>(result_of(request, limits));
+    const std::string& name = *request.find("op")->text();
+    if (name == prove_operation().name) return proof_pages(*request.find("statement"), limits);
+    const auto* chapter = std::ranges::find(chapters, name, &Chapter::operation);
+    if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(name), "/op");
+    return {with_weights(chapter->make(Asked(request, limits)), request, limits)};
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,122 @@
+#include "document_format.hpp"
+
+#include <blossom/rational/number_text.hpp>
+#include <blossom/worked/render.hpp>
+
+#include <algorithm>
+#include <array>
+
+#include "operations/map_options.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+constexpr std::size_t default_width = 79;
+/// A degree above which equal arguments are written once, with their multiplicity.
+constexpr std::size_t widest_degree = 5;
+
+worked::BlossomStyle read_style(const Json& value) {
+    const std::string& name = read_text(value);
+    if (name == "parentheses") return worked::BlossomStyle::parentheses;
+    if (name == "brackets") return worked::BlossomStyle::brackets;
+    if (name == "multiplicative") return worked::BlossomStyle::multiplicative;
+    throw Error(ErrorCode::wrong_kind,
+                "the notation is parentheses, brackets or multiplicative, not " + quoted(name));
+}
+
+using Documents = std::vector<worked::Document>;
+
+/// One document after the other.
+template <class Write>
+std::string joined(const Documents& documents, std::string_view between, const Write& write) {
+    std::string text;
+    for (const worked::Document& document : documents)
+        text += (text.empty() ? "" : std::string(between)) + write(document);
+    return text;
+}
+
+/// The object of a document; of several documents a list.
+std::string json_text(const Documents& documents, const worked::Notation& notation) {
+    const std::string objects = joined(documents, ",\n", [&](const worked::Document& document) {
+        std::string object = render_json(document, notation);
+        if (object.ends_with('\n')) object.pop_back();
+        return object;
+    });
+    return documents.size() == 1 ? objects + "\n" : "[" + objects + "]\n";
+}
+
+struct Format {
+    std::string_view name;
+    std::string (*write)(const Documents& documents, const worked::Notation& notation, std::size_t columns);
+};
+
+constexpr std::array<Format, 6> formats{
+    {{"text",
+      [](const Documents& documents, const worked::Notation& notation, std::size_t columns) {
+          return joined(documents, "\n", [&](const worked::Document& document) {
+              return render_text(document, notation, columns);
+          });
+      }},
+     {"markdown",
+      [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return joined(documents, "\n", [&](const worked::Document& document) {
+              return render_markdown(document, notation);
+          });
+      }},
+     {"latex", [](const Documents& documents, const worked::Notation& notation,
+                  std::size_t) { return render_latex(documents, notation); }},
+     {"latex-fragment",
+      [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return joined(documents, "", [&](const worked::Document& document) {
+              return render_latex_fragment(document, notation);
+          });
+      }},
+     {"html", [](const Documents& documents, const worked::Notation& notation,
+                 std::size_t) { return render_html(documents, notation); }},
+     {"json", [](const Documents& documents, const worked::Notation& notation, std::size_t) {
+          return json_text(documents, notation);
+      }}}};
+
+std::string read_format(const Json& value) {
+    const std::string& name = read_text(value);
+    if (std::ranges::find(formats, name, &Format::name) != formats.end()) return name;
+    throw Error(ErrorCode::wrong_kind,
+                "the format is text, markdown, latex, latex-fragment, html or json, not " + quoted(name));
+}
+
+}  // namespace
+
+DocumentFormat DocumentFormat::read(Fields& request, const Limits& limits) {
+    DocumentFormat format;
+    format.format_ = request.optional("format", read_format).value_or("text");
+    format.style_ = request.optional("notation", read_style);
+    format.multiplicities_ = request.optional("multiplicities", read_boolean);
+    format.columns_ =
+        request.optional("columns", [&](const Json& value) { return read_count(value, limits); })
+            .value_or(default_width);
+    return format;
+}
+
+Json DocumentFormat::written(const std::vector<worked::Document>& documents) const {
+    const bool wide = std::ranges::any_of(
+        documents, [](const worked::Document& document) { return largest_degree(document) > widest_degree; });
+    const worked::Notation notation{style_.value_or(documents.front().style), multiplicities_.value_or(wide)};
+    const auto* format = std::ranges::find(formats, format_, &Format::name);
+    return Json::Object{{"format", format_}, {"document", format->write(documents, notation, columns_)}};
+}
+
+std::vector<Option> document_options() {
+    return {
+        field_option("--format", "format", "text|markdown|latex|latex-fragment|html|json",
+                     "how the document is written; by default text", plain_text),
+        field_option("--notation", "notation", "parentheses|brackets|multiplicative",
+                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses, of statements brackets", plain_text),
+        flag_option("--multiplicities", "multiplicities", "write equal arguments once, as t^<3>"),
+        field_option("--columns", "columns", "N", "the columns of a text; by default 79", count),
+    };
+}
+
+std::string document_text(const Answered& answered) { return *answered.result.find("document")->text(); }
+
+}  // namespace blossom::protocol

@@ -1,0 +1,252 @@
+#include "formats.hpp"
+
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/spline_join.hpp>
+
+#include "doubles.hpp"
+#include "maps/dispatch_on_kind.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+constexpr const char* only_curves = "only curves are read, and this has more than one parameter direction";
+
+std::vector<Rational> read_doubles(const Json& value) { return read_list(value, read_double); }
+
+std::vector<Coordinates> read_rows(const Json& value) { return read_list(value, read_doubles); }
+
+/// Weights are a list of numbers or of lists of one number each.
+std::vector<Rational> read_weights(const Json& value) {
+    return read_list(value, [](const Json& weight) {
+        const Json::Array* list = weight.array();
+        return read_double(list && list->size() == 1 ? list->front() : weight);
+    });
+}
+
+Map spline(std::size_t degree, std::vector<Rational> knots, std::vector<Coordinates> points,
+           const std::optional<std::vector<Rational>>& weights) {
+    PointForm form{.scalar = false};
+    if (weights) {
+        form.rational = true;
+        append_weights(points, *weights);
+    }
+    return {BSplineCurve(degree, std::move(knots), std::move(points)), form};
+}
+
+// tinyspline: {"degree", "dimension", "control_points": all coordinates in one list, "knots"}
+
+std::vector<Map> read_tinyspline(const Json& document, const Limits& limits) {
+    Fields fields(document);
+    const std::size_t degree =
+        fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    const std::size_t dimension =
+        fields.required("dimension", [&](const Json& value) { return read_count(value, limits); });
+    std::vector<Rational> knots = fields.required("knots", read_doubles);
+    std::vector<Coordinates> points = fields.required("control_points", [&](const Json& value) {
+        const std::vector<Rational> all = read_doubles(value);
+        if (dimension == 0 || all.empty() || all.size() % dimension != 0) {
+            throw Error(ErrorCode::mismatched_dimensions,
+                        std::to_string(all.size()) + " coordinates do not make points of dimension " +
+                            std::to_string(dimension));
+        }
+        std::vector<Coordinates> rows;
+        for (auto begin = all.begin(); begin != all.end(); begin += static_cast<std::ptrdiff_t>(dimension))
+            rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(dimension));
+        return rows;
+    });
+    return {spline(degree, std::move(knots), std::move(points), std::nullopt)};
+}
+
+/// The numbers of a bspline map as every format has them.
+struct Parts {
+    const BSplineCurve& curve;
+    Json::Array knots;
+    Json::Array points;
+    Json::Array weights;  ///< empty unless there are weights
+};
+
+Json::Array doubles(std::span<const Rational> numbers) {
+    Json::Array list;
+    for (const Rational& number : numbers) list.emplace_back(double_number(number));
+    return list;
+}
+
+Parts parts_of(const Map& map) {
+    const auto& curve = std::get<BSplineCurve>(map.value);
+    Parts parts{curve, doubles(curve.knots().knots()), {}, {}};
+    for (Coordinates point : curve.control_points()) {
+        if (map.form.separate_weights()) {
+            const Rational weight = point.back();
+            if (weight.is_zero()) throw Error(ErrorCode::zero_weight, "a control point has weight 0");
+            point.pop_back();
+            for (Rational& coordinate : point) coordinate /= weight;
+            parts.weights.emplace_back(double_number(weight));
+        }
+        parts.points.emplace_back(doubles(point));
+    }
+    return parts;
+}
+
+std::size_t dimension_of_points(const Parts& parts) { return parts.points.front().array()->size(); }
+
+Json write_tinyspline(const std::vector<Map>& splines) {
+    if (splines.size() != 1) {
+        throw Error(ErrorCode::wrong_arity,
+                    "a file of tinyspline holds one spline, not " + std::to_string(splines.size()));
+    }
+    const Parts parts = parts_of(splines.front());
+    if (!parts.weights.empty()) {
+        throw Error(ErrorCode::wrong_kind,
+                    "a file of tinyspline has no place for weights; with \"homogeneous\": true they are "
+                    "coordinates");
+    }
+    Json::Array all;
+    for (const Json& point : parts.points)
+        all.insert(all.end(), point.array()->begin(), point.array()->end());
+    return Json::Object{{"degree", parts.curve.degree()},
+                        {"dimension", dimension_of_points(parts)},
+                        {"control_points", std::move(all)},
+                        {"knots", parts.knots}};
+}
+
+// geomdl: {"shape": {"type": "curve", "count", "data": [{"degree", "knotvector", "control_points": {"points",
+// "weights"?}, ...}]}}; other members are not needed.
+
+Map read_geomdl_curve(const Json& data, const Limits& limits) {
+    Fields fields(data);
+    const std::size_t degree =
+        fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    std::vector<Rational> knots = fields.required("knotvector", read_doubles);
+    std::optional<std::vector<Rational>> weights;
+    auto points = fields.required("control_points", [&](const Json& value) {
+        Fields inner(value);
+        weights = inner.optional("weights", read_weights);
+        return inner.required("points", read_rows);
+    });
+    return spline(degree, std::move(knots), std::move(points), weights);
+}
+
+std::vector<Map> read_geomdl(const Json& document, const Limits& limits) {
+    Fields fields(document);
+    return fields.required("shape", [&](const Json& value) {
+        Fields shape(value);
+        shape.required("type", [](const Json& type) {
+            if (read_text(type) != "curve") throw Error(ErrorCode::wrong_kind, only_curves);
+            return true;
+        });
+        return shape.required("data", [&](const Json& data) {
+            return read_list(data, [&](const Json& curve) { return read_geomdl_curve(curve, limits); });
+        });
+    });
+}
+
+Json write_geomdl(const std::vector<Map>& splines) {
+    Json::Array data;
+    for (const Map& map : splines) {
+        const Parts parts = parts_of(map);
+        Json control_points = Json::Object{{"points", parts.points}};
+        if (!parts.weights.empty()) control_points["weights"] = parts.weights;
+        data.emplace_back(Json::Object{{"type", "spline"},
+                                       {"rational", !parts.weights.empty()},
+                                       {"dimension", dimension_of_points(parts)},
+                                       {"degree", parts.curve.degree()},
+                                       {"knotvector", parts.knots},
+                                       {"control_points", std::move(control_points)}});
+    }
+    return Json::Object{
+        {"shape", Json::Object{{"type", "curve"}, {"count", splines.size()}, {"data", std::move(data)}}}};
+}
+
+// splinepy: {"Name", "NumberOfSplines", "Base64Encoding", "SplineList": [{"SplineType", "degrees": [n],
+// "knot_vectors": [[...]], "control_points": [[...]], "weights"?: [[w], ...], "dim", "para_dim"}]}; the
+// Bezier types have no knots.
+
+Map read_splinepy_spline(const Json& data, const Limits& limits) {
+    Fields fields(data);
+    const auto degrees = fields.required("degrees", [&](const Json& value) {
+        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
+    });
+    if (degrees.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves, "/degrees");
+    std::vector<Coordinates> points = fields.required("control_points", read_rows);
+    const auto weights = fields.optional("weights", read_weights);
+    const auto knots = fields.optional("knot_vectors", [](const Json& value) {
+        auto vectors = read_list(value, read_doubles);
+        if (vectors.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves);
+        return std::move(vectors.front());
+    });
+    if (knots) return spline(degrees.front(), *knots, std::move(points), weights);
+    std::vector<Rational> ends(degrees.front() + 1, Rational(0));
+    ends.insert(ends.end(), degrees.front() + 1, Rational(1));
+    return spline(degrees.front(), std::move(ends), std::move(points), weights);
+}
+
+std::vector<Map> read_splinepy(const Json& document, const Limits& limits) {
+    Fields fields(document);
+    const bool encoded = fields.optional("Base64Encoding", read_boolean).value_or(false);
+    if (encoded) {
+        throw Error(ErrorCode::wrong_kind,
+                    "the numbers are written in base 64; export them with base64encoding=False",
+                    "/Base64Encoding");
+    }
+    return fields.required("SplineList", [&](const Json& list) {
+        return read_list(list, [&](const Json& data) { return read_splinepy_spline(data, limits); });
+    });
+}
+
+Json write_splinepy(const std::vector<Map>& splines) {
+    Json::Array list;
+    for (const Map& map : splines) {
+        const Parts parts = parts_of(map);
+        Json data = Json::Object{{"degrees", Json::Array{parts.curve.degree()}},
+                                 {"knot_vectors", Json::Array{Json(parts.knots)}},
+                                 {"control_points", parts.points}};
+        if (!parts.weights.empty()) {
+            Json::Array rows;
+            for (const Json& weight : parts.weights) rows.emplace_back(Json::Array{weight});
+            data["weights"] = std::move(rows);
+        }
+        data["SplineType"] = parts.weights.empty() ? "BSpline" : "NURBS";
+        data["dim"] = dimension_of_points(parts);
+        data["para_dim"] = std::size_t{1};
+        list.push_back(std::move(data));
+    }
+    return Json::Object{{"Name", "SplineGroup"},
+                        {"NumberOfSplines", splines.size()},
+                        {"Base64Encoding", false},
+                        {"SplineList", std::move(list)}};
+}
+
+constexpr ForeignFormat formats[] = {
+    {"tinyspline", read_tinyspline, write_tinyspline},
+    {"geomdl", read_geomdl, write_geomdl},
+    {"splinepy", read_splinepy, write_splinepy},
+};
+
+BSplineCurve textbook(const BSplineCurve& curve) {
+    if (curve.knots().convention() == KnotConvention::textbook) return curve;
+    std::vector<Rational> knots{curve.knots().knots().front()};
+    knots.insert(knots.end(), curve.knots().knots().begin(), curve.knots().knots().end());
+    knots.push_back(knots.back());
+    return {curve.degree(), std::move(knots), curve.control_points()};
+}
+
+}  // namespace
+
+const ForeignFormat& read_format(const Json& name) {
+    std::vector<std::string_view> names;
+    for (const ForeignFormat& format : formats) names.push_back(format.name);
+    return formats[read_alternative(name, names, "a format")];
+}
+
+Map as_textbook_spline(const Map& map, const Limits& limits) {
+    const auto of_polynomial = [&](const OnePolynomial auto& curve) {
+        const auto over = [&](const auto& one) { return control_points(one, own_interval(curve), limits); };
+        const BezierCurve bezier = std::visit(over, polynomial_map(curve, limits));
+        return join(std::span(&bezier, 1), limits);
+    };
+    const auto of_spline = [](const BSplineCurve& curve) { return textbook(curve); };
+    return {serve<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "maps/map.hpp"
+
+/// The JSON files of other libraries. Their numbers are doubles.
+
+namespace blossom::protocol {
+
+/// What a library writes and reads.
+struct ForeignFormat {
+    std::string_view name;
+    /// Every curve of a document. Errors: those of its parts, with their place in the document.
+    std::vector<Map> (*read)(const Json& document, const Limits& limits);
+    /// A document with these B-splines. Errors: `wrong_kind` for what the format has no place for;
+    /// `overflow`.
+    Json (*write)(const std::vector<Map>& splines);
+};
+
+/// The format of that name. Errors: `wrong_kind`.
+const ForeignFormat& read_format(const Json& name);
+
+/// The curve as the bspline that every format can hold: one polynomial becomes one segment, and a polar knot
+/// vector gets the two knots that it lacks, equal to its ends. Errors: `wrong_kind`.
+Map as_textbook_spline(const Map& map, const Limits& limits);
+
+}  // namespace blossom::protocol

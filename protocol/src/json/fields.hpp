@@ -1,0 +1,115 @@
+#pragma once
+
+#include <blossom/core/maps/argument.hpp>
+#include <blossom/core/maps/interval.hpp>
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include <blossom/protocol/json.hpp>
+
+namespace blossom::protocol {
+
+/// Runs `action`; an error in it lies below the member `name`, or the element `index`.
+///
+/// This is how every error gets its JSON Pointer, those of the engine included: each level that goes into a
+/// value adds its own token on the way out.
+template <class Action>
+auto within(std::string_view name, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        throw error.below(pointer_token(name));
+    }
+}
+template <class Action>
+auto within(std::size_t index, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        throw error.below("/" + std::to_string(index));
+    }
+}
+
+/// The members of a JSON object, asked for one by one; what nobody has asked for is an unknown field.
+class Fields {
+public:
+    /// Errors: `wrong_kind` unless `value` is an object.
+    explicit Fields(const Json& value);
+
+    bool has(std::string_view name) const { return object_.find(name) != nullptr; }
+
+    /// read(member), with errors below it. Errors: `missing_field`.
+    template <class Read>
+    auto required(std::string_view name, const Read& read) {
+        const Json* member = ask(name);
+        if (!member) missing(name);
+        return within(name, [&] { return read(*member); });
+    }
+    template <class Read>
+    auto optional(std::string_view name, const Read& read) {
+        using Value = std::invoke_result_t<const Read&, const Json&>;
+        const Json* member = ask(name);
+        return member ? within(name, [&] { return std::optional<Value>(read(*member)); }) : std::nullopt;
+    }
+
+    /// Errors: `missing_field`, with the name that was probably meant.
+    [[noreturn]] void missing(std::string_view name) const;
+    /// Errors: `unknown_field` for the first member that was not asked for.
+    void finish() const;
+
+private:
+    const Json* ask(std::string_view name);
+    bool is_asked(std::string_view name) const;
+
+    const Json& object_;
+    std::vector<std::string_view> asked_;
+};
+
+/// An exact number: a string as `parse_rational` takes it, or a JSON integer.
+/// Errors: `inexact_number` for any other JSON number; those of `parse_rational`.
+Rational read_number(const Json& value, const Limits& limits);
+
+/// A count such as a degree, at most `limits.degree`. Errors: `wrong_kind`, `limit_exceeded`.
+std::size_t read_count(const Json& value, const Limits& limits);
+
+/// The index of something that a request lists, at most `limits.numbers`. Errors: `wrong_kind`,
+/// `limit_exceeded`.
+std::size_t read_index(const Json& value, const Limits& limits);
+
+bool read_boolean(const Json& value);
+const std::string& read_text(const Json& value);
+
+/// The index of the word among `names`; `what` is what they are, "a method". Errors: `wrong_kind`.
+std::size_t read_alternative(const Json& value, std::span<const std::string_view> names,
+                             std::string_view what);
+
+/// The elements of a list, each through `read`. Errors: `wrong_kind` unless it is an array.
+const Json::Array& read_array(const Json& value);
+template <class Read>
+auto read_list(const Json& value, const Read& read) {
+    const Json::Array& elements = read_array(value);
+    std::vector<std::invoke_result_t<const Read&, const Json&>> list;
+    list.reserve(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        list.push_back(within(i, [&] { return read(elements[i]); }));
+    }
+    return list;
+}
+
+std::vector<Rational> read_numbers(const Json& value, const Limits& limits);
+
+/// [a, b]. Errors: `wrong_arity`, `empty_interval`.
+Interval read_interval(const Json& value, const Limits& limits);
+Json to_json(const Interval& interval);
+
+/// An argument of a blossom of one parameter: a number, {"vector": x} or {"homogeneous": [u, v]}.
+Argument read_argument(const Json& value, const Limits& limits);
+
+}  // namespace blossom::protocol

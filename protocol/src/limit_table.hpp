@@ -1,0 +1,21 @@
+#pragma once
+
+#include <blossom/rational/limits.hpp>
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+namespace blossom::protocol {
+
+/// One limit of a request: its flag is --max- and the name, with '-' for '_'.
+struct LimitEntry {
+    std::string_view name;
+    std::size_t Limits::* member;
+    std::string_view help;
+    std::size_t greatest;  ///< what the flag may ask for
+};
+
+std::span<const LimitEntry> limit_table();
+
+}  // namespace blossom::protocol

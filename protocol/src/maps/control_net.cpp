@@ -1,0 +1,203 @@
+// The kinds tensor and simplex.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "kinds.hpp"
+#include "net_fields.hpp"
+#include "text/readable.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+MultiIndex read_index_of(const Json& value, std::size_t entries, std::size_t degree, const Limits& limits) {
+    MultiIndex index = read_list(value, [&](const Json& element) { return read_count(element, limits); });
+    std::size_t sum = 0;
+    for (const std::size_t entry : index) sum += entry;
+    if (index.size() != entries || sum != degree) {
+        refuse_net(fmt::format("an index has {} entries of sum {}; this one has {} of sum {}", entries,
+                               degree, index.size(), sum));
+    }
+    return index;
+}
+
+std::string index_text(const MultiIndex& index) { return fmt::format("({})", fmt::join(index, ", ")); }
+
+/// leaf(value) for the value of every index, in the order of the net. Each index must occur once.
+template <class Leaf>
+void visit_indexed(const Json& value, std::size_t dimension, std::size_t degree, const Limits& limits,
+                   const Leaf& leaf) {
+    const Json::Array& entries = read_array(value);
+    const std::size_t count = multi_index_count(dimension, degree, limits);
+    std::vector<std::size_t> place(count, entries.size());
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        within(i, [&] {
+            const Json::Array& pair = read_array(entries[i]);
+            if (pair.size() != 2) refuse_net("an entry of a net is a pair of an index and a value");
+            const MultiIndex index =
+                within(0, [&] { return read_index_of(pair[0], dimension + 1, degree, limits); });
+            std::size_t& known = place[position(index)];
+            if (known != entries.size()) {
+                refuse_net("the index " + index_text(index) + " occurs twice, first in entry " +
+                           std::to_string(known));
+            }
+            known = i;
+        });
+    }
+    const auto missing = std::ranges::find(place, entries.size());
+    if (missing != place.end()) {
+        const auto indices = multi_indices(dimension, degree);
+        refuse_net("the index " + index_text(indices[static_cast<std::size_t>(missing - place.begin())]) +
+                   " is missing");
+    }
+    for (const std::size_t i : place) {
+        within(i, [&] { within(1, [&] { leaf((*entries[i].array())[1]); }); });
+    }
+}
+
+/// One pair of index and value a point.
+Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
+    Json::Array entries;
+    std::size_t place = 0;
+    for (const MultiIndex& index : multi_indices(factor.dimension, factor.degree)) {
+        entries.emplace_back(Json::Array{Json::Array(index.begin(), index.end()), values[place++]});
+    }
+    return entries;
+}
+
+std::vector<std::size_t> degrees_of(const NetShape& shape) {
+    std::vector<std::size_t> degrees;
+    degrees.reserve(shape.factors());
+    for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
+    return degrees;
+}
+
+/// One more than the degree in each direction.
+std::vector<std::size_t> counts_of(const NetShape& shape) {
+    std::vector<std::size_t> counts;
+    counts.reserve(shape.factors());
+    for (std::size_t f = 0; f < shape.factors(); ++f) counts.push_back(shape.count(f));
+    return counts;
+}
+
+Json vertices_json(const BarycentricFrame& frame) {
+    Json::Array vertices;
+    for (const Coordinates& vertex : frame.vertices())
+        vertices.emplace_back(Json::Array(vertex.begin(), vertex.end()));
+    return vertices;
+}
+
+Json write_tensor(const BezierPatch& patch, const std::vector<BarycentricFrame>& frames,
+                  const PointForm& form) {
+    const std::vector<std::size_t> degrees = degrees_of(patch.shape());
+    Json::Array intervals;
+    for (const BarycentricFrame& frame : frames) {
+        intervals.emplace_back(Json::Array{frame.vertices()[0][0], frame.vertices()[1][0]});
+    }
+    Json map = Json::Object{{"kind", "tensor"},
+                            {"degrees", Json::Array(degrees.begin(), degrees.end())},
+                            {"intervals", std::move(intervals)}};
+    write_net(map, patch.control_net().to_points(), form,
+              [&](std::span<const Json> values) { return nested(values, counts_of(patch.shape())); });
+    return map;
+}
+
+Json write_simplex(const BezierPatch& patch, const std::vector<BarycentricFrame>& frames,
+                   const PointForm& form) {
+    Json map = Json::Object{{"kind", "simplex"}, {"degree", patch.shape()[0].degree}};
+    if (!frames.empty()) map["vertices"] = vertices_json(frames.front());
+    write_net(map, patch.control_net().to_points(), form,
+              [&](std::span<const Json> values) { return indexed(values, patch.shape()[0]); });
+    return map;
+}
+
+}  // namespace
+
+Map read_tensor(Fields& fields, const Limits& limits) {
+    const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
+    const NetShape shape = within("degrees", [&] { return NetShape::tensor(degrees, limits); });
+    const std::vector<std::size_t> counts = counts_of(shape);
+    const auto visit = [&](const Json& value, const auto& leaf) {
+        visit_nested(value, counts, leaf, [&](std::size_t level, std::size_t count) {
+            return fmt::format("there are {} entries here; degree {} needs {}", count, degrees[level],
+                               counts[level]);
+        });
+    };
+    WeightedPoints read = read_net(fields, limits, visit);
+    auto frames = fields.optional("intervals", [&](const Json& value) {
+        std::vector<BarycentricFrame> given = read_intervals(value, limits);
+        if (given.size() == degrees.size()) return given;
+        throw Error(ErrorCode::wrong_arity,
+                    fmt::format("{} intervals for {} directions", given.size(), degrees.size()));
+    });
+    if (!frames) frames.emplace(degrees.size(), BarycentricFrame::standard(1));
+    require_numbers(read.points.size(), read.points.front().size(), limits);
+    return {Patch{BezierPatch(shape, read.points), true, std::move(*frames), {}}, read.form};
+}
+
+Map read_simplex(Fields& fields, const Limits& limits) {
+    const std::size_t degree =
+        fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    std::size_t dimension = 0;
+    // The number of entries of the first index says the dimension.
+    const auto visit = [&](const Json& value, const auto& leaf) {
+        const Json::Array& entries = read_array(value);
+        if (entries.empty()) refuse_net("a control net has at least one point");
+        const Json::Array& pair = read_array(entries.front());
+        const std::size_t length = pair.empty() || !pair.front().array() ? 0 : pair.front().array()->size();
+        if (length == 0) {
+            throw Error(ErrorCode::incomplete_net, "an entry of a net is a pair of an index and a value",
+                        "/0");
+        }
+        dimension = length - 1;
+        visit_indexed(value, dimension, degree, limits, leaf);
+    };
+    WeightedPoints read = read_net(fields, limits, visit);
+    std::vector<BarycentricFrame> frames;
+    const auto vertices = fields.optional("vertices", [&](const Json& value) {
+        BarycentricFrame frame = read_vertices(value, limits);
+        if (frame.dimension() == dimension && frame.space_dimension() == dimension) return frame;
+        throw Error(
+            ErrorCode::mismatched_dimensions,
+            fmt::format(
+                "a simplex of dimension {} has {} vertices with {} coordinates each; given are {} with {}",
+                dimension, dimension + 1, dimension, frame.dimension() + 1, frame.space_dimension()));
+    });
+    if (vertices) frames.push_back(*vertices);
+    require_numbers(read.points.size(), read.points.front().size(), limits);
+    return {Patch{BezierPatch(NetShape::simplex(dimension, degree, limits), read.points),
+                  false,
+                  std::move(frames),
+                  {}},
+            read.form};
+}
+
+Json write(const Patch& patch, const PointForm& form) {
+    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
+        return write(*polynomial, patch, form);
+    const auto& net = std::get<BezierPatch>(patch.map);
+    return patch.tensor ? write_tensor(net, patch.frames, form) : write_simplex(net, patch.frames, form);
+}
+
+std::string formula(const Patch& patch, const Map& map, std::string_view name) {
+    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
+        return formula(*polynomial, map, name);
+    std::string domain;
+    for (const BarycentricFrame& frame : patch.frames) {
+        std::string vertices;
+        for (const Coordinates& vertex : frame.vertices()) {
+            vertices +=
+                (vertices.empty() ? "" : ", ") +
+                (patch.tensor ? to_string(vertex[0]) : point_text(Json::Array(vertex.begin(), vertex.end())));
+        }
+        domain += fmt::format("{}[{}]", domain.empty() ? " over " : " x ", vertices);
+    }
+    const std::vector<std::size_t> degrees = degrees_of(patch.shape());
+    return fmt::format("{}: {} patch of degree{} {}{}, {} control points", name,
+                       patch.tensor ? "tensor product" : "simplex", degrees.size() == 1 ? "" : "s",
+                       fmt::join(degrees, ", "), domain, patch.shape().size());
+}
+
+}  // namespace blossom::protocol

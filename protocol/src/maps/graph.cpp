@@ -1,0 +1,21 @@
+#include "graph.hpp"
+
+#include <blossom/core/spline/graph.hpp>
+
+#include "dispatch_on_kind.hpp"
+
+namespace blossom::protocol {
+
+Map graph_of(const Map& map, const Limits& limits) {
+    const GraphForm form = map.form.rational ? GraphForm::homogeneous : GraphForm::points;
+    const auto of_curve = [&](const OnePolynomial auto& curve) -> AnyMap {
+        const auto one = [&](const auto& single) -> AnyMap { return graph(single, form, limits); };
+        return std::visit(one, polynomial_map(curve, limits));
+    };
+    const auto of_spline = [&](const BSplineCurve& curve) -> AnyMap { return graph(curve, form, limits); };
+    PointForm of_points = map.form;
+    of_points.scalar = false;
+    return {serve<AnyMap>(map, Overloads{of_curve, of_spline}), of_points, map.variable};
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/patch/tensor_bspline.hpp>
+#include <blossom/core/spline/progressive.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include <blossom/protocol/json.hpp>
+#include "json/fields.hpp"
+#include "patch.hpp"
+#include "points.hpp"
+#include "samples.hpp"
+
+namespace blossom::protocol {
+
+/// What a map is made of, one alternative a kind.
+using AnyMap = std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve,
+                            Samples, Patch, TensorBSpline>;
+
+/// What messages call each alternative of `AnyMap`.
+inline constexpr std::string_view map_names[] = {
+    "polynomial",  "bezier",  "taylor", "bspline",
+    "progressive", "samples", "patch",  "bspline in several directions"};
+static_assert(std::size(map_names) == std::variant_size_v<AnyMap>, "one name an alternative");
+
+/// A map as a request gives it. A rational one is a polynomial map into one dimension more: (w x, w), the
+/// weight last.
+struct Map {
+    AnyMap value;
+    PointForm form;
+    std::string variable = "t";  ///< what its text called the parameter
+};
+
+std::size_t dimension_of(const Map& map);
+
+/// A map of any kind. Errors: `wrong_kind` for a kind that is not known, those of the kind.
+Map read_map(const Json& value, const Limits& limits);
+
+/// The map as a request may give it again.
+Json to_json(const Map& map);
+
+/// "P(t) = ..." for a polynomial, otherwise its points.
+std::string formula(const Map& map, std::string_view name);
+
+/// `formula` for P with what else a reader needs to know: "P(t) = 1 + 2t, formal degree 1".
+std::string description(const Map& map);
+
+}  // namespace blossom::protocol

@@ -1,0 +1,200 @@
+#include "points.hpp"
+
+#include <blossom/rational/error.hpp>
+
+#include "text/readable.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Coordinates read_coordinates(const Json& value, bool scalar, const Limits& limits) {
+    if (scalar) return {read_number(value, limits)};
+    return read_numbers(value, limits);
+}
+
+/// All of few texts, of many the first and the last.
+std::string joined(const std::vector<std::string>& texts) {
+    constexpr std::size_t most = 24;
+    constexpr std::size_t shown_at_each_end = 4;
+    std::string text;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (i > 0) text += ", ";
+        if (texts.size() > most && i == shown_at_each_end) {
+            i = texts.size() - shown_at_each_end;
+            text += "... (" + std::to_string(texts.size() - 2 * shown_at_each_end) + " more), ";
+        }
+        text += texts[i];
+    }
+    return text;
+}
+
+}  // namespace
+
+void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights) {
+    if (weights.size() != points.size()) {
+        throw Error(ErrorCode::wrong_arity, std::to_string(weights.size()) + " weights for " +
+                                                std::to_string(points.size()) +
+                                                " control points; one each is needed");
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (weights[i].is_zero()) {
+            throw Error(ErrorCode::zero_weight,
+                        "weight " + std::to_string(i) +
+                            " is 0; with \"homogeneous\": true, points carry their weight and "
+                            "may have weight 0",
+                        "/" + std::to_string(i));
+        }
+        for (Rational& coordinate : points[i]) coordinate *= weights[i];
+        points[i].push_back(weights[i]);
+    }
+}
+
+Json to_json(const Coordinates& point, const PointForm& form) {
+    const bool divided = form.separate_weights();
+    const Rational weight = divided ? point.back() : Rational(1);
+    if (weight.is_zero()) {
+        throw Error(ErrorCode::zero_weight,
+                    "the weight is 0, so that there is no such point; \"homogeneous\": true gives it with "
+                    "its weight");
+    }
+    const std::size_t dimension = point.size() - (divided ? 1 : 0);
+    if (form.scalar) return point.front() / weight;
+    Json::Array coordinates;
+    coordinates.reserve(dimension);
+    for (std::size_t i = 0; i < dimension; ++i) coordinates.emplace_back(point[i] / weight);
+    return coordinates;
+}
+
+Coordinates answered_point(const Json& value) {
+    const Json::Array* written = value.array();
+    if (!written) return {*value.exact()};
+    Coordinates point;
+    for (const Json& coordinate : *written) point.push_back(*coordinate.exact());
+    return point;
+}
+
+Coordinates read_point(const Json& value, const PointForm& form, std::size_t dimension,
+                       const Limits& limits) {
+    Coordinates point = read_coordinates(value, form.scalar, limits);
+    if (point.size() == dimension && !point.empty()) return point;
+    throw Error(ErrorCode::mismatched_dimensions, "the point has " + std::to_string(point.size()) +
+                                                      " coordinates, not " + std::to_string(dimension));
+}
+
+Points read_points(const Json& value, const Limits& limits) {
+    const Json::Array& elements = read_array(value);
+    if (elements.empty()) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
+    Points result{{}, !elements.front().array()};
+    result.points.reserve(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        within(i, [&] {
+            const bool scalar = !elements[i].array();
+            result.points.push_back(read_coordinates(elements[i], scalar, limits));
+            if (scalar != result.scalar || result.points[i].size() != result.points[0].size() ||
+                result.points[i].empty()) {
+                throw Error(ErrorCode::mismatched_dimensions,
+                            "point " + std::to_string(i) +
+                                " is not of the form of point 0; all are numbers, or all are "
+                                "arrays of the same length of at least 1");
+            }
+        });
+    }
+    require_numbers(result.points.size(), result.points.front().size(), limits);
+    return result;
+}
+
+WeightedPoints read_control_points(Fields& fields, const Limits& limits) {
+    Points points =
+        fields.required("control_points", [&](const Json& value) { return read_points(value, limits); });
+    const auto weights =
+        fields.optional("weights", [&](const Json& value) { return read_numbers(value, limits); });
+    PointForm form{.scalar = points.scalar};
+    if (read_homogeneous(fields)) {
+        if (weights) {
+            throw Error(
+                ErrorCode::wrong_kind,
+                R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
+                "/weights");
+        }
+        form = within("control_points", [&] { return homogeneous_form(points); });
+    } else if (weights) {
+        form.rational = true;
+        within("weights", [&] { append_weights(points.points, *weights); });
+    }
+    return {std::move(points.points), form};
+}
+
+void write_control_points(Json& map, std::span<const Coordinates> points, const PointForm& form) {
+    Json::Array written;
+    Json::Array weights;
+    written.reserve(points.size());
+    for (const Coordinates& point : points) {
+        written.push_back(to_json(point, form));
+        if (form.separate_weights()) weights.emplace_back(point.back());
+    }
+    map["control_points"] = std::move(written);
+    if (form.separate_weights()) map["weights"] = std::move(weights);
+    if (form.homogeneous) map["homogeneous"] = true;
+}
+
+void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const PointForm& form) {
+    const PointForm numerators{.scalar = form.scalar};
+    Json::Array written;
+    Json::Array denominator;
+    for (Coordinates& coefficient : coefficients) {
+        if (form.separate_weights()) {
+            denominator.emplace_back(std::move(coefficient.back()));
+            coefficient.pop_back();
+        }
+        written.push_back(to_json(coefficient, numerators));
+    }
+    map["coefficients"] = std::move(written);
+    if (form.separate_weights()) map["denominator"] = std::move(denominator);
+    if (form.homogeneous) map["homogeneous"] = true;
+}
+
+bool read_homogeneous(Fields& fields) { return fields.optional("homogeneous", read_boolean).value_or(false); }
+
+PointForm homogeneous_form(const Points& points) {
+    if (points.scalar || points.points.front().size() < 2) {
+        throw Error(
+            ErrorCode::mismatched_dimensions,
+            "with \"homogeneous\": true a point is an array of its coordinates, at least 1, and its weight");
+    }
+    return {.scalar = false, .rational = true, .homogeneous = true};
+}
+
+void check_degree(Fields& fields, std::size_t points, const Limits& limits) {
+    const auto degree =
+        fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    if (!degree || *degree + 1 == points) return;
+    throw Error(ErrorCode::wrong_arity,
+                std::to_string(points) + " points make the degree " + std::to_string(points - 1) + ", not " +
+                    std::to_string(*degree),
+                "/degree");
+}
+
+void require_numbers(std::size_t count, std::size_t dimension, const Limits& limits) {
+    std::size_t numbers = 0;
+    if (__builtin_mul_overflow(count, dimension, &numbers)) numbers = limits.numbers + 1;
+    require_within(numbers, limits.numbers, "numbers", "the count of numbers");
+}
+
+void require_degree(std::size_t points, const Limits& limits) {
+    require_within(points - 1, limits.degree, "degree", "the degree");
+}
+
+std::string control_points_text(const Json& map) {
+    std::string text = joined(member_texts(map, "control_points"));
+    if (map.find("weights")) text += ", weights " + joined(member_texts(map, "weights"));
+    return text;
+}
+
+std::string numbers_text(const Json& numbers) {
+    std::vector<std::string> texts;
+    for (const Json& number : *numbers.array()) texts.push_back(point_text(number));
+    return joined(texts);
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <blossom/core/maps/point_array.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <blossom/protocol/json.hpp>
+#include "json/fields.hpp"
+
+/// Points as they stand in requests and responses.
+
+namespace blossom::protocol {
+
+/// How the points of a map are written.
+struct PointForm {
+    bool scalar = true;        ///< as a number, not as an array
+    bool rational = false;     ///< the last coordinate of the engine's points is a weight
+    bool homogeneous = false;  ///< a rational map whose points are written with the weight, undivided
+
+    /// Whether the weight of a point is written apart from it.
+    bool separate_weights() const { return rational && !homogeneous; }
+};
+
+/// One point of a map. Errors: `zero_weight` for a point without place, unless the form is homogeneous.
+Json to_json(const Coordinates& point, const PointForm& form);
+
+/// The numbers of a point as `to_json` has written it.
+Coordinates answered_point(const Json& value);
+
+/// One point of a map of this form, with its weight last where the form is homogeneous.
+/// Errors: `mismatched_dimensions` unless it has `dimension` numbers.
+Coordinates read_point(const Json& value, const PointForm& form, std::size_t dimension, const Limits& limits);
+
+/// Points as they stand in a request: all numbers, or all arrays of one length.
+struct Points {
+    std::vector<Coordinates> points;
+    bool scalar;
+};
+/// Errors: `wrong_arity` for none, `mismatched_dimensions`, `limit_exceeded` for more than `limits.numbers`.
+Points read_points(const Json& value, const Limits& limits);
+
+/// Points of a map with their weights, as homogeneous coordinates where the form is rational.
+struct WeightedPoints {
+    std::vector<Coordinates> points;
+    PointForm form;
+};
+/// Makes (w_i P_i, w_i) of every point. Errors: `wrong_arity` unless there is a weight a point;
+/// `zero_weight`.
+void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights);
+
+/// The fields "control_points", "weights" and "homogeneous".
+/// Errors: `wrong_arity` unless there is a weight a point; `zero_weight`; `wrong_kind` for both "weights" and
+/// "homogeneous".
+WeightedPoints read_control_points(Fields& fields, const Limits& limits);
+/// Writes the same fields.
+void write_control_points(Json& map, std::span<const Coordinates> points, const PointForm& form);
+
+/// The fields "coefficients", "denominator" and "homogeneous": coefficients stand as they are, only points
+/// are divided by a weight.
+void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const PointForm& form);
+
+/// Whether "homogeneous" is asked for.
+bool read_homogeneous(Fields& fields);
+/// The form of points that carry their weight. Errors: `mismatched_dimensions` when there is nothing but a
+/// weight.
+PointForm homogeneous_form(const Points& points);
+
+/// The field "degree" where the number of points already says it. Errors: `wrong_arity` if they differ.
+void check_degree(Fields& fields, std::size_t points, const Limits& limits);
+
+/// Errors: `limit_exceeded` when `count` points of `dimension` coordinates exceed `limits.numbers`.
+void require_numbers(std::size_t count, std::size_t dimension, const Limits& limits);
+/// Errors: `limit_exceeded` when `points` points make a degree above `limits.degree`.
+void require_degree(std::size_t points, const Limits& limits);
+
+/// The control points of a map for a reader, "(0, 0), (1, 2), weights 1, 2"; of very many only the first and
+/// the last.
+std::string control_points_text(const Json& map);
+/// Numbers for a reader, likewise.
+std::string numbers_text(const Json& numbers);
+
+}  // namespace blossom::protocol

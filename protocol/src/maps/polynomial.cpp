@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+#include <blossom/core/algebra/polynomial_text.hpp>
+
+#include <algorithm>
+
+#include "kinds.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+/// One polynomial a coordinate, as a request writes them.
+struct Written {
+    std::vector<Polynomial> coordinates;
+    bool scalar = true;
+    std::string variable;  ///< "" while none has occurred
+};
+
+Polynomial read_one_text(const std::string& text, std::string& variable, const Limits& limits) {
+    UnivariateText read = parse_univariate(text, limits);
+    const bool constant = read.polynomial.degree() == 0;
+    if (!constant && !variable.empty() && variable != read.name) {
+        throw Error(ErrorCode::syntax, "the variable is called " + read.name + " here, and " + variable +
+                                           " before; it must be the same");
+    }
+    if (!constant) variable = read.name;
+    return std::move(read.polynomial);
+}
+
+Written read_texts(const Json& value, const Limits& limits) {
+    Written result;
+    if (const std::string* text = value.text()) {
+        result.coordinates = {read_one_text(*text, result.variable, limits)};
+        return result;
+    }
+    result.scalar = false;
+    result.coordinates = read_list(value, [&](const Json& element) {
+        return read_one_text(read_text(element), result.variable, limits);
+    });
+    if (result.coordinates.empty())
+        throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
+    return result;
+}
+
+Written read_coefficients(const Json& value, const Limits& limits) {
+    const Points points = read_points(value, limits);
+    require_degree(points.points.size(), limits);
+    const PolynomialCurve curve(points.points);
+    Written result{{}, points.scalar, ""};
+    for (std::size_t j = 0; j < curve.dimension(); ++j) result.coordinates.push_back(curve.coordinate(j));
+    return result;
+}
+
+Polynomial read_denominator(const Json& value, std::string& variable, const Limits& limits) {
+    Polynomial denominator;
+    if (const std::string* text = value.text()) {
+        denominator = read_one_text(*text, variable, limits);
+    } else {
+        const auto& elements = read_array(value);
+        require_within(elements.size(), limits.degree + 1, "degree", "one more than the degree");
+        denominator = Polynomial(std::span<const Rational>(read_numbers(value, limits)));
+    }
+    if (denominator.is_zero())
+        throw Error(ErrorCode::zero_denominator, "the denominator is the polynomial 0");
+    return denominator;
+}
+
+Written read_written(Fields& fields, const Limits& limits) {
+    auto text = fields.optional("text", [&](const Json& value) { return read_texts(value, limits); });
+    if (!text)
+        return fields.required("coefficients",
+                               [&](const Json& value) { return read_coefficients(value, limits); });
+    if (fields.has("coefficients")) {
+        throw Error(ErrorCode::wrong_kind,
+                    R"(a polynomial is given by "text" or by "coefficients", not by both)", "/coefficients");
+    }
+    return std::move(*text);
+}
+
+PointForm form_of(const Written& written, bool has_denominator, bool homogeneous) {
+    if (!homogeneous) return {.scalar = written.scalar, .rational = has_denominator};
+    if (!has_denominator && (written.scalar || written.coordinates.size() < 2)) {
+        throw Error(
+            ErrorCode::mismatched_dimensions,
+            R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
+            "/homogeneous");
+    }
+    return {.scalar = false, .rational = true, .homogeneous = true};
+}
+
+/// The first coordinates of the map, "(1 - t^2, 2t)".
+std::string tuple_of_polynomials(const PolynomialCurve& curve, std::size_t count, bool scalar,
+                                 std::string_view variable) {
+    std::string text;
+    for (std::size_t j = 0; j < count; ++j) {
+        text += (j == 0 ? "" : ", ") + to_text(curve.coordinate(j), variable);
+    }
+    return scalar ? text : "(" + text + ")";
+}
+
+}  // namespace
+
+Map read_polynomial(Fields& fields, const Limits& limits) {
+    if (fields.has("variables")) return read_several_variables(fields, limits);
+    Written written = read_written(fields, limits);
+    const auto denominator = fields.optional(
+        "denominator", [&](const Json& value) { return read_denominator(value, written.variable, limits); });
+    const auto degree =
+        fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    const PointForm form = form_of(written, denominator.has_value(), read_homogeneous(fields));
+    if (denominator) written.coordinates.push_back(*denominator);
+
+    std::size_t formal = degree.value_or(0);
+    for (const Polynomial& coordinate : written.coordinates) formal = std::max(formal, coordinate.degree());
+    require_numbers(formal + 1, written.coordinates.size(), limits);
+    return {PolynomialCurve(written.coordinates, degree), form,
+            written.variable.empty() ? "t" : std::move(written.variable)};
+}
+
+Json write(const PolynomialCurve& curve, const PointForm& form) {
+    Json map = Json::Object{{"kind", "polynomial"}, {"degree", curve.degree()}};
+    write_coefficients(map, curve.coefficients().to_points(), form);
+    return map;
+}
+
+std::string formula(const PolynomialCurve& curve, const Map& map, std::string_view name) {
+    const std::size_t dimension = curve.dimension();
+    const PointForm& form = map.form;
+    std::string text;
+    if (form.separate_weights()) {
+        const std::string numerators = tuple_of_polynomials(curve, dimension - 1, form.scalar, map.variable);
+        text = fmt::format("{} / ({})", form.scalar ? "(" + numerators + ")" : numerators,
+                           to_text(curve.coordinate(dimension - 1), map.variable));
+    } else {
+        text = tuple_of_polynomials(curve, dimension, form.scalar, map.variable);
+    }
+    return fmt::format("{}({}) = {}", name, map.variable, text);
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include "kinds.hpp"
+
+namespace blossom::protocol {
+
+Map read_progressive(Fields& fields, const Limits& limits) {
+    std::vector<Rational> knots =
+        fields.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
+    const WeightedPoints read = read_control_points(fields, limits);
+    check_degree(fields, read.points.size(), limits);
+    within("control_points", [&] { require_degree(read.points.size(), limits); });
+    return {ProgressiveCurve(std::move(knots), read.points), read.form};
+}
+
+Json write(const ProgressiveCurve& curve, const PointForm& form) {
+    Json map = Json::Object{{"kind", "progressive"},
+                            {"degree", curve.degree()},
+                            {"knots", Json::Array(curve.knots().begin(), curve.knots().end())}};
+    write_control_points(map, curve.control_points().to_points(), form);
+    return map;
+}
+
+std::string formula(const ProgressiveCurve& curve, const Map& map, std::string_view name) {
+    const Json written = write(curve, map.form);
+    return fmt::format("{}: progressive curve of degree {}, knots {}, control points {}", name,
+                       curve.degree(), numbers_text(*written.find("knots")), control_points_text(written));
+}
+
+}  // namespace blossom::protocol

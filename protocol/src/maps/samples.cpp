@@ -1,0 +1,70 @@
+#include "samples.hpp"
+
+#include <fmt/format.h>
+#include <blossom/rational/number_text.hpp>
+
+#include "kinds.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+struct Sample {
+    Rational parameter;
+    Json point;
+};
+
+Sample read_sample(const Json& value, const Limits& limits) {
+    const Json::Array& pair = read_array(value);
+    if (pair.size() != 2) {
+        throw Error(ErrorCode::wrong_arity,
+                    "a sample is a pair [parameter, point], not " + std::to_string(pair.size()) + " values");
+    }
+    return {within(std::size_t{0}, [&] { return read_number(pair[0], limits); }), pair[1]};
+}
+
+}  // namespace
+
+Map read_samples(Fields& fields, const Limits& limits) {
+    const std::size_t degree =
+        fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    const auto interval =
+        fields.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+    Samples samples{degree, interval.value_or(Interval()), {}};
+    PointForm form;
+    fields.required("values", [&](const Json& value) {
+        const auto list = read_list(value, [&](const Json& pair) { return read_sample(pair, limits); });
+        if (list.empty()) throw Error(ErrorCode::missing_sample, "at least one sample is needed");
+        form.scalar = !list.front().point.array();
+        const std::size_t dimension = form.scalar ? 1 : list.front().point.array()->size();
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            within(i, [&] {
+                Coordinates point = within(
+                    std::size_t{1}, [&] { return read_point(list[i].point, form, dimension, limits); });
+                if (samples.values.emplace(list[i].parameter, std::move(point)).second) return;
+                throw Error(ErrorCode::wrong_arity,
+                            "the parameter " + to_string(list[i].parameter) + " occurs twice", "/0");
+            });
+        }
+        return true;
+    });
+    return {std::move(samples), form};
+}
+
+Json write(const Samples& samples, const PointForm& form) {
+    Json::Array values;
+    for (const auto& [parameter, point] : samples.values) {
+        values.emplace_back(Json::Array{parameter, to_json(point, form)});
+    }
+    return Json::Object{{"kind", "samples"},
+                        {"degree", samples.degree},
+                        {"interval", to_json(samples.interval)},
+                        {"values", std::move(values)}};
+}
+
+std::string formula(const Samples& samples, const Map&, std::string_view name) {
+    return fmt::format("{}: {} samples of a map for degree {} on [{}, {}]", name, samples.values.size(),
+                       samples.degree, to_string(samples.interval.a()), to_string(samples.interval.b()));
+}
+
+}  // namespace blossom::protocol

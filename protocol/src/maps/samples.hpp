@@ -1,0 +1,20 @@
+#pragma once
+
+#include <blossom/core/maps/interval.hpp>
+#include <blossom/core/maps/point_array.hpp>
+
+#include <cstddef>
+#include <map>
+
+namespace blossom::protocol {
+
+/// Values of a map that is not known otherwise, of which the inverse formula makes a curve of a degree.
+struct Samples {
+    std::size_t degree;
+    Interval interval;
+    std::map<Rational, Coordinates> values;
+
+    std::size_t dimension() const { return values.begin()->second.size(); }
+};
+
+}  // namespace blossom::protocol

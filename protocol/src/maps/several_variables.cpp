@@ -1,0 +1,246 @@
+// Polynomials in several variables: kind polynomial with "variables".
+
+#include <fmt/format.h>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+#include <map>
+
+#include "kinds.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+/// One polynomial a coordinate.
+struct Coordinatewise {
+    std::vector<SparsePolynomial> coordinates;
+    bool scalar = true;
+};
+
+using Names = std::vector<std::string>;
+
+Names read_variables(const Json& value, const Limits& limits) {
+    Names names = read_list(value, [](const Json& element) { return read_text(element); });
+    if (names.empty())
+        throw Error(ErrorCode::wrong_arity, "a polynomial in several variables has at least one");
+    require_within(names.size(), limits.variables, "variables", "the number of variables");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        within(i, [&] {
+            const NamedPolynomial read = parse_polynomial(names[i], {}, limits);
+            if (read.names != Names{names[i]} || read.polynomial != SparsePolynomial::variable(0)) {
+                throw Error(ErrorCode::syntax, quoted(names[i]) + " is not the name of a variable");
+            }
+            const auto first = std::ranges::find(names, names[i]);
+            if (first != names.begin() + static_cast<std::ptrdiff_t>(i)) {
+                throw Error(ErrorCode::syntax, "the variable " + names[i] + " occurs twice");
+            }
+        });
+    }
+    return names;
+}
+
+Coordinatewise read_texts(const Json& value, const Names& names, const Limits& limits) {
+    const auto read = [&](const Json& text) {
+        return parse_polynomial(read_text(text), names, limits).polynomial;
+    };
+    if (value.text()) return {{read(value)}, true};
+    Coordinatewise result{read_list(value, read), false};
+    if (result.coordinates.empty())
+        throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
+    return result;
+}
+
+/// [[i, j, ...], point], ...
+Coordinatewise read_terms(const Json& value, const Names& names, const Limits& limits) {
+    const Json::Array& entries = read_array(value);
+    if (entries.empty()) throw Error(ErrorCode::wrong_arity, "a list of terms has at least one");
+    require_within(entries.size(), limits.expansion_terms, "expansion_terms", "the number of terms");
+    Coordinatewise result;
+    std::vector<std::vector<SparsePolynomial>> terms;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        within(i, [&] {
+            const Json::Array& pair = read_array(entries[i]);
+            if (pair.size() != 2)
+                throw Error(ErrorCode::wrong_arity, "a term is a pair of exponents and a point");
+            const auto exponents = within(0, [&] {
+                auto list =
+                    read_list(pair[0], [&](const Json& element) { return read_count(element, limits); });
+                if (list.size() == names.size()) return list;
+                throw Error(ErrorCode::wrong_arity,
+                            fmt::format("{} exponents for {} variables", list.size(), names.size()));
+            });
+            within(1, [&] {
+                const bool scalar = !pair[1].array();
+                const Coordinates point =
+                    scalar ? Coordinates{read_number(pair[1], limits)} : read_numbers(pair[1], limits);
+                if (i == 0) {
+                    result.scalar = scalar;
+                    terms.resize(point.size());
+                }
+                if (scalar != result.scalar || point.size() != terms.size() || point.empty()) {
+                    throw Error(ErrorCode::mismatched_dimensions,
+                                "the point is not of the form of that of term 0");
+                }
+                for (std::size_t j = 0; j < point.size(); ++j) {
+                    terms[j].push_back(SparsePolynomial::term(point[j], exponents));
+                }
+            });
+        });
+    }
+    for (const auto& of_coordinate : terms) result.coordinates.push_back(sum(of_coordinate));
+    return result;
+}
+
+Coordinatewise read_numerators(Fields& fields, const Names& names, const Limits& limits) {
+    auto text = fields.optional("text", [&](const Json& value) { return read_texts(value, names, limits); });
+    if (text && fields.has("terms")) {
+        throw Error(ErrorCode::wrong_kind, R"(a polynomial is given by "text" or by "terms", not by both)",
+                    "/terms");
+    }
+    if (text) return std::move(*text);
+    return fields.required("terms", [&](const Json& value) { return read_terms(value, names, limits); });
+}
+
+SparsePolynomial read_denominator(const Json& value, const Names& names, const Limits& limits) {
+    const Coordinatewise read =
+        value.text() ? read_texts(value, names, limits) : read_terms(value, names, limits);
+    if (!read.scalar)
+        throw Error(ErrorCode::mismatched_dimensions, "a denominator has numbers as coefficients");
+    if (read.coordinates.front().is_zero()) {
+        throw Error(ErrorCode::zero_denominator, "the denominator is the polynomial 0");
+    }
+    return read.coordinates.front();
+}
+
+std::size_t actual_degree(const Coordinatewise& map, std::optional<std::size_t> variable) {
+    std::size_t degree = 0;
+    for (const SparsePolynomial& coordinate : map.coordinates) {
+        degree = std::max(degree, variable ? coordinate.degree_in(*variable) : coordinate.total_degree());
+    }
+    return degree;
+}
+
+/// By a total degree or by one degree a variable; without either by the actual total degree.
+NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& names, const Limits& limits) {
+    const auto degrees = fields.optional("degrees", [&](const Json& value) {
+        auto list = read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
+        if (list.size() == names.size()) return list;
+        throw Error(ErrorCode::wrong_arity,
+                    fmt::format("{} degrees for {} variables", list.size(), names.size()));
+    });
+    const auto degree =
+        fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    if (degrees && degree) {
+        throw Error(ErrorCode::wrong_kind,
+                    R"(a polynomial has a total "degree" or one of "degrees" a variable, not both)",
+                    "/degree");
+    }
+    if (degrees) return within("degrees", [&] { return NetShape::tensor(*degrees, limits); });
+    const std::size_t total = degree.value_or(actual_degree(map, {}));
+    return within("degree", [&] { return NetShape::simplex(names.size(), total, limits); });
+}
+
+PointForm form_of(const Coordinatewise& map, bool has_denominator, bool homogeneous) {
+    if (!homogeneous) return {.scalar = map.scalar, .rational = has_denominator};
+    if (!has_denominator && (map.scalar || map.coordinates.size() < 2)) {
+        throw Error(
+            ErrorCode::mismatched_dimensions,
+            R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
+            "/homogeneous");
+    }
+    return {.scalar = false, .rational = true, .homogeneous = true};
+}
+
+/// The exponents that occur in any of the coordinates, with one coefficient a coordinate.
+std::map<std::vector<std::size_t>, Coordinates> terms_of(const PolynomialPatch& patch) {
+    const std::size_t variables = patch.shape().dimension();
+    std::map<std::vector<std::size_t>, Coordinates> terms;
+    for (std::size_t j = 0; j < patch.dimension(); ++j) {
+        const SparsePolynomial polynomial = patch.coordinate(j);
+        for (std::size_t term = 0; term < polynomial.size(); ++term) {
+            std::vector<std::size_t> exponents;
+            for (std::size_t i = 0; i < variables; ++i) {
+                exponents.push_back(i < polynomial.variables() ? polynomial.exponent(term, i) : 0);
+            }
+            Coordinates& point = terms[exponents];
+            point.resize(patch.dimension());
+            point[j] = polynomial.coefficient(term);
+        }
+    }
+    if (terms.empty()) terms[std::vector<std::size_t>(variables)] = Coordinates(patch.dimension());
+    return terms;
+}
+
+}  // namespace
+
+Map read_several_variables(Fields& fields, const Limits& limits) {
+    Names names =
+        fields.required("variables", [&](const Json& value) { return read_variables(value, limits); });
+    Coordinatewise map = read_numerators(fields, names, limits);
+    const auto denominator = fields.optional(
+        "denominator", [&](const Json& value) { return read_denominator(value, names, limits); });
+    const PointForm form = form_of(map, denominator.has_value(), read_homogeneous(fields));
+    if (denominator) map.coordinates.push_back(*denominator);
+    const bool tensor = fields.has("degrees");
+    const NetShape shape = read_shape(fields, map, names, limits);
+    require_numbers(shape.size(), map.coordinates.size(), limits);
+    try {
+        return {Patch{PolynomialPatch(shape, map.coordinates, limits), tensor, {}, std::move(names)}, form};
+    } catch (const Error& error) {
+        if (error.code() != ErrorCode::degree_too_low) throw;
+        throw Error(error.code(), error.message(), tensor ? "/degrees" : "/degree");
+    }
+}
+
+Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form) {
+    const NetShape& shape = polynomial.shape();
+    Json map = Json::Object{{"kind", "polynomial"},
+                            {"variables", Json::Array(patch.variables.begin(), patch.variables.end())}};
+    if (patch.tensor) {
+        Json::Array degrees;
+        for (std::size_t f = 0; f < shape.factors(); ++f) degrees.emplace_back(shape[f].degree);
+        map["degrees"] = std::move(degrees);
+    } else {
+        map["degree"] = shape[0].degree;
+    }
+    const PointForm numerators{.scalar = form.scalar};
+    Json::Array terms, denominator;
+    for (auto& [exponents, point] : terms_of(polynomial)) {
+        Coordinates numerator = point;
+        const Json index = Json::Array(exponents.begin(), exponents.end());
+        if (form.separate_weights()) {
+            if (!numerator.back().is_zero()) denominator.emplace_back(Json::Array{index, numerator.back()});
+            numerator.pop_back();
+        }
+        const bool zero = std::ranges::all_of(numerator, &Rational::is_zero);
+        if (!zero || terms.empty()) terms.emplace_back(Json::Array{index, to_json(numerator, numerators)});
+    }
+    map["terms"] = std::move(terms);
+    if (form.separate_weights()) map["denominator"] = std::move(denominator);
+    if (form.homogeneous) map["homogeneous"] = true;
+    return map;
+}
+
+std::string degree_text(const Patch& patch) {
+    std::vector<std::size_t> degrees;
+    for (std::size_t f = 0; f < patch.shape().factors(); ++f) degrees.push_back(patch.shape()[f].degree);
+    return fmt::format("formal degree{} {}", patch.tensor ? "s" : "", fmt::join(degrees, ", "));
+}
+
+std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name) {
+    const auto& names = std::get<Patch>(map.value).variables;
+    const PointForm& form = map.form;
+    std::string text;
+    const std::size_t numerators = polynomial.dimension() - (form.separate_weights() ? 1 : 0);
+    for (std::size_t j = 0; j < numerators; ++j) {
+        text += (j == 0 ? "" : ", ") + to_text(polynomial.coordinate(j), names);
+    }
+    if (!form.scalar || form.separate_weights()) text = "(" + text + ")";
+    if (form.separate_weights())
+        text += fmt::format(" / ({})", to_text(polynomial.coordinate(numerators), names));
+    return fmt::format("{}({}) = {}", name, fmt::join(names, ", "), text);
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,101 @@
+// The kind bspline in several directions.
+
+#include <fmt/format.h>
+
+#include "kinds.hpp"
+#include "net_fields.hpp"
+#include "text/readable.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+/// How many entries the first of the nested arrays on each level has.
+std::vector<std::size_t> counts_of(const Json& net, std::size_t levels) {
+    std::vector<std::size_t> counts;
+    const Json* level = &net;
+    while (counts.size() < levels) {
+        const Json::Array& elements = read_array(*level);
+        if (elements.empty()) refuse_net("a control net has at least one point");
+        counts.push_back(elements.size());
+        level = &elements.front();
+    }
+    return counts;
+}
+
+std::string rule_of(std::size_t count, std::size_t needed) {
+    return fmt::format("there are {} entries here, where the first list of this level has {}", count, needed);
+}
+
+std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std::size_t>& degrees,
+                                          const std::vector<std::size_t>& counts, const Limits& limits) {
+    return fields.required("knots", [&](const Json& value) {
+        const Json::Array& lists = read_array(value);
+        if (lists.size() != degrees.size()) {
+            throw Error(ErrorCode::wrong_arity,
+                        fmt::format("{} lists of knots for {} directions", lists.size(), degrees.size()));
+        }
+        std::vector<KnotVector> knots;
+        for (std::size_t d = 0; d < lists.size(); ++d) {
+            within(d, [&] {
+                std::vector<Rational> numbers = read_numbers(lists[d], limits);
+                try {
+                    knots.emplace_back(degrees[d], std::move(numbers), counts[d]);
+                } catch (const Error& error) {
+                    // The engine's fields are those of a curve, "/knots/i".
+                    const std::string prefix = "/knots";
+                    const std::string& field = error.field();
+                    throw Error(error.code(), error.message(),
+                                field.starts_with(prefix) ? field.substr(prefix.size()) : "");
+                }
+            });
+        }
+        return knots;
+    });
+}
+
+}  // namespace
+
+Map read_tensor_bspline(Fields& fields, const Limits& limits) {
+    const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
+    const auto counts =
+        fields.required("control_net", [&](const Json& value) { return counts_of(value, degrees.size()); });
+    std::vector<KnotVector> knots = read_knot_vectors(fields, degrees, counts, limits);
+    const auto visit = [&](const Json& value, const auto& leaf) {
+        visit_nested(value, counts, leaf,
+                     [&](std::size_t level, std::size_t count) { return rule_of(count, counts[level]); });
+    };
+    WeightedPoints read = read_net(fields, limits, visit);
+    require_numbers(read.points.size(), read.points.front().size(), limits);
+    return {TensorBSpline(std::move(knots), std::move(read.points)), read.form};
+}
+
+Json write(const TensorBSpline& spline, const PointForm& form) {
+    Json::Array degrees, knots;
+    std::vector<std::size_t> counts;
+    for (const KnotVector& own : spline.knots()) {
+        degrees.emplace_back(own.degree());
+        knots.emplace_back(Json::Array(own.knots().begin(), own.knots().end()));
+        counts.push_back(own.points());
+    }
+    Json map =
+        Json::Object{{"kind", "bspline"}, {"degrees", std::move(degrees)}, {"knots", std::move(knots)}};
+    write_net(map, spline.control_points(), form,
+              [&](std::span<const Json> values) { return nested(values, counts); });
+    return map;
+}
+
+std::string formula(const TensorBSpline& spline, const Map&, std::string_view name) {
+    std::string degrees, domain, counts;
+    for (const KnotVector& knots : spline.knots()) {
+        const bool first = degrees.empty();
+        degrees += fmt::format("{}{}", first ? "" : ", ", knots.degree());
+        domain += fmt::format("{}[{}, {}]", first ? "" : " x ", to_string(knots.domain().a()),
+                              to_string(knots.domain().b()));
+        counts += fmt::format("{}{}", first ? "" : " x ", knots.points());
+    }
+    return fmt::format("{}: tensor product of B-splines of degree{} {} over {}, {} control points", name,
+                       spline.directions() == 1 ? "" : "s", degrees, domain, counts);
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/agreement.hpp>
+
+#include "blossom_arguments.hpp"
+#include "construction_results.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+std::string_view readable_name(std::string_view construction) {
+    if (construction == construction_name(Construction::symmetric)) return "symmetric functions";
+    if (construction == construction_name(Construction::regrouped_polarization))
+        return "regrouped polarization";
+    if (construction == construction_name(Construction::casteljau)) return "de Casteljau";
+    return construction;
+}
+
+/// One text a coordinate, or the text of the only one. A rational map has one more, its denominator.
+Json texts(const std::vector<SparsePolynomial>& coordinates, const PointForm& form, std::string_view letter,
+           std::size_t degree) {
+    const std::vector<std::string> names = numbered_names(letter, degree);
+    if (form.scalar && !form.rational) return to_text(coordinates.front(), names);
+    Json::Array list;
+    for (const SparsePolynomial& coordinate : coordinates) list.emplace_back(to_text(coordinate, names));
+    return list;
+}
+
+std::size_t degree_of(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+}
+
+Json agree_at(const PolynomialMap& map, const PointForm& form, std::span<const Argument> arguments,
+              const Limits& limits) {
+    const Agreement<Coordinates> agreement = blossom::agreement(map, arguments, limits);
+    Json values = construction_values(agreement, [&](const Coordinates& value) {
+        return within("arguments", [&] { return to_json(value, form); });
+    });
+    return Json::Object{{"agree", agreement.agree()},
+                        {"degree", degree_of(map)},
+                        {"values", std::move(values)},
+                        {"skipped", skipped_constructions(agreement)}};
+}
+
+Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, const Limits& limits) {
+    const auto agreement = within("map", [&] { return agreement_for_all_arguments(map, limits); });
+    Json result = Json::Object{
+        {"agree", agreement.agree()},
+        {"for_all_arguments", agreement.agree()},
+        {"degree", degree_of(map)},
+        {"elementary", texts(elementary_symmetric_form(map, limits), form, "e", degree_of(map))}};
+    Json expansions = construction_values(agreement, [&](const std::vector<SparsePolynomial>& value) {
+        return texts(value, form, "u", degree_of(map));
+    });
+    result["expansion"] = expansions.object()->front().second;
+    // Where they differ, each of them is needed to see how.
+    if (!agreement.agree()) result["expansions"] = std::move(expansions);
+    result["skipped"] = skipped_constructions(agreement);
+    return result;
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return agree_on_patch(request, map, limits);
+    const auto arguments = request.optional(
+        "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
+    request.finish();
+    const PolynomialMap curve = one_polynomial(map, limits);
+    return arguments ? agree_at(curve, map.form, *arguments, limits)
+                     : agree_for_all_arguments(curve, map.form, limits);
+}
+
+/// The names of the constructions that have a value.
+std::vector<std::string_view> names_of_those_run(const Json& values) {
+    std::vector<std::string_view> names;
+    for (const Construction construction : all_constructions) {
+        const std::string_view name = construction_name(construction);
+        if (values.find(name)) names.push_back(name);
+    }
+    return names;
+}
+
+std::string values_text(const Answered& answered, const std::string& arguments) {
+    std::string text;
+    const Json& values = *answered.result.find("values");
+    const std::vector<std::string_view> names = names_of_those_run(values);
+    std::size_t width = 21;
+    for (const std::string_view name : names) width = std::max(width, readable_name(name).size());
+    for (const std::string_view name : names) {
+        text += fmt::format("  {:<{}} p({}) = {}\n", readable_name(name), width, arguments,
+                            answered.style.bold(member_text(values, name)));
+    }
+    return text;
+}
+
+std::string expression_text(const Json& expressions) {
+    if (const std::string* text = expressions.text()) return *text;
+    return point_text(expressions);
+}
+
+std::string expansion_text(const Answered& answered) {
+    const std::size_t degree = read_count(*answered.result.find("degree"), answered.limits);
+    std::string arguments;
+    for (const std::string& name : numbered_names("u", degree))
+        arguments += (arguments.empty() ? "" : ", ") + name;
+    const std::string left = fmt::format("  p({})", arguments);
+    const std::string below(left.size(), ' ');
+    std::string text =
+        fmt::format("{} = {}\n{} = {}\n", left, expression_text(*answered.result.find("elementary")), below,
+                    expression_text(*answered.result.find("expansion")));
+    if (const Json* expansions = answered.result.find("expansions")) {
+        for (const auto& [construction, expansion] : *expansions->object()) {
+            text += fmt::format("  {:<21} {}\n", readable_name(construction), expression_text(expansion));
+        }
+    }
+    if (degree > 0) text += "where e1, e2, ... are the elementary symmetric functions of the arguments.\n";
+    return text;
+}
+
+/// "The three constructions agree exactly, for all arguments."
+std::string verdict(const Answered& answered) {
+    const bool agree = *answered.result.find("agree")->boolean();
+    const bool for_all = answered.result.find("for_all_arguments") != nullptr;
+    std::string text;
+    for (const Json& entry : *answered.result.find("skipped")->array()) {
+        text += fmt::format("Skipped: {}: {}.\n", readable_name(*entry.find("construction")->text()),
+                            *entry.find("reason")->text());
+    }
+    if (!agree) {
+        return text + answered.style.bad("The constructions DISAGREE.") +
+               "\nThis is an error of the program. To reproduce it, as one line of a batch:\n" +
+               to_text(answered.request) + "\n";
+    }
+    const Json* values = answered.result.find("values");
+    const std::string_view who = text.empty() ? "The three constructions agree exactly"
+                                 : values != nullptr && names_of_those_run(*values).size() > 2
+                                     ? "The three constructions that were run agree exactly"
+                                     : "The two constructions that were run agree exactly";
+    return text + answered.style.good(fmt::format("{}{}.", who, for_all ? ", for all arguments" : "")) + "\n";
+}
+
+std::string render(const Answered& answered) {
+    const Json* arguments = answered.request.find("arguments");
+    return fmt::format("{}\n\n{}\n{}", description(map_of(answered)),
+                       arguments                     ? values_text(answered, arguments_text(*arguments))
+                       : has_patch(answered.request) ? patch_expansion_text(answered)
+                                                     : expansion_text(answered),
+                       verdict(answered));
+}
+
+}  // namespace
+
+Operation agree_operation() {
+    return {
+        .name = "agree",
+        .summary = "The blossom by three constructions, and whether they agree exactly",
+        .example = {"agree", "1 + 2t + 4t^2 - t^3", "--at", "1,2,3"},
+        .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; "
+                                                      "without them agreement is proved for all arguments")}),
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

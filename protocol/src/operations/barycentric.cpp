@@ -1,0 +1,51 @@
+#include <fmt/format.h>
+
+#include "map_options.hpp"
+#include "maps/patch.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const BarycentricFrame frame =
+        request.required("vertices", [&](const Json& value) { return read_vertices(value, limits); });
+    const auto coordinates = request.required("at", [&](const Json& value) {
+        return read_list(value, [&](const Json& point) {
+            return frame.of_point(read_tuple(point, frame.space_dimension(), limits));
+        });
+    });
+    request.finish();
+    Json::Array list;
+    for (const Coordinates& point : coordinates) list.emplace_back(Json::Array(point.begin(), point.end()));
+    return Json::Object{{"coordinates", std::move(list)}};
+}
+
+std::string render(const Answered& answered) {
+    std::string text;
+    const Json::Array& points = *answered.request.find("at")->array();
+    const std::vector<std::string> coordinates = member_texts(answered.result, "coordinates");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        text += fmt::format("  {} has the barycentric coordinates {}\n", point_text(points[i]),
+                            answered.style.bold(coordinates[i]));
+    }
+    return text;
+}
+
+}  // namespace
+
+Operation barycentric_operation() {
+    return {
+        .name = "barycentric",
+        .summary = "The barycentric coordinates of points with respect to a simplex",
+        .example = {"barycentric", "--vertices", "0,0; 1,0; 0,1", "--at", "1/4,1/2"},
+        .options = {field_option("--vertices", "vertices", "P0;P1;...",
+                                 "the vertices of the simplex, \"0,0; 1,0; 0,1\"", tuple_list),
+                    field_option("--at", "at", "P;Q;...", "the points", tuple_list)},
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

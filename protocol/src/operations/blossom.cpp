@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+
+#include <algorithm>
+
+#include "blossom_arguments.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "segment.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+struct Value {
+    std::span<const Argument> arguments;
+    std::optional<Construction> construction;
+    std::optional<std::size_t> span;
+    const Limits& limits;
+
+    Coordinates operator()(const OnePolynomial auto& curve) const {
+        const PolynomialMap map = polynomial_map(curve, limits);
+        return construction ? blossom_value(map, arguments, *construction, limits)
+                            : Blossom(map, limits)(arguments);
+    }
+    Coordinates operator()(const ProgressiveCurve& curve) const {
+        if (construction)
+            return blossom_value(polynomial_map(curve, limits), arguments, *construction, limits);
+        return blossom_value(curve, arguments, limits);
+    }
+    Coordinates operator()(const BSplineCurve& curve) const {
+        return (*this)(segment(curve, chosen_span(curve, span)));
+    }
+};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return blossom_of_patch(request, map, limits);
+    if (tensor_bspline_of(map))
+        return blossom_of_patch(request, chosen_segment(request, map, limits), limits);
+    const std::vector<Argument> arguments = request.required(
+        "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
+    const auto construction = request.optional("construction", read_construction);
+    const auto span = read_span(request, map, limits);
+    request.finish();
+
+    const auto value = serve<Coordinates>(map, Value{arguments, construction, span, limits});
+    return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
+}
+
+std::string render(const Answered& answered) {
+    return fmt::format("{}\n\n  p({}) = {}\n", description(map_of(answered)),
+                       arguments_text(*answered.request.find("arguments")),
+                       answered.style.bold(member_text(answered.result, "value")));
+}
+
+}  // namespace
+
+Operation blossom_operation() {
+    return {
+        .name = "blossom",
+        .summary = "The value of the blossom at arguments: points, vectors, or pairs with any mass",
+        .example = {"blossom", "1 + 2t + 4t^2 - t^3", "--at", "delta,2,pair:3:2"},
+        .options = with_map_options({
+            arguments_option("the arguments, as many as the formal degree: T, vector:V, delta, pair:U:MASS"),
+            field_option("--construction", "construction",
+                         "symmetric|polarization|regrouped-polarization|casteljau",
+                         "by which construction; by default the one that suits the map", plain_text),
+            segment_option(),
+        }),
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

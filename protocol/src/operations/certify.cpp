@@ -1,0 +1,231 @@
+#include <fmt/format.h>
+#include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/rational/combinatorics.hpp>
+
+#include <algorithm>
+
+#include "blossom_arguments.hpp"
+#include "certificates/certificate.hpp"
+#include "certified_curve.hpp"
+#include "json/json_text.hpp"
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "responses.hpp"
+#include "segment.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+PolynomialCurve with_degree(const PolynomialCurve& curve, std::size_t degree) {
+    std::vector<Coordinates> coefficients = curve.coefficients().to_points();
+    coefficients.resize(degree + 1, Coordinates(curve.dimension()));
+    return PolynomialCurve(coefficients);
+}
+
+/// A request that has been answered, and what it was about.
+struct Question {
+    const Json& request;
+    const Json& result;
+    const Map& map;
+    std::optional<std::size_t> span;  ///< of a B-spline, where the request names one
+    Certificate& certificate;
+    const Limits& limits;
+
+    const PolynomialCurve& curve() const { return certificate.maps.back().curve; }
+    std::size_t degree() const { return curve().degree(); }
+    const BSplineCurve* spline() const { return std::get_if<BSplineCurve>(&map.value); }
+    /// What follows is about the polynomial of the span of a B-spline that holds `t`.
+    void turn_to(const Rational& t) const {
+        certificate.maps.push_back(certified_map(map, spline()->knots().span_at(t), limits));
+    }
+    /// A value at `arguments`; of a rational map its homogeneous point, with the weight there.
+    Coordinates point(const Json& value, std::span<const Argument> arguments) const {
+        if (!map.form.separate_weights()) return read_point(value, map.form, curve().dimension(), limits);
+        Coordinates point = read_point(value, {.scalar = map.form.scalar}, curve().dimension() - 1, limits);
+        point.emplace_back(1);
+        const Rational weight = Blossom(curve(), limits)(arguments).back();
+        for (Rational& coordinate : point) coordinate *= weight;
+        return point;
+    }
+    std::vector<Argument> arguments() const {
+        return read_arguments(*request.find("arguments"), map.form, limits);
+    }
+    void claim(CertifiedValue value) const { certificate.maps.back().values.push_back(std::move(value)); }
+    void claim_all(std::vector<CertifiedValue> values) const {
+        std::ranges::move(values, std::back_inserter(certificate.maps.back().values));
+    }
+};
+
+void certify_blossom(const Question& question) {
+    if (question.spline())
+        question.certificate.maps.push_back(certified_map(question.map, question.span, question.limits));
+    const std::vector<Argument> arguments = question.arguments();
+    question.claim({"value", arguments, 1, question.point(*question.result.find("value"), arguments)});
+}
+
+/// The coefficients of the elementary symmetric functions: C(n, k) p(0^(n-k), delta^k) / C(n, k).
+void certify_expansion(const Question& question) {
+    const std::size_t n = question.degree();
+    const Json& elementary = *question.result.find("elementary");
+    const std::vector<std::string> names = numbered_names("e", n);
+    std::vector<Coordinates> coefficients(n + 1, Coordinates(question.curve().dimension()));
+    for (std::size_t j = 0; j < coefficients.front().size(); ++j) {
+        const std::string& text = *(elementary.array() ? (*elementary.array())[j] : elementary).text();
+        const SparsePolynomial read = parse_polynomial(text, names, question.limits).polynomial;
+        for (std::size_t term = 0; term < read.size(); ++term) {
+            std::size_t k = 0;
+            for (std::size_t i = 0; i < n; ++i) k += read.exponent(term, i) * (i + 1);
+            coefficients[k][j] = read.coefficient(term);
+        }
+    }
+    for (std::size_t k = 0; k <= n; ++k) {
+        question.claim({fmt::format("coefficient of e{}", k),
+                        with_copies(with_copies({}, n - k, Parameter(0)), k, delta), 1, coefficients[k]});
+    }
+}
+
+void certify_agree(const Question& question) {
+    if (!question.request.find("arguments")) {
+        certify_expansion(question);
+        return;
+    }
+    const std::vector<Argument> arguments = question.arguments();
+    for (const auto& [construction, value] : *question.result.find("values")->object())
+        question.claim({construction, arguments, 1, question.point(value, arguments)});
+}
+
+/// The points of a curve of any degree that is the map, or its derivative of an order.
+struct CertifyPoints {
+    const Question& question;
+    std::size_t order;
+
+    void operator()(const OnePolynomial auto& curve) const {
+        question.claim_all(StatedValues{question.degree(), order}(curve));
+    }
+    void operator()(const BSplineCurve& curve) const {
+        for (const std::size_t span : curve.knots().spans()) {
+            question.turn_to(curve.knots()[span]);
+            raise_to(curve.degree() + order);
+            (*this)(segment(curve, span));
+        }
+    }
+    /// Later claims are about the same polynomial with a higher formal degree.
+    void raise_to(std::size_t degree) const {
+        if (degree > question.degree())
+            question.certificate.maps.push_back({with_degree(question.curve(), degree), {}});
+    }
+};
+
+void certify_control_points(const Question& question) {
+    const Map points = result_map(*question.result.find("map"), question.limits);
+    const CertifyPoints certify{question, 0};
+    if (const auto* curve = std::get_if<BezierCurve>(&points.value)) {
+        if (question.spline()) question.turn_to(std::min(curve->interval().a(), curve->interval().b()));
+        certify.raise_to(curve->degree());
+    }
+    serve<void>(points, certify);
+}
+
+void certify_derivative(const Question& question) {
+    if (question.map.form.separate_weights()) {
+        throw Error(
+            ErrorCode::wrong_kind,
+            "a derivative of a rational map comes from the quotient rule and is no blossom value; with "
+            "\"homogeneous\": true it has a certificate",
+            "/map");
+    }
+    const Json* written = question.request.find("order");
+    const std::size_t order = written ? read_count(*written, question.limits) : 1;
+    if (const Json* map = question.result.find("map")) {
+        serve<void>(result_map(*map, question.limits), CertifyPoints{question, order});
+        return;
+    }
+    const std::vector<Rational> parameters = read_numbers(*question.request.find("at"), question.limits);
+    const Json::Array& values = *question.result.find("values")->array();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (question.spline()) question.turn_to(parameters[i]);
+        const std::size_t n = question.degree();
+        const std::size_t vectors = std::min(order, n);
+        const std::vector<Argument> arguments =
+            with_copies(with_copies({}, n - vectors, Parameter(parameters[i])), vectors, delta);
+        question.claim({fmt::format("derivative {} at {}", order, to_string(parameters[i])), arguments,
+                        falling_factorial(n, order), question.point(values[i], arguments)});
+    }
+}
+
+struct Certified {
+    std::string_view operation;
+    void (*certify)(const Question& question);
+};
+
+constexpr Certified certified[] = {
+    {"agree", certify_agree},
+    {"blossom", certify_blossom},
+    {"control-points", certify_control_points},
+    {"derivative", certify_derivative},
+};
+
+const Certified& read_operation(const Json& value) {
+    std::vector<std::string_view> names;
+    for (const Certified& entry : certified) names.push_back(entry.operation);
+    return certified[read_alternative(value, names, "an operation with certificates")];
+}
+
+Certificate certificate_of(const Json& request, const Limits& limits) {
+    Fields fields(request);
+    const Certified& entry = fields.required("op", read_operation);
+    // What is certified is what is printed, so the answer is read back from its text.
+    const Json result = parse_json(to_text(result_of(request, limits)), limits);
+    const Map map = read_map_field(fields, limits);
+    Certificate certificate{std::string(entry.operation), {}};
+    const auto span = read_span(fields, map, limits);
+    // The polynomials of a spline are taken where they are asked about.
+    if (!std::holds_alternative<BSplineCurve>(map.value))
+        certificate.maps.push_back(certified_map(map, span, limits));
+    entry.certify({request, result, map, span, certificate, limits});
+    std::erase_if(certificate.maps, [](const CertifiedMap& claims) { return claims.values.empty(); });
+    return certificate;
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const auto certificates = request.required("requests", [&](const Json& value) {
+        return read_list(value, [&](const Json& element) { return certificate_of(element, limits); });
+    });
+    request.finish();
+    return Json::Object{{"document", coq_file(certificates, limits)}};
+}
+
+std::string render(const Answered& answered) { return *answered.result.find("document")->text(); }
+
+/// One request a line.
+void apply_requests(Json& request, const std::vector<std::string>& values, const Limits& limits) {
+    Json::Array requests;
+    for (const std::string& value : values) {
+        for (const std::string& line : split(value, '\n'))
+            if (!line.empty()) requests.push_back(parse_json(line, limits));
+    }
+    request["requests"] = std::move(requests);
+}
+
+}  // namespace
+
+Operation certify_operation() {
+    return {
+        .name = "certify",
+        .summary = "The answers to requests as a file in which Coq checks every number",
+        .example = {"certify",
+                    R"({"op":"blossom","map":{"kind":"polynomial","text":"1 + 2t"},"arguments":["1/2"]})"},
+        .options = {{"REQUEST", "/requests", "JSON",
+                     "requests for agree, blossom, control-points or derivative, each on a line",
+                     apply_requests}},
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+#include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/continuity.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+
+#include "map_list.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json order_json(const std::optional<std::ptrdiff_t>& order) {
+    return order ? Json(Json::Number{std::to_string(*order)}) : Json("infinite");
+}
+
+Json to_json(const Argument& argument) {
+    if (argument.mass == Rational(1)) return argument.u;
+    return Json::Object{{"homogeneous", Json::Array{argument.u, argument.mass}}};
+}
+
+Json answer_of(const Contact& contact, const PointForm& form, const Rational& s) {
+    Json result = Json::Object{{"order", order_json(contact.order)}};
+    if (const auto& difference = contact.first_difference) {
+        Json::Array arguments;
+        for (const Argument& argument : difference->arguments) arguments.push_back(to_json(argument));
+        result["first_difference"] = Json::Object{{"arguments", std::move(arguments)},
+                                                  {"left", protocol::to_json(difference->left, form)},
+                                                  {"right", protocol::to_json(difference->right, form)}};
+    }
+    result["reason"] = to_string(contact, s);
+    return result;
+}
+
+/// Of maps that are divided by their weights. Blossom values of these are not compared, but derivatives.
+Json answer_of(const ProjectedContact& contact, const PointForm& form, const Rational& s) {
+    Json result = Json::Object{{"order", order_json(contact.order)}};
+    if (!contact.order) {
+        result["reason"] = "The curves are the same rational map at " + to_string(s);
+        return result;
+    }
+    const PointForm of_points{.scalar = form.scalar};
+    const Json left = protocol::to_json(contact.first_difference->first, of_points);
+    const Json right = protocol::to_json(contact.first_difference->second, of_points);
+    const auto differing = static_cast<std::size_t>(*contact.order + 1);
+    result["first_difference"] = Json::Object{{"derivative", differing}, {"left", left}, {"right", right}};
+    result["reason"] =
+        fmt::format("{}: the derivatives of order {} are {} and {}", contact_text(*contact.order, s),
+                    differing, point_text(left), point_text(right));
+    return result;
+}
+
+/// A polynomial on one side of s.
+struct OneSide {
+    const Rational& s;
+    bool left;
+    const Limits& limits;
+
+    PolynomialMap operator()(const OnePolynomial auto& curve) const { return polynomial_map(curve, limits); }
+    PolynomialMap operator()(const BSplineCurve& curve) const {
+        return within("at", [&] {
+            const KnotVector& knots = curve.knots();
+            return sablonniere(curve, left ? knots.span_before(s) : knots.span_at(s), limits);
+        });
+    }
+};
+
+Json continuity_of_maps(std::vector<Map> maps, const Rational& s, const Limits& limits) {
+    if (maps.size() != 2) {
+        throw Error(ErrorCode::wrong_arity,
+                    "there are two sides, left and right, not " + std::to_string(maps.size()), "/maps");
+    }
+    make_form_common(maps, limits);
+    const PointForm& form = maps.front().form;
+    const auto left = serve<PolynomialMap>(maps[0], OneSide{s, true, limits}, "/maps/0");
+    const auto right = serve<PolynomialMap>(maps[1], OneSide{s, false, limits}, "/maps/1");
+    return within("at", [&] {
+        return form.separate_weights() ? answer_of(projected_contact(left, right, s, limits), form, s)
+                                       : answer_of(contact(left, right, s, limits), form, s);
+    });
+}
+
+Json continuity_of_spline(const Map& map, const Rational& s, const Limits& limits) {
+    return serve<Json>(map, [&](const BSplineCurve& curve) {
+        return map.form.separate_weights() ? answer_of(projected_contact(curve, s, limits), map.form, s)
+                                           : answer_of(contact(curve, s, limits), map.form, s);
+    });
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const bool of_maps = request.has("maps");
+    std::optional<Map> map;
+    std::vector<Map> maps;
+    if (of_maps) {
+        maps = read_maps_field(request, limits);
+        if (std::ranges::any_of(maps, patch_of))
+            return continuity_of_patches(request, std::move(maps), limits);
+    } else {
+        map = read_map_field(request, limits);
+        if (tensor_bspline_of(*map)) return continuity_of_tensor_bspline(request, *map, limits);
+    }
+    const Rational s = request.required("at", [&](const Json& value) { return read_number(value, limits); });
+    request.finish();
+    return of_maps ? continuity_of_maps(std::move(maps), s, limits) : continuity_of_spline(*map, s, limits);
+}
+
+std::string render(const Answered& answered) {
+    std::string text = answered.request.find("map") ? description(map_of(answered)) + "\n\n" : "";
+    return text + fmt::format("Order of contact: {}\n{}.\n",
+                              answered.style.bold(point_text(*answered.result.find("order"))),
+                              *answered.result.find("reason")->text());
+}
+
+}  // namespace
+
+Operation continuity_operation() {
+    return {
+        .name = "continuity",
+        .summary = "How smooth a spline is at a knot, or how smoothly two curves or patches meet, and why",
+        .example = {"continuity", "--control-points", "0; 1; 4; 5; 9", "--knots", "0,0,0,1,2,3,3,3",
+                    "--degree", "2", "--at", "1"},
+        .options = with_map_options({
+            maps_option("--maps",
+                        "instead of a spline a list of two curves, left and right, as maps of the protocol, "
+                        "or what 'subdivide --json' printed"),
+            field_option("--at", "at", "T",
+                         "the parameter; in several directions a number for one and - for the others",
+                         plain_text, place_of_division),
+        }),
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

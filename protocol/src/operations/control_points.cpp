@@ -1,0 +1,102 @@
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
+#include <blossom/core/spline/spline_split.hpp>
+
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "pictures/obj.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+struct ControlPoints {
+    std::optional<std::size_t> degree;
+    std::optional<Interval> interval;
+    const Limits& limits;
+
+    AnyMap operator()(const PolynomialCurve& curve) const {
+        const std::size_t formal = degree.value_or(curve.degree());
+        return control_points(
+            formal == curve.degree() ? curve : PolynomialCurve(coordinates_of(curve), formal),
+            interval.value_or(Interval()), limits);
+    }
+    AnyMap operator()(const BezierCurve& curve) const {
+        const Interval wanted = interval.value_or(curve.interval());
+        if (degree && *degree != curve.degree()) {
+            return ControlPoints{degree, wanted, limits}(monomial_form(curve, limits));
+        }
+        return curve.interval() == wanted ? curve : control_points(curve, wanted, limits);
+    }
+    AnyMap operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    AnyMap operator()(const ProgressiveCurve& curve) const {
+        return (*this)(control_points(curve, interval.value_or(own_interval(curve)), limits));
+    }
+    AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
+    /// A Bezier curve where there is only one polynomial, otherwise a spline.
+    AnyMap operator()(const BSplineCurve& curve) const {
+        BSplineCurve part =
+            interval ? within("interval", [&] { return restricted(curve, *interval, limits); }) : curve;
+        if (part.knots().spans().size() == 1) return (*this)(bezier_segments(part, limits).front());
+        if (!degree || *degree == part.degree()) return part;
+        if (*degree > part.degree()) return elevate(part, *degree - part.degree(), limits);
+        throw Error(ErrorCode::degree_too_low, "the spline has degree " + std::to_string(part.degree()),
+                    "/degree");
+    }
+};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return control_net_of_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return control_net_of_tensor_bspline(request, map, limits);
+    const auto interval =
+        request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+    const auto degree =
+        request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    request.finish();
+    require_numbers(degree.value_or(0) + 1, dimension_of(map), limits);
+
+    const Map answered{serve<AnyMap>(map, ControlPoints{degree, interval, limits}), map.form, map.variable};
+    return Json::Object{{"map", within("map", [&] { return to_json(answered); })}};
+}
+
+/// A B-spline has to say its degree, so that --degree says this one.
+void apply_degree(Json& request, const std::vector<std::string>& values, const Limits&) {
+    Json& owner = has_knots(request) ? request["map"] : request;
+    owner["degree"] = count(values.front());
+}
+
+}  // namespace
+
+Operation control_points_operation() {
+    return {
+        .name = "control-points",
+        .summary = "The control points of a map over any interval, simplex or box, or part of a spline",
+        .example = {"control-points", "1 + 2t + 4t^2 - t^3", "--interval", "2,-1"},
+        .options = with_map_options({
+            own_interval_option("the interval of the control points: of those given, or else of those "
+                                "wanted; by default 0,1"),
+            field_option("--over", "interval", "A,B", "the interval of the control points wanted",
+                         number_list),
+            field_option("--vertices", "vertices", "P0;P1;...",
+                         "of a patch: the vertices of the simplex wanted", tuple_list),
+            field_option("--intervals", "intervals", "A,B;C,D;...", "of a patch: the box wanted", tuple_list),
+            {"--degree", "/degree", "N",
+             "the formal degree wanted, by default that of the map; with --knots the degree of the spline",
+             apply_degree},
+            wanted_degrees_option(),
+        }),
+        .answer = answer,
+        .render = described_listing,
+        .plot = plot_of_maps,
+        .mesh = obj_of,
+    };
+}
+
+}  // namespace blossom::protocol

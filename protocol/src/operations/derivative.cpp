@@ -1,0 +1,122 @@
+#include <fmt/format.h>
+#include <blossom/core/curve/derivative.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+
+#include "evaluator.hpp"
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "pictures/obj.hpp"
+#include "pictures/plot.hpp"
+#include "responses.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+struct DerivativeMap {
+    std::size_t order;
+    bool divided;  ///< of the map divided by its weight
+    const Limits& limits;
+
+    AnyMap operator()(const OnePolynomial auto& curve) const {
+        const PolynomialMap map = polynomial_map(curve, limits);
+        const PolynomialMap derived =
+            divided ? rational_derivative_map(map, order, limits) : derivative_map(map, order);
+        return std::visit([](const auto& one) { return AnyMap(one); }, derived);
+    }
+    AnyMap operator()(const TaylorCurve& curve) const {
+        const AnyMap derived = (*this)(monomial_form(curve, limits));
+        return taylor_form(std::get<PolynomialCurve>(derived), curve.center, limits);
+    }
+    AnyMap operator()(const BSplineCurve& curve) const {
+        return divided ? rational_derivative_curve(curve, order, limits)
+                       : derivative_curve(curve, order, limits);
+    }
+};
+
+Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
+    const DerivativeMap derive{order, map.form.separate_weights(), limits};
+    return {serve<AnyMap>(map, derive), map.form, map.variable};
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return derivative_of_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return derivative_of_tensor_bspline(request, map, limits);
+    const std::size_t order =
+        request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
+    const auto parameters =
+        request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
+    request.finish();
+    if (!parameters) return Json::Object{{"map", to_json(derived_map(map, order, limits))}};
+    // The derivative of a rational map comes divided.
+    const PointForm form = map.form.separate_weights() ? PointForm{.scalar = map.form.scalar} : map.form;
+    return Json::Object{{"values", values_at(derivative_evaluator(map, order, limits), *parameters, form,
+                                             dimension_of(map), limits)}};
+}
+
+/// P', P'', P''', P^(4), ...
+std::string derivative_name(std::size_t order) {
+    return order <= 3 ? "P" + std::string(order, '\'') : fmt::format("P^({})", order);
+}
+
+std::string render(const Answered& answered) {
+    const Json* order = answered.request.find("order");
+    const std::string name =
+        has_patch(answered.request) ? "DP" : derivative_name(order ? read_count(*order, answered.limits) : 1);
+    std::string text = description(map_of(answered)) + "\n\n";
+    if (const Json* derived = answered.result.find("map")) {
+        return text + (derived->find("control_net") ? net_listing(*derived, name, answered)
+                                                    : line_of(*derived, name, answered));
+    }
+    const Json::Array& parameters = *answered.request.find("at")->array();
+    const std::vector<std::string> values = member_texts(answered.result, "values");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text +=
+            fmt::format("  {}{} = {}\n", name, parameter_text(parameters[i]), answered.style.bold(values[i]));
+    }
+    return text;
+}
+
+/// `show` of the derived map, whether or not the request asks for values only.
+template <std::string (*show)(const Answered&)>
+std::string of_derived_map(const Answered& answered) {
+    if (answered.result.find("map")) return show(answered);
+    Json::Object members;
+    for (const auto& [name, member] : *answered.request.object()) {
+        if (name != "at") members.emplace_back(name, member);
+    }
+    const Json request = std::move(members);
+    const Json result = result_of(request, answered.limits);
+    return show({request, result, answered.limits, answered.style});
+}
+
+}  // namespace
+
+Operation derivative_operation() {
+    return {
+        .name = "derivative",
+        .summary = "A derivative of a map: its values at parameters, or the derived map",
+        .example = {"derivative", "1 + 2t + 4t^2 - t^3", "--order", "2", "--at", "1/2"},
+        .options = with_map_options({
+            field_option("--order", "order", "K", "the order of the derivative; by default 1", count),
+            field_option("--at", "at", "T1,T2,...", "the parameters; without them the derived map is given",
+                         number_list, patch_parameters),
+            field_option("--direction", "direction", "X,Y,...",
+                         "of a patch: the direction, as often as the order says", number_list),
+            field_option("--directions", "directions", "D1;D2;...", "of a patch: several directions",
+                         tuple_list),
+        }),
+        .answer = answer,
+        .render = render,
+        .plot = of_derived_map<plot_of_result>,
+        .mesh = of_derived_map<obj_of>,
+    };
+}
+
+}  // namespace blossom::protocol

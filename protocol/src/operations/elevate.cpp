@@ -1,0 +1,66 @@
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/spline/spline_elevation.hpp>
+
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "pictures/obj.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+struct Elevate {
+    std::size_t by;
+    const Limits& limits;
+
+    AnyMap operator()(const PolynomialCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const BezierCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const BSplineCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const ProgressiveCurve& curve) const {
+        return elevate(control_points(curve, own_interval(curve), limits), by, limits);
+    }
+    AnyMap operator()(const TaylorCurve& curve) const {
+        return taylor_form(elevate(monomial_form(curve, limits), by, limits), curve.center, limits);
+    }
+};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return elevate_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return elevate_tensor_bspline(request, map, limits);
+    const std::size_t by =
+        request.required("by", [&](const Json& value) { return read_count(value, limits); });
+    request.finish();
+    require_numbers(by, dimension_of(map), limits);
+    const Map raised{serve<AnyMap>(map, Elevate{by, limits}), map.form, map.variable};
+    return Json::Object{{"map", within("map", [&] { return to_json(raised); })}};
+}
+
+Json degrees_to_raise_by(std::string_view text, const Json&) {
+    return text.find(',') == std::string_view::npos ? count(text) : number_list(text);
+}
+
+}  // namespace
+
+Operation elevate_operation() {
+    return {
+        .name = "elevate",
+        .summary = "The same curve with a higher degree",
+        .example = {"elevate", "--control-points", "0; 3; 0", "--by", "2"},
+        .options = with_map_options({field_option(
+            "--by", "by", "R", "by how much the degree is raised; of a tensor product one a direction", count,
+            degrees_to_raise_by)}),
+        .answer = answer,
+        .render = described_listing,
+        .plot = plot_of_maps,
+        .mesh = obj_of,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include "evaluator.hpp"
+#include "map_options.hpp"
+#include "patch_answers.hpp"
+#include "pictures/obj.hpp"
+#include "pictures/plot.hpp"
+#include "pyramid.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (patch_of(map)) return evaluate_patch(request, map, limits);
+    if (tensor_bspline_of(map)) return evaluate_tensor_bspline(request, map, limits);
+    const auto parameters =
+        request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
+    const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);
+    request.finish();
+
+    const std::size_t dimension = dimension_of(map);
+    Json result = Json::Object{{"values", values_at(value_evaluator(map, parameters.size(), limits),
+                                                    parameters, map.form, dimension, limits)}};
+    if (pyramid) add_pyramids(result, map, parameters, limits);
+    return result;
+}
+
+std::string render(const Answered& answered) {
+    std::string text = description(map_of(answered)) + "\n\n";
+    const Json::Array& parameters = *answered.request.find("at")->array();
+    const std::vector<std::string> values = member_texts(answered.result, "values");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text += fmt::format("  P{} = {}\n", parameter_text(parameters[i]), answered.style.bold(values[i]));
+    }
+    return text + pyramids_text(answered);
+}
+
+}  // namespace
+
+Operation evaluate_operation() {
+    return {
+        .name = "evaluate",
+        .summary = "The values of a map at parameters, exactly",
+        .example = {"evaluate", "1 + 1/2t^2; t - 3t^2", "--at", "0,1/3,-0.25"},
+        .options = with_map_options({
+            field_option("--at", "at", "T1,T2,...",
+                         "the parameters; any rational numbers; of a patch points, separated by ';'",
+                         number_list, patch_parameters),
+            flag_option("--pyramid", "pyramid", "show every node of de Casteljau's or de Boor's triangle"),
+        }),
+        .answer = answer,
+        .render = render,
+        .plot = plot_of_values,
+        .mesh = obj_of,
+    };
+}
+
+}  // namespace blossom::protocol

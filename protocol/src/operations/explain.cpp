@@ -1,0 +1,31 @@
+#include "explain/chapter_of.hpp"
+#include "explain/document_format.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const std::vector<worked::Document> documents =
+        request.required("request", [&](const Json& explained) { return chapters_of(explained, limits); });
+    const DocumentFormat format = DocumentFormat::read(request, limits);
+    request.finish();
+    return format.written(documents);
+}
+
+}  // namespace
+
+Operation explain_operation() {
+    return {
+        .name = "explain",
+        .summary = "Any computation worked out step by step, as text, Markdown, LaTeX, HTML or JSON",
+        .example = {"explain", "evaluate", "t^2", "--at", "3"},
+        .options = {},
+        .answer = answer,
+        .render = document_text,
+        .has_own_command = true,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,41 @@
+#include "foreign_options.hpp"
+#include "formats/formats.hpp"
+#include "map_list.hpp"
+#include "map_options.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const ForeignFormat& format = request.required(
+        "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
+    const bool several = request.has("maps");
+    std::vector<Map> maps =
+        several ? read_maps_field(request, limits) : std::vector<Map>{read_map_field(request, limits)};
+    request.finish();
+    for (Map& map : maps) map = as_textbook_spline(map, limits);
+    return Json::Object{{"document", within(several ? "maps" : "map", [&] { return format.write(maps); })}};
+}
+
+/// The document alone, as the other library reads it.
+std::string render(const Answered& answered) { return to_text(*answered.result.find("document")) + "\n"; }
+
+}  // namespace
+
+Operation export_operation() {
+    return {
+        .name = "export",
+        .summary = "Curves as a file of tinyspline, geomdl or splinepy, each number correctly rounded",
+        .example = {"export", "--format", "tinyspline", "--control-points", "0,0; 1/3,2; 3,0"},
+        .options = with_map_options({
+            format_option(),
+            maps_option("--maps", "instead of a map a list of maps, or what a command with --json printed"),
+        }),
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,67 @@
+#include <blossom/core/spline/knot_insertion.hpp>
+
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "pictures/obj.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+using Insertion = BSplineCurve (*)(const BSplineCurve& curve, std::span<const Rational> knots,
+                                   const Limits& limits);
+
+constexpr std::string_view method_names[] = {"boehm", "oslo"};
+constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (tensor_bspline_of(map)) return insert_knots_of_tensor_bspline(request, map, limits);
+    const auto knots =
+        request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
+    const auto method =
+        request
+            .optional("method",
+                      [](const Json& value) { return read_alternative(value, method_names, "a method"); })
+            .value_or(0);
+    request.finish();
+    const auto refined = serve<BSplineCurve>(
+        map, [&](const BSplineCurve& curve) { return methods[method](curve, knots, limits); });
+    return Json::Object{{"map", within("map", [&] { return to_json(Map{refined, map.form}); })}};
+}
+
+/// "1/2; 1,3": one list a direction, which may be empty.
+Json lists_of_knots(std::string_view text, const Json&) {
+    Json::Array lists;
+    for (const std::string& list : split(text, ';')) lists.push_back(number_list(list));
+    return lists;
+}
+
+}  // namespace
+
+Operation insert_knots_operation() {
+    return {
+        .name = "insert-knots",
+        .summary = "The same B-spline over more knots",
+        .example = {"insert-knots", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,1,2,3,4,5",
+                    "--degree", "3", "--insert", "5/2"},
+        .options = with_map_options({
+            field_option("--insert", "knots", "X1,X2,...",
+                         "the knots to insert, in any order; repeated for a higher multiplicity; in several "
+                         "directions one list each, separated by ';'",
+                         number_list, lists_of_knots),
+            field_option("--method", "method", "boehm|oslo", "by which algorithm; by default boehm",
+                         plain_text),
+        }),
+        .answer = answer,
+        .render = described_listing,
+        .plot = plot_of_maps,
+        .mesh = obj_of,
+    };
+}
+
+}  // namespace blossom::protocol

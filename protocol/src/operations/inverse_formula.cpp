@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+#include <blossom/core/curve/inverse_formula.hpp>
+#include <blossom/core/patch/patch_inverse_formula.hpp>
+
+#include "map_options.hpp"
+#include "maps/patch.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json of_simplex(Fields& request, std::size_t degree, const Limits& limits) {
+    const BarycentricFrame frame =
+        request.required("vertices", [&](const Json& value) { return read_vertices(value, limits); });
+    request.finish();
+    const SimplexInverseFormula formula = inverse_formula(frame.dimension(), degree, limits);
+    Json::Array nodes, weights, indices;
+    for (const Coordinates& node : formula.nodes) {
+        const Coordinates point = frame.combination(node);
+        nodes.emplace_back(Json::Array(point.begin(), point.end()));
+    }
+    for (const std::vector<Rational>& row : formula.weights)
+        weights.emplace_back(Json::Array(row.begin(), row.end()));
+    for (const MultiIndex& index : multi_indices(frame.dimension(), degree)) {
+        indices.emplace_back(Json::Array(index.begin(), index.end()));
+    }
+    return Json::Object{
+        {"nodes", std::move(nodes)}, {"weights", std::move(weights)}, {"indices", std::move(indices)}};
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const std::size_t degree =
+        request.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    const auto interval =
+        request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+    if (request.has("vertices")) return of_simplex(request, degree, limits);
+    request.finish();
+    InverseFormula formula = inverse_formula(degree, interval.value_or(Interval()), limits);
+    Json::Array nodes(formula.nodes.begin(), formula.nodes.end());
+    Json::Array weights;
+    for (const std::vector<Rational>& row : formula.weights) {
+        weights.emplace_back(Json::Array(row.begin(), row.end()));
+    }
+    return Json::Object{{"nodes", std::move(nodes)}, {"weights", std::move(weights)}};
+}
+
+std::string render(const Answered& answered) {
+    std::vector<std::vector<std::string>> rows{{""}};
+    for (std::string& node : member_texts(answered.result, "nodes")) rows.front().push_back(std::move(node));
+    const Json::Array& weights = *answered.result.find("weights")->array();
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const Json* indices = answered.result.find("indices");
+        rows.push_back({indices ? "P" + point_text((*indices->array())[i]) : fmt::format("P{}", i)});
+        for (const Json& weight : *weights[i].array()) rows.back().push_back(point_text(weight));
+    }
+    return "Each control point is the sum of the map's values at the nodes in the first line, times the "
+           "weights in its own:\n\n" +
+           table_text(rows);
+}
+
+}  // namespace
+
+Operation inverse_formula_operation() {
+    return {
+        .name = "inverse-formula",
+        .summary = "The weights that make control points of the values of a map",
+        .example = {"inverse-formula", "--degree", "3"},
+        .options = {field_option("--degree", "degree", "N", "the degree", count),
+                    field_option("--interval", "interval", "A,B", "the interval; by default 0,1",
+                                 number_list),
+                    field_option("--vertices", "vertices", "P0;P1;...", "instead of an interval a simplex",
+                                 tuple_list)},
+        .answer = answer,
+        .render = render,
+    };
+}
+
+}  // namespace blossom::protocol

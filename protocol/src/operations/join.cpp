@@ -1,0 +1,79 @@
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/spline_join.hpp>
+
+#include <algorithm>
+
+#include "listing.hpp"
+#include "map_list.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+std::vector<BezierCurve> bezier_curves(std::vector<Map>& maps, const Limits& limits) {
+    make_form_common(maps, limits);
+    std::vector<BezierCurve> curves;
+    curves.reserve(maps.size());
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        curves.push_back(serve<BezierCurve>(
+            maps[i], [](const BezierCurve& curve) { return curve; }, "/maps/" + std::to_string(i)));
+    }
+    return curves;
+}
+
+/// From the lower end of the first interval to the upper end of the last.
+Interval covered(const std::vector<BezierCurve>& curves) {
+    const Interval& first = curves.front().interval();
+    const Interval& last = curves.back().interval();
+    return within("maps",
+                  [&] { return Interval(std::min(first.a(), first.b()), std::max(last.a(), last.b())); });
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    std::vector<Map> maps = read_maps_field(request, limits);
+    const auto knots =
+        request.optional("knots", [&](const Json& value) { return read_numbers(value, limits); });
+    const auto degree =
+        request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    request.finish();
+    const std::vector<BezierCurve> curves = bezier_curves(maps, limits);
+    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", "/maps");
+    const std::size_t greatest = std::ranges::max_element(curves, {}, &BezierCurve::degree)->degree();
+    if (degree && !knots) {
+        throw Error(ErrorCode::wrong_kind, "the degree is that of given knots, and none are given",
+                    "/degree");
+    }
+    const BSplineCurve spline =
+        knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
+              : join(curves, limits);
+    const Map joined{spline, maps.front().form};
+    return Json::Object{{"map", within("maps", [&] { return to_json(joined); })}};
+}
+
+}  // namespace
+
+Operation join_operation() {
+    return {
+        .name = "join",
+        .summary = "The B-spline that Bezier curves on adjacent intervals make up",
+        .example = {"join", R"({"kind": "bezier", "control_points": [0, 1, 4], "interval": [0, 1]})",
+                    R"({"kind": "bezier", "control_points": [4, 7, 9], "interval": [1, 2]})"},
+        .options = {maps_option("MAP",
+                                "the Bezier curves, as maps of the protocol, lists of them, or what "
+                                "'segments --json' printed"),
+                    field_option("--knots", "knots", "T0,T1,...",
+                                 "the knots of the spline; by default as few as the curves allow",
+                                 number_list),
+                    field_option("--degree", "degree", "N",
+                                 "the degree of these knots; by default the greatest of the curves", count)},
+        .answer = answer,
+        .render = described_listing,
+        .plot = plot_of_result,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,105 @@
+#include "map_list.hpp"
+
+#include <algorithm>
+
+#include "json/json_text.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+/// The same points with the weight 1.
+struct WithWeight {
+    const Limits& limits;
+
+    AnyMap operator()(const PolynomialCurve& curve) const {
+        std::vector<Polynomial> coordinates = coordinates_of(curve);
+        coordinates.emplace_back(1);
+        return PolynomialCurve(coordinates, curve.degree());
+    }
+    AnyMap operator()(const BezierCurve& curve) const {
+        return BezierCurve(weighted(curve.control_points().to_points()), curve.interval());
+    }
+    AnyMap operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    AnyMap operator()(const ProgressiveCurve& curve) const {
+        return ProgressiveCurve(curve.knots(), weighted(curve.control_points().to_points()));
+    }
+    AnyMap operator()(const BSplineCurve& curve) const {
+        return BSplineCurve(curve.knots(), weighted(curve.control_points()));
+    }
+
+    AnyMap operator()(const Patch& patch) const {
+        const auto* net = std::get_if<BezierPatch>(&patch.map);
+        Patch result = patch;
+        if (net) {
+            result.map = BezierPatch(net->shape(), weighted(net->control_net().to_points()));
+            return result;
+        }
+        // The polynomial 1 has its only coefficient in front.
+        const auto& polynomial = std::get<PolynomialPatch>(patch.map);
+        std::vector<Coordinates> coefficients = polynomial.coefficients().to_points();
+        for (Coordinates& coefficient : coefficients) coefficient.emplace_back(0);
+        coefficients.front().back() = 1;
+        result.map = PolynomialPatch(polynomial.shape(), PointArray(coefficients));
+        return result;
+    }
+
+private:
+    static std::vector<Coordinates> weighted(std::vector<Coordinates> points) {
+        for (Coordinates& point : points) point.emplace_back(1);
+        return points;
+    }
+};
+
+std::size_t point_dimension(const Map& map) {
+    return dimension_of(map) - (map.form.separate_weights() ? 1 : 0);
+}
+
+}  // namespace
+
+std::vector<Map> read_maps_field(Fields& request, const Limits& limits) {
+    return request.required("maps", [&](const Json& value) {
+        return read_list(value, [&](const Json& map) { return read_map(map, limits); });
+    });
+}
+
+void make_form_common(std::vector<Map>& maps, const Limits& limits) {
+    const bool rational = std::ranges::any_of(maps, [](const Map& map) { return map.form.rational; });
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const std::string place = "/maps/" + std::to_string(i);
+        const Map& first = maps.front();
+        if (maps[i].form.scalar != first.form.scalar || point_dimension(maps[i]) != point_dimension(first) ||
+            maps[i].form.homogeneous != first.form.homogeneous) {
+            throw Error(ErrorCode::mismatched_dimensions,
+                        "the points of map " + std::to_string(i) + " are not of the form of those of map 0",
+                        place);
+        }
+    }
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        if (!rational || maps[i].form.rational) continue;
+        maps[i].value = serve<AnyMap>(maps[i], WithWeight{limits}, "/maps/" + std::to_string(i));
+        maps[i].form.rational = true;
+    }
+}
+
+Option maps_option(std::string name, std::string help) {
+    const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits& limits) {
+        Json::Array maps;
+        for (const std::string& value : values) {
+            const Json given = parse_json(value, limits);
+            const Json* of_response = at_pointer(given, "/result/maps");
+            const Json& found = of_response ? *of_response : given;
+            if (const Json::Array* list = found.array()) {
+                maps.insert(maps.end(), list->begin(), list->end());
+            } else {
+                maps.push_back(found);
+            }
+        }
+        request["maps"] = std::move(maps);
+    };
+    return {std::move(name), "/maps", "JSON", std::move(help), apply};
+}
+
+}  // namespace blossom::protocol

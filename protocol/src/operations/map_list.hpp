@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "operation.hpp"
+
+/// Several maps in one request.
+
+namespace blossom::protocol {
+
+/// Field "maps". Errors: those of `read_map`, below the index of the map.
+std::vector<Map> read_maps_field(Fields& request, const Limits& limits);
+
+/// The maps in one form of points: where some are rational and others are not, these get the weight 1.
+/// Errors: `mismatched_dimensions` where points are numbers here and arrays there, of different lengths, or
+/// homogeneous in some of the maps only; `wrong_kind` for a map that is no single curve.
+void make_form_common(std::vector<Map>& maps, const Limits& limits);
+
+/// For field "maps": each a map of the protocol, a list of maps, or a response that has maps.
+Option maps_option(std::string name, std::string help);
+
+}  // namespace blossom::protocol

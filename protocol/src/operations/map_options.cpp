@@ -1,0 +1,264 @@
+#include "map_options.hpp"
+
+#include <algorithm>
+
+#include "json/json_text.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t first = text.find_first_not_of(blanks);
+    if (first == std::string_view::npos) return {};
+    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+Json argument(std::string_view text) {
+    constexpr std::string_view vector = "vector:";
+    constexpr std::string_view pair = "pair:";
+    if (text == "delta") return Json::Object{{"vector", "1"}};
+    if (text.starts_with(vector)) return Json::Object{{"vector", text.substr(vector.size())}};
+    if (!text.starts_with(pair)) return text;
+    Json::Array numbers;
+    for (std::string& number : split(text.substr(pair.size()), ':')) numbers.emplace_back(std::move(number));
+    return Json::Object{{"homogeneous", std::move(numbers)}};
+}
+
+/// "1,2", "vector:1,0" or "pair:1,0,2".
+Json point_argument(std::string_view text) {
+    for (const auto& [prefix, member] : {std::pair{"vector:", "vector"}, {"pair:", "homogeneous"}}) {
+        if (text.starts_with(prefix)) {
+            return Json::Object{{member, number_list(text.substr(std::string_view(prefix).size()))}};
+        }
+    }
+    return number_list(text);
+}
+
+/// Several texts, or one with ';', are the coordinates of a point; one text is a number.
+Json polynomial_texts(const std::vector<std::string>& values) {
+    if (values.size() == 1 && values.front().find(';') == std::string::npos) return values.front();
+    Json::Array texts;
+    for (const std::string& value : values) {
+        for (std::string& text : split(value, ';')) texts.emplace_back(std::move(text));
+    }
+    return texts;
+}
+
+void apply_polynomial(Json& request, const std::vector<std::string>& values, const Limits&) {
+    request["map"]["kind"] = "polynomial";
+    request["map"]["text"] = polynomial_texts(values);
+}
+
+void apply_control_points(Json& request, const std::vector<std::string>& values, const Limits&) {
+    if (request.find("map"))
+        throw UsageError("a map is given by a polynomial or by --control-points, not by both");
+    request["map"]["kind"] = "bezier";
+    request["map"]["control_points"] = point_list(values.front());
+}
+
+/// Knots make a B-spline of control points.
+void apply_knots(Json& request, const std::vector<std::string>& values, const Limits&) {
+    if (!has_control_points(request)) throw UsageError("--knots needs --control-points");
+    request["map"]["kind"] = "bspline";
+    request["map"]["knots"] = number_list(values.front());
+}
+
+void apply_map(Json& request, const std::vector<std::string>& values, const Limits& limits) {
+    if (request.find("map")) {
+        throw UsageError(
+            "a map is given by a polynomial, by --control-points or by --map, not by two of them");
+    }
+    const Json given = parse_json(values.front(), limits);
+    const Json* of_response = at_pointer(given, "/result/map");
+    request["map"] = of_response ? *of_response : given;
+}
+
+/// An option that adds a field to the map that another option has begun.
+Option map_option(std::string name, const std::string& field, std::string value, std::string help,
+                  Json (*read)(std::string_view text)) {
+    const auto apply = [name, field, read](Json& request, const std::vector<std::string>& values,
+                                           const Limits&) {
+        const Json* map = request.find("map");
+        if (!map || !map->object()) throw UsageError(name + " needs a map: a polynomial or --control-points");
+        request["map"][field] = values.empty() ? Json(true) : read(values.front());
+    };
+    return {std::move(name), "/map/" + field, std::move(value), std::move(help), apply};
+}
+
+std::vector<Option> map_options() {
+    return {
+        {"POLYNOMIAL", "/map", "TEXT",
+         "a polynomial, \"1 + 2t\"; the coordinates of a point-valued one repeated or separated by ';'",
+         apply_polynomial},
+        {"--control-points", "/map/control_points", "P0;P1;...",
+         "a Bezier curve by its control points, \"0,0; 1,2; 3,0\"", apply_control_points},
+        {"--knots", "/map/knots", "T0,T1,...",
+         "makes the control points those of a B-spline over these knots, of degree --degree", apply_knots},
+        {"--map", "/map", "JSON", "any map of the protocol, or what a command with --json printed",
+         apply_map},
+        map_option("--variables", "variables", "X,Y,...", "makes the polynomial one in several variables",
+                   number_list),
+        map_option("--degrees", "degrees", "M,N,...",
+                   "one formal degree a variable: a tensor product, not a total degree", number_list),
+        map_option("--degree", "degree", "N", "the formal degree; by default the actual one", count),
+        map_option("--denominator", "denominator", "TEXT",
+                   "makes the polynomial the numerator of a rational map", plain_text),
+        map_option("--weights", "weights", "W0,W1,...", "the weights of the control points", number_list),
+        map_option("--interval", "interval", "A,B",
+                   "the interval of the control points given; by default 0,1", number_list),
+        map_option("--homogeneous", "homogeneous", "", "points carry their weight as their last coordinate",
+                   nullptr),
+    };
+}
+
+}  // namespace
+
+std::vector<std::string> split(std::string_view text, char separator) {
+    std::vector<std::string> parts;
+    if (trimmed(text).empty()) return parts;
+    while (true) {
+        const std::size_t length = std::min(text.find(separator), text.size());
+        parts.emplace_back(trimmed(text.substr(0, length)));
+        if (length == text.size()) return parts;
+        text.remove_prefix(length + 1);
+    }
+}
+
+Json number_list(std::string_view text) {
+    Json::Array numbers;
+    for (std::string& number : split(text, ',')) numbers.emplace_back(std::move(number));
+    return numbers;
+}
+
+Json point_list(std::string_view text) {
+    if (text.find(';') == std::string_view::npos) return number_list(text);
+    Json::Array points;
+    for (const std::string& point : split(text, ';')) {
+        const bool scalar = point.find(',') == std::string::npos;
+        points.push_back(scalar ? Json(point) : number_list(point));
+    }
+    return points;
+}
+
+Json argument_list(std::string_view text) {
+    Json::Array arguments;
+    for (const std::string& part : split(text, ',')) arguments.push_back(argument(part));
+    return arguments;
+}
+
+Json tuple_list(std::string_view text) {
+    Json::Array tuples;
+    for (const std::string& tuple : split(text, ';')) {
+        if (!tuple.empty()) tuples.push_back(number_list(tuple));
+    }
+    return tuples;
+}
+
+Json count(std::string_view text) {
+    const bool digits =
+        !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+    return digits ? Json(Json::Number{std::string(text)}) : Json(text);
+}
+
+Json plain_text(std::string_view text) { return text; }
+
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text)) {
+    const auto apply = [field, read](Json& request, const std::vector<std::string>& values, const Limits&) {
+        request[field] = read(values.front());
+    };
+    return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
+}
+
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text),
+                    Json (*read_patch)(std::string_view text, const Json& map)) {
+    const auto apply = [field, read, read_patch](Json& request, const std::vector<std::string>& values,
+                                                 const Limits&) {
+        request[field] =
+            has_patch(request) ? read_patch(values.front(), *request.find("map")) : read(values.front());
+    };
+    return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
+}
+
+Option flag_option(std::string name, const std::string& field, std::string help) {
+    const auto apply = [field](Json& request, const std::vector<std::string>&, const Limits&) {
+        request[field] = true;
+    };
+    return {std::move(name), "/" + field, "", std::move(help), apply};
+}
+
+std::vector<Option> with_map_options(std::vector<Option> others) {
+    std::vector<Option> options;
+    for (Option& option : map_options()) {
+        const bool replaced = std::ranges::find(others, option.name, &Option::name) != others.end();
+        if (!replaced) options.push_back(std::move(option));
+    }
+    std::ranges::move(others, std::back_inserter(options));
+    return options;
+}
+
+Option own_interval_option(std::string help) {
+    const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits&) {
+        Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;
+        owner["interval"] = number_list(values.front());
+    };
+    return {"--interval", "/interval", "A,B", std::move(help), apply};
+}
+
+Option wanted_degrees_option() {
+    const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits&) {
+        const Json* map = request.find("map");
+        Json& owner = map && map->find("text") ? request["map"] : request;
+        owner["degrees"] = number_list(values.front());
+    };
+    return {"--degrees", "/degrees", "M,N,...",
+            "one formal degree a variable of a polynomial; of a patch given by --map those wanted", apply};
+}
+
+Json place_of_division(std::string_view text, const Json&) {
+    if (text == "midpoints") return text;
+    Json parameters = number_list(text);
+    for (Json& parameter : *parameters.array()) {
+        if (*parameter.text() == "-") parameter = Json();
+    }
+    return parameters;
+}
+
+bool has_control_points(const Json& request) {
+    const Json* map = request.find("map");
+    return map && map->find("control_points");
+}
+
+bool has_patch(const Json& request) {
+    const Json* map = request.find("map");
+    if (!map) return false;
+    const Json* kind = map->find("kind");
+    const std::string* name = kind ? kind->text() : nullptr;
+    return map->find("variables") || map->find("control_net") ||
+           (name && (*name == "tensor" || *name == "simplex"));
+}
+
+bool is_tensor(const Json& map) { return map.find("degrees") != nullptr; }
+
+Json patch_parameters(std::string_view text, const Json&) { return tuple_list(text); }
+
+Json patch_arguments(std::string_view text, const Json& map) {
+    Json::Array arguments;
+    for (const std::string& part : split(text, ';')) {
+        if (is_tensor(map)) {
+            arguments.push_back(argument_list(part));
+        } else if (!part.empty()) {
+            arguments.push_back(point_argument(part));
+        }
+    }
+    return arguments;
+}
+
+bool has_knots(const Json& request) {
+    return has_control_points(request) && request.find("map")->find("knots");
+}
+
+}  // namespace blossom::protocol

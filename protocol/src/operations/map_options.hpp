@@ -1,0 +1,75 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "operation.hpp"
+
+/// How a command line becomes a request.
+
+namespace blossom::protocol {
+
+/// The command line cannot be made into a request.
+class UsageError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// The parts of `text` between separators, without the spaces around them; none for an empty text.
+std::vector<std::string> split(std::string_view text, char separator);
+
+/// "1, 2" as a list of numbers.
+Json number_list(std::string_view text);
+/// "0,0; 1,2" as a list of points, "0; 3; 0" or "0, 3, 0" as a list of numbers.
+Json point_list(std::string_view text);
+/// "1, vector:2, delta, pair:3:2" as a list of blossom arguments.
+Json argument_list(std::string_view text);
+/// Digits as a JSON integer; anything else as it stands, to be refused where it is read.
+Json count(std::string_view text);
+/// "0,0; 1,2" as a list of lists of numbers; "0,0" has one.
+Json tuple_list(std::string_view text);
+Json plain_text(std::string_view text);
+
+/// An option that writes one field of the request.
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text));
+
+/// The same with another reading for a request about a patch; `read_patch` may look at the map.
+Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+                    Json (*read)(std::string_view text),
+                    Json (*read_patch)(std::string_view text, const Json& map));
+
+/// An option without value that makes one field of the request true.
+Option flag_option(std::string name, const std::string& field, std::string help);
+
+/// The options that describe a map, and then `others`; of two of one name the one in `others` counts.
+std::vector<Option> with_map_options(std::vector<Option> others);
+
+/// --interval, which for control points of a Bezier curve says where those that are given live, and for other
+/// maps where something is wanted.
+Option own_interval_option(std::string help);
+
+/// --degrees, which belongs to a polynomial in several variables, and says what is wanted of a patch that is
+/// given whole.
+Option wanted_degrees_option();
+
+/// The parameter at which something is divided, for a patch "1/2,1/4", "1/2,-" with a number in some
+/// directions, or "midpoints".
+Json place_of_division(std::string_view text, const Json& map);
+
+/// Whether the request is about a control polygon, not a polynomial.
+bool has_control_points(const Json& request);
+/// Whether it is about a map on a product of simplices or in several variables.
+bool has_patch(const Json& request);
+/// Whether the map of such a request is a tensor product, with one list of arguments a direction.
+bool is_tensor(const Json& map);
+/// The parameters of a patch, "0,0; 1/2,1".
+Json patch_parameters(std::string_view text, const Json& map);
+/// The arguments of its blossom: points "1,2; vector:0,1", of a tensor product a list a direction "1,2; 0".
+Json patch_arguments(std::string_view text, const Json& map);
+/// Whether its control points are those of a B-spline.
+bool has_knots(const Json& request);
+
+}  // namespace blossom::protocol

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <vector>
+
+#include "operation.hpp"
+
+/// What the operations answer for maps on products of simplices and in several variables. Each reads the
+/// fields of the request besides the map and finishes it.
+
+namespace blossom::protocol {
+
+/// The patch of a map, or nullptr for a curve.
+inline const Patch* patch_of(const Map& map) { return std::get_if<Patch>(&map.value); }
+
+/// The B-splines in several directions of a map, or nullptr for any other.
+inline const TensorBSpline* tensor_bspline_of(const Map& map) {
+    return std::get_if<TensorBSpline>(&map.value);
+}
+
+/// The patch as a control net with its domain, a polynomial over the unit box or simplex.
+Patch as_net(const Patch& patch, const Limits& limits);
+
+Json evaluate_patch(Fields& request, const Map& map, const Limits& limits);
+Json blossom_of_patch(Fields& request, const Map& map, const Limits& limits);
+Json agree_on_patch(Fields& request, const Map& map, const Limits& limits);
+/// "direction" and "order", or "directions"; without "at" the derived map.
+Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits);
+/// "vertices" or "intervals", "degree" or "degrees".
+Json control_net_of_patch(Fields& request, const Map& map, const Limits& limits);
+/// "to": monomial, bernstein, bspline, tensor or simplex, the last two and bernstein with the fields of a
+/// control net.
+Json convert_patch(Fields& request, const Map& map, const Limits& limits);
+/// "at": a point of the simplex or "midpoints"; for a tensor product one number or null a direction.
+Json subdivide_patch(Fields& request, const Map& map, const Limits& limits);
+/// "by": a number, or one a direction.
+Json elevate_patch(Fields& request, const Map& map, const Limits& limits);
+/// Of two patches along what their domains share.
+Json continuity_of_patches(Fields& request, std::vector<Map> maps, const Limits& limits);
+
+/// The mixed derivative at a point, of the map divided by its weight where that is asked for. Errors:
+/// `zero_weight`, `limit_exceeded`.
+Coordinates derivative_value(const Patch& patch, std::span<const PatchPoint> directions, const PatchPoint& at,
+                             bool divided, const Limits& limits);
+
+// The same for tensor products of B-splines.
+
+/// The polynomial on a box of spans, over this box.
+Patch segment_patch(const TensorBSpline& spline, std::span<const std::size_t> spans, const Limits& limits);
+/// That of field "segment", one index of a knot a direction; without it the only one. Errors:
+/// `outside_domain` if there is no such span, or if none is named and there are several.
+Map chosen_segment(Fields& request, const Map& map, const Limits& limits);
+
+Json evaluate_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// As for patches; without "at" in directions along one parameter each.
+Json derivative_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// "intervals", "degrees": the part over a box, a tensor map where it is one polynomial.
+Json control_net_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// "knots": one list a direction.
+Json insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Json segments_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// "at": one number or null a direction.
+Json subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// As for patches, of the polynomial of field "segment"; to bspline it is what it is.
+Json convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+/// "by": a number, or one a direction.
+Json elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+
+/// At a knot of one direction, "at" with null in the others.
+Json continuity_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+
+/// The blossom of a patch expanded, for a person.
+std::string patch_expansion_text(const Answered& answered);
+
+}  // namespace blossom::protocol

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+#include <blossom/proofs/parser.hpp>
+
+#include <algorithm>
+
+#include "decisions.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+/// A line of a statement with the block that it stands in.
+struct DecidedLine {
+    proofs::Block block;
+    proofs::Decision decision;
+};
+
+/// The decisions of all lines of a statement. Errors: the first one in it, with its offset.
+std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits& limits) {
+    // The place is part of the message, for those who read no offset.
+    const auto refuse = [&](const Error& error) {
+        if (!error.offset()) throw Error(error);
+        const auto [line, column] = proofs::place_of(statement, *error.offset());
+        throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), "",
+                    error.offset());
+    };
+    const proofs::Document document = proofs::parse(statement, limits);
+    if (!document.errors.empty()) refuse(document.errors.front());
+    proofs::require_claim(document);
+    std::vector<DecidedLine> decisions;
+    for (const proofs::Block& block : document.blocks) {
+        for (proofs::Decision& decision : proofs::decide(block, limits)) {
+            // A limit in one case leaves the others; what means nothing at all is an error of the request.
+            const bool nothing = decision.verdict() == proofs::Verdict::undecided ||
+                                 decision.verdict() == proofs::Verdict::disagreement;
+            if (nothing) refuse(*decision.error());
+            decisions.push_back({block, std::move(decision)});
+        }
+    }
+    return decisions;
+}
+
+/// Those of one text, or of several.
+std::vector<DecidedLine> all_decisions(const Json& value, const Limits& limits) {
+    if (!value.array()) return decisions_of(read_text(value), limits);
+    std::vector<DecidedLine> decisions;
+    for (auto& lines :
+         read_list(value, [&](const Json& text) { return decisions_of(read_text(text), limits); }))
+        std::ranges::move(lines, std::back_inserter(decisions));
+    if (decisions.empty()) throw Error(ErrorCode::wrong_arity, "there is no statement");
+    return decisions;
+}
+
+Json answer(Fields& request, const Limits& limits) {
+    const auto decisions =
+        request.required("statement", [&](const Json& value) { return all_decisions(value, limits); });
+    request.finish();
+    // Of several lines the first that is refuted speaks for all.
+    const auto refuted = std::ranges::find_if(decisions, [](const DecidedLine& line) {
+        return line.decision.verdict() == proofs::Verdict::refuted;
+    });
+    const DecidedLine& first = refuted == decisions.end() ? decisions.front() : *refuted;
+    Json result = to_json(first.block, first.decision);
+    if (decisions.size() == 1) return result;
+    Json::Array lines;
+    for (const DecidedLine& line : decisions) lines.push_back(to_json(line.block, line.decision));
+    result["lines"] = std::move(lines);
+    return result;
+}
+
+std::string render(const Answered& answered) { return to_text(answered.result) + "\n"; }
+
+}  // namespace
+
+Operation prove_operation() {
+    return {
+        .name = "prove",
+        .summary = "Decide statements of the identity language, exactly and for all values",
+        .example = {"prove", "-e", "b[s,t] == (4*b((s+t)/2) - b(s) - b(t))/2", "--degree", "b=2"},
+        .options = {},
+        .answer = answer,
+        .render = render,
+        .has_own_command = true,
+    };
+}
+
+}  // namespace blossom::protocol

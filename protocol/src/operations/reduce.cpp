@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/curve/degree_reduction.hpp>
+#include <blossom/core/spline/spline_reduction.hpp>
+
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+constexpr ReductionMethod all_methods[] = {ReductionMethod::inverse_formula, ReductionMethod::least_squares,
+                                           ReductionMethod::least_squares_endpoints,
+                                           ReductionMethod::uniform};
+
+ReductionMethod read_method(const Json& value) {
+    std::vector<std::string_view> names;
+    for (const ReductionMethod method : all_methods) names.push_back(reduction_method_name(method));
+    return all_methods[read_alternative(value, names, "a method")];
+}
+
+struct Reduced {
+    AnyMap map;
+    bool exact;
+    Rational l2_squared;
+    Coordinates maximum;
+};
+
+struct Reduce {
+    std::size_t degree = 0;
+    ReductionMethod method = ReductionMethod::least_squares;
+    std::optional<Interval> interval;
+    const Limits& limits;
+
+    Reduced operator()(const OnePolynomial auto& curve) const {
+        const Interval where = interval.value_or(own_interval(curve));
+        const auto over = [&](const auto& one) { return control_points(one, where, limits); };
+        Reduction reduction = reduce(std::visit(over, polynomial_map(curve, limits)), degree, method, limits);
+        return {reduction.curve, reduction.exact, reduction.l2_squared, std::move(reduction.maximum)};
+    }
+    Reduced operator()(const BSplineCurve& curve) const {
+        if (interval) {
+            throw Error(ErrorCode::unknown_field, "a spline is reduced over its whole domain", "/interval");
+        }
+        SplineReduction reduction = reduce(curve, degree, method, limits);
+        return {reduction.curve, reduction.exact, reduction.l2_squared, std::move(reduction.maximum)};
+    }
+};
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    const std::size_t degree =
+        request.required("to", [&](const Json& value) { return read_count(value, limits); });
+    const auto method = request.optional("method", read_method).value_or(ReductionMethod::least_squares);
+    const auto interval =
+        request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+    request.finish();
+    const auto reduced = serve<Reduced>(map, Reduce{degree, method, interval, limits});
+    Json error;
+    // The error is that of the coordinates that were reduced, weights included.
+    const PointForm form{.scalar = map.form.scalar && !map.form.rational};
+    if (!reduced.maximum.empty()) error["maximum"] = to_json(reduced.maximum, form);
+    error["l2_squared"] = reduced.l2_squared;
+    return Json::Object{
+        {"map", within("map", [&] { return to_json(Map{reduced.map, map.form, map.variable}); })},
+        {"exact", reduced.exact},
+        {"error", std::move(error)}};
+}
+
+std::string render(const Answered& answered) {
+    std::string text = described_listing(answered) + "\n";
+    if (*answered.result.find("exact")->boolean())
+        return text + answered.style.good("Nothing was lost: this is the same map.") + "\n";
+    const Json& error = *answered.result.find("error");
+    text += fmt::format("Integral of the squared error: {}\n", member_text(error, "l2_squared"));
+    if (error.find("maximum")) text += fmt::format("Greatest error: {}\n", member_text(error, "maximum"));
+    return text;
+}
+
+}  // namespace
+
+Operation reduce_operation() {
+    return {
+        .name = "reduce",
+        .summary = "A curve of lower degree near a curve, with the exact error",
+        .example = {"reduce", "t^3", "--to", "2", "--method", "uniform"},
+        .options = with_map_options({
+            field_option("--to", "to", "M", "the degree wanted", count),
+            field_option("--method", "method",
+                         "inverse-formula|least-squares|least-squares-endpoints|uniform",
+                         "how; by default least-squares", plain_text),
+            own_interval_option(
+                "the interval: of control points that are given, or else that of the error; by default 0,1"),
+            field_option("--over", "interval", "A,B", "the interval of the error", number_list),
+        }),
+        .answer = answer,
+        .render = render,
+        .plot = plot_of_maps,
+    };
+}
+
+}  // namespace blossom::protocol

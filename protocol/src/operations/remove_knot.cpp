@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+#include <blossom/core/spline/knot_removal.hpp>
+
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    const Rational knot =
+        request.required("knot", [&](const Json& value) { return read_number(value, limits); });
+    const std::size_t times =
+        request.optional("times", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
+    request.finish();
+    const auto removal =
+        serve<KnotRemoval>(map, [&](const BSplineCurve& curve) { return remove_knot(curve, knot, times); });
+    Json result = Json::Object{{"map", within("map", [&] { return to_json(Map{removal.curve, map.form}); })},
+                               {"removed", removal.removed}};
+    if (removal.obstruction) {
+        const RemovalObstruction& obstruction = *removal.obstruction;
+        // Differences of homogeneous points: undivided, with the difference of the weights last.
+        const PointForm form{.scalar = map.form.scalar && !map.form.rational};
+        result["residual"] = to_json(obstruction.residual(), form);
+        result["obstruction"] =
+            Json::Object{{"knots", Json::Array(obstruction.knots.begin(), obstruction.knots.end())},
+                         {"from_left", to_json(obstruction.from_left, form)},
+                         {"from_right", to_json(obstruction.from_right, form)}};
+    }
+    return result;
+}
+
+std::string render(const Answered& answered) {
+    const Json& result = answered.result;
+    std::string text = described_listing(answered) + fmt::format("\nTimes that the knot was removed: {}\n",
+                                                                 point_text(*result.find("removed")));
+    const Json* obstruction = result.find("obstruction");
+    if (!obstruction) return text;
+    return text + fmt::format(
+                      "It cannot be removed once more: at the knots {} the blossom of the segment on "
+                      "the left is {}, that of the segment on the right {}; they differ by {}.\n",
+                      numbers_text(*obstruction->find("knots")), member_text(*obstruction, "from_left"),
+                      member_text(*obstruction, "from_right"),
+                      answered.style.bold(member_text(result, "residual")));
+}
+
+}  // namespace
+
+Operation remove_knot_operation() {
+    return {
+        .name = "remove-knot",
+        .summary = "The same B-spline without a knot, or why that is not possible",
+        .example = {"remove-knot", "--control-points", "0,0; 5/6,5/3; 2,5/2; 10/3,8/3; 5,1", "--knots",
+                    "0,1,2,5/2,3,4,5", "--degree", "3", "--knot", "5/2"},
+        .options = with_map_options({
+            field_option("--knot", "knot", "X", "the knot to remove", plain_text),
+            field_option("--times", "times", "N", "how often; by default once", count),
+        }),
+        .answer = answer,
+        .render = render,
+        .plot = plot_of_maps,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,31 @@
+#include "segment.hpp"
+
+#include <blossom/core/spline/de_boor.hpp>
+
+#include "map_options.hpp"
+
+namespace blossom::protocol {
+
+std::optional<std::size_t> read_span(Fields& request, const Map& map, const Limits& limits) {
+    if (!std::holds_alternative<BSplineCurve>(map.value)) return std::nullopt;
+    return request.optional("segment", [&](const Json& value) { return read_index(value, limits); });
+}
+
+std::size_t chosen_span(const BSplineCurve& curve, std::optional<std::size_t> span) {
+    if (!span) return only_span(curve.knots());
+    curve.knots().require_span(*span);
+    return *span;
+}
+
+Option segment_option() {
+    return field_option("--segment", "segment", "I",
+                        "of a B-spline, the index of the knot with which the segment begins; by default "
+                        "the only one; in several directions one index each, I,J",
+                        count, [](std::string_view text, const Json&) -> Json {
+                            Json::Array indices;
+                            for (const std::string& index : split(text, ',')) indices.push_back(count(index));
+                            return indices;
+                        });
+}
+
+}  // namespace blossom::protocol

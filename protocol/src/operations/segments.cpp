@@ -1,0 +1,47 @@
+#include <blossom/core/spline/bezier_extraction.hpp>
+
+#include "listing.hpp"
+#include "map_options.hpp"
+#include "maps/dispatch_on_kind.hpp"
+#include "patch_answers.hpp"
+#include "pictures/obj.hpp"
+#include "pictures/plot.hpp"
+#include "table.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json answer(Fields& request, const Limits& limits) {
+    const Map map = read_map_field(request, limits);
+    if (tensor_bspline_of(map)) return segments_of_tensor_bspline(request, map, limits);
+    request.finish();
+    const auto segments = serve<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
+        require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);
+        return bezier_segments(curve, limits);
+    });
+    Json::Array maps;
+    maps.reserve(segments.size());
+    for (const BezierCurve& segment : segments) {
+        maps.push_back(within("map", [&] { return to_json(Map{segment, map.form}); }));
+    }
+    return Json::Object{{"maps", std::move(maps)}};
+}
+
+}  // namespace
+
+Operation segments_operation() {
+    return {
+        .name = "segments",
+        .summary = "The Bezier curves that a B-spline is made of",
+        .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
+                    "--degree", "2"},
+        .options = with_map_options({}),
+        .answer = answer,
+        .render = described_listing,
+        .plot = plot_of_maps,
+        .mesh = obj_of,
+    };
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "operation.hpp"
+
+namespace blossom::protocol {
+
+Operation agree_operation();
+Operation audit_operation();
+Operation barycentric_operation();
+Operation basis_functions_operation();
+Operation blossom_operation();
+Operation certify_operation();
+Operation continuity_operation();
+Operation control_points_operation();
+Operation convert_operation();
+Operation derivative_operation();
+Operation elevate_operation();
+Operation evaluate_operation();
+Operation exercise_operation();
+Operation explain_operation();
+Operation export_operation();
+Operation graph_operation();
+Operation import_operation();
+Operation insert_knots_operation();
+Operation inverse_formula_operation();
+Operation join_operation();
+Operation prove_operation();
+Operation reduce_operation();
+Operation remove_knot_operation();
+Operation roots_operation();
+Operation segments_operation();
+Operation subdivide_operation();
+
+}  // namespace blossom::protocol

@@ -1,0 +1,122 @@
+#include "drawn_curve.hpp"
+
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
+#include <blossom/rational/number_text.hpp>
+
+#include <algorithm>
+
+#include "maps/dispatch_on_kind.hpp"
+#include "maps/graph.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+/// The first two coordinates; none for a point at infinity.
+std::optional<Place> projected_place(const Coordinates& point, const PointForm& form) {
+    if (!form.rational) return Place{point[0], point[1]};
+    if (point.back().is_zero()) return std::nullopt;
+    return Place{point[0] / point.back(), point[1] / point.back()};
+}
+
+/// Appends to the last line, or begins a new one.
+void append(std::vector<std::vector<Place>>& lines, const std::optional<Place>& place, bool& broken) {
+    if (!place) {
+        broken = true;
+        return;
+    }
+    if (broken || lines.empty()) lines.emplace_back();
+    broken = false;
+    lines.back().push_back(*place);
+}
+
+std::vector<std::vector<Place>> broken_line(std::span<const Coordinates> points, const PointForm& form) {
+    std::vector<std::vector<Place>> lines;
+    bool broken = true;
+    for (const Coordinates& point : points) append(lines, projected_place(point, form), broken);
+    return lines;
+}
+
+struct Painter {
+    const PointForm& form;
+    std::optional<Interval> interval;
+    const Limits& limits;
+
+    DrawnCurve operator()(const PolynomialCurve& curve) const {
+        return of_segments({control_points(curve, interval.value_or(Interval()), limits)});
+    }
+    DrawnCurve operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    DrawnCurve operator()(const BezierCurve& curve) const {
+        DrawnCurve result = of_segments({curve});
+        result.polygon = broken_line(curve.control_points().to_points(), form);
+        return result;
+    }
+    DrawnCurve operator()(const ProgressiveCurve& curve) const {
+        DrawnCurve result = of_segments({control_points(curve, own_interval(curve), limits)});
+        result.polygon = broken_line(curve.control_points().to_points(), form);
+        return result;
+    }
+    DrawnCurve operator()(const BSplineCurve& curve) const {
+        DrawnCurve result = of_segments(bezier_segments(curve, limits));
+        result.polygon = broken_line(curve.control_points(), form);
+        return result;
+    }
+
+private:
+    DrawnCurve of_segments(const std::vector<BezierCurve>& segments) const {
+        constexpr std::size_t most = 1000;
+        const std::size_t steps = std::clamp<std::size_t>(most / segments.size(), 8, 256);
+        DrawnCurve result;
+        std::optional<Coordinates> end;
+        for (const BezierCurve& segment : segments) {
+            bool broken = !end || *end != evaluate(segment, segment.interval().a(), limits);
+            add_mark(segment, segment.interval().a(), result);
+            for (std::size_t i = 0; i <= steps; ++i) {
+                const Rational part = Rational(i) / Rational(steps);
+                const Rational t =
+                    segment.interval().a() + part * (segment.interval().b() - segment.interval().a());
+                append(result.lines, projected_place(evaluate(segment, t, limits), form), broken);
+            }
+            end = evaluate(segment, segment.interval().b(), limits);
+        }
+        add_mark(segments.back(), segments.back().interval().b(), result);
+        return result;
+    }
+    void add_mark(const BezierCurve& segment, const Rational& t, DrawnCurve& result) const {
+        if (const auto place = projected_place(evaluate(segment, t, limits), form))
+            result.knots.push_back({*place, to_string(t)});
+    }
+};
+
+}  // namespace
+
+DrawnCurve drawn(const Map& map, const std::optional<Interval>& interval, const Limits& limits) {
+    const std::size_t coordinates = dimension_of(map) - (map.form.rational ? 1 : 0);
+    const Map plane = coordinates == 1 ? graph_of(map, limits) : map;
+    return serve<DrawnCurve>(plane, Painter{plane.form, interval, limits});
+}
+
+std::optional<Place> place_of(const Json& value, const Rational& t, const PointForm& form) {
+    Coordinates point = answered_point(value);
+    if (form.homogeneous) {
+        const Rational weight = point.back();
+        if (weight.is_zero()) return std::nullopt;
+        point.pop_back();
+        for (Rational& coordinate : point) coordinate /= weight;
+    }
+    if (point.size() == 1) return Place{t, point[0]};
+    return Place{point[0], point[1]};
+}
+
+std::optional<Interval> given_interval(const Map& map) {
+    const auto own = Overloads{[](const PolynomialCurve&) { return std::optional<Interval>(); },
+                               [](const TaylorCurve&) { return std::optional<Interval>(); },
+                               [](const Patch&) { return std::optional<Interval>(); },
+                               [](const TensorBSpline&) { return std::optional<Interval>(); },
+                               [](const auto& curve) { return std::optional(own_interval(curve)); }};
+    return std::visit(own, map.value);
+}
+
+}  // namespace blossom::protocol

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace blossom::protocol {
+
+/// How steeply light falls on a face, from 0 for along it to `greatest_tilt` for straight on it.
+inline constexpr std::size_t greatest_tilt = 12;
+
+/// The fill of a face of surface number i.
+std::string shade(std::size_t i, std::size_t tilt);
+/// The colour of the lines on it.
+std::string line_colour(std::size_t i);
+
+}  // namespace blossom::protocol

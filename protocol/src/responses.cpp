@@ -1,0 +1,126 @@
+#include "responses.hpp"
+
+#include <blossom/rational/number_text.hpp>
+
+#include <exception>
+#include <new>
+
+#include "json/fields.hpp"
+#include "json/json_text.hpp"
+#include "json/nearest_name.hpp"
+#include "rounding.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+Json response_to(const Json& request, bool ok) {
+    Json response;
+    if (const Json* id = request.find("id")) response["id"] = *id;
+    response["ok"] = ok;
+    return response;
+}
+
+std::size_t digits_in(const Json& value) {
+    if (const Rational* number = value.exact()) {
+        // log10(2) < 1/3
+        return (number->numerator().bit_length() + number->denominator().bit_length()) / 3 + 1;
+    }
+    std::size_t digits = 0;
+    if (const Json::Array* elements = value.array()) {
+        for (const Json& element : *elements) digits += digits_in(element);
+    }
+    if (const Json::Object* members = value.object()) {
+        for (const auto& [name, member] : *members) digits += digits_in(member);
+    }
+    return digits;
+}
+
+/// Refuses what would be long to write before it is written.
+void require_output_digits(const Json& result, const Limits& limits) {
+    require_within(digits_in(result), limits.output_digits, "output_digits",
+                   "the size of the result in decimal digits, at most");
+}
+
+Response written(const Json& response) { return {to_text(response), outcome_of(response)}; }
+
+}  // namespace
+
+const Operation& find_operation(std::string_view name) {
+    std::vector<std::string_view> names;
+    std::string list;
+    for (const Operation& operation : operations()) {
+        if (operation.name == name) return operation;
+        names.push_back(operation.name);
+        list += (list.empty() ? "" : ", ") + std::string(operation.name);
+    }
+    throw Error(ErrorCode::unknown_op, "the operation " + quoted(name) + " is not known" +
+                                           suggestion(name, names) + "; known are: " + list);
+}
+
+Json result_of(const Json& request, const Limits& limits) {
+    Fields fields(request);
+    static_cast<void>(fields.optional("id", [](const Json& id) { return &id; }));
+    const Operation& operation = fields.required(
+        "op", [](const Json& name) -> const Operation& { return find_operation(read_text(name)); });
+    const Rounding rounding = fields.optional("numbers", read_rounding).value_or(Rounding::none);
+    Json result = operation.answer(fields, limits);
+    fields.finish();
+    require_output_digits(result, limits);
+    add_rounded_numbers(result, rounding);
+    return result;
+}
+
+Json success_response(const Json& request, Json result) {
+    Json response = response_to(request, true);
+    response["result"] = std::move(result);
+    return response;
+}
+
+Json error_response(const Json& request, const Error& error) {
+    Json response = response_to(request, false);
+    response["error"] =
+        Json::Object{{"code", error_name(error.code())}, {"message", error.message()}, {"at", error.field()}};
+    return response;
+}
+
+Outcome outcome_of(const Json& response) {
+    const Json* result = response.find("result");
+    if (!result) return Outcome::refused;
+    const Json* agree = result->find("agree");
+    return agree && !*agree->boolean() ? Outcome::disagreement : Outcome::success;
+}
+
+Error unexpected(const std::exception& problem) {
+    if (dynamic_cast<const std::bad_alloc*>(&problem)) {
+        return {ErrorCode::limit_exceeded, "the memory of this machine does not suffice for the request"};
+    }
+    return {ErrorCode::internal, std::string("this should not have happened: ") + problem.what()};
+}
+
+Json answer_to(const Json& request, const Limits& limits) {
+    try {
+        return success_response(request, result_of(request, limits));
+    } catch (const Error& error) {
+        return error_response(request, error);
+    } catch (const std::exception& problem) {
+        return error_response(request, unexpected(problem));
+    }
+}
+
+Response answer(std::string_view request, const Limits& limits) {
+    try {
+        const auto [value, error] = read_json(request, limits);
+        return written(error ? error_response(value, *error) : answer_to(value, limits));
+    } catch (const std::exception& problem) {
+        return written(error_response(Json(), unexpected(problem)));
+    }
+}
+
+Response refuse_long_line(const Limits& limits) {
+    return written(error_response(
+        Json(), Error(ErrorCode::limit_exceeded, "the line is longer than the limit line_bytes = " +
+                                                     std::to_string(limits.line_bytes))));
+}
+
+}  // namespace blossom::protocol

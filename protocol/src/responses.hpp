@@ -1,0 +1,34 @@
+#pragma once
+
+#include <blossom/protocol/answer.hpp>
+#include <blossom/rational/error.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "operations/operation.hpp"
+
+namespace blossom::protocol {
+
+/// The operation of that name. Errors: `unknown_op`.
+const Operation& find_operation(std::string_view name);
+
+/// The result of a request. Errors: all that can be wrong with it, each with the JSON Pointer of its place.
+Json result_of(const Json& request, const Limits& limits);
+
+/// {"ok": true, "result": ...}, with "id" in front when the request has one.
+Json success_response(const Json& request, Json result);
+/// {"ok": false, "error": {"code", "message", "at"}}, likewise.
+Json error_response(const Json& request, const Error& error);
+
+/// What else was thrown, as an error: `limit_exceeded` for memory, `internal` for the rest.
+Error unexpected(const std::exception& problem);
+
+Outcome outcome_of(const Json& response);
+
+/// The response to a line that was too long to be read.
+Response refuse_long_line(const Limits& limits);
+
+}  // namespace blossom::protocol

@@ -1,0 +1,106 @@
+#include <blossom/protocol/json.hpp>
+
+#include <blossom/rational/error.hpp>
+
+#include <string>
+
+#include "json/json_text.hpp"
+#include "support/catch.hpp"
+
+using namespace blossom;
+using namespace blossom::protocol;
+
+namespace {
+
+std::string echoed(std::string_view text) { return protocol::to_text(parse_json(text, Limits{})); }
+
+Error refusal(std::string_view text, const Limits& limits = {}) {
+    const JsonReading reading = read_json(text, limits);
+    REQUIRE(reading.error);
+    return *reading.error;
+}
+
+}  // namespace
+
+TEST_CASE("JSON values are written as they were read") {
+    for (const std::string text :
+         {"null", "true", "-0", "-0.0", "1e400", "1.50", "[]", "{}", R"({"b": [1, "a/b~", {}], "a": null})",
+          R"("é \" \\ \n")", "18446744073709551616", "-9223372036854775808"}) {
+        CHECK(echoed(text) == text);
+    }
+    const std::string digits(5000, '9');
+    CHECK(echoed(digits) == digits);
+    CHECK(echoed("-" + digits) == "-" + digits);
+    CHECK(echoed("\xEF\xBB\xBF [1]\r\n") == "[1]");
+    CHECK(echoed(R"("\u00e9\ud83d\ude00")") == "\"é😀\"");
+}
+
+TEST_CASE("what is no JSON is refused with the place") {
+    for (const std::string_view text :
+         {std::string_view(""), std::string_view("{"), std::string_view("[1,]"), std::string_view("01"),
+          std::string_view("+1"), std::string_view("NaN"), std::string_view("1 2"),
+          std::string_view("{\"a\" 1}"), std::string_view("'a'"), std::string_view("\"\xff\""),
+          std::string_view("\"\xc0\x80\""), std::string_view("\"\xed\xa0\x80\""),
+          std::string_view("\"\\ud800\""), std::string_view("\"a\nb\""), std::string_view("[1]\0", 4),
+          std::string_view("1.e5"), std::string_view(".5"), std::string_view("// 1")}) {
+        CAPTURE(text);
+        CHECK(refusal(text).code() == ErrorCode::syntax);
+        CHECK(refusal(text).offset());
+    }
+    CHECK(refusal("[1, x]").offset() == 4);
+}
+
+TEST_CASE("a syntax error tells no more of the text than its place") {
+    CHECK(refusal("[\"" + std::string(1 << 20, 'a')).message().size() < 200);
+}
+
+TEST_CASE("a name may occur once in an object") {
+    const Error error = refusal(R"({"a": [0, {"x": 1, "y": 2, "x": 3}]})");
+    CHECK(error.code() == ErrorCode::syntax);
+    CHECK(error.field() == "/a/1");
+    CHECK(error.message() == "the name \"x\" occurs twice in one object");
+    CHECK(refusal(R"({"a": 1, "\u0061": 2})").code() == ErrorCode::syntax);
+    CHECK(echoed(R"([{"a": 1}, {"a": 2}])") == R"([{"a": 1}, {"a": 2}])");
+}
+
+TEST_CASE("many names cost no more than sorting them") {
+    std::string text = "{";
+    for (int i = 0; i < 200'000; ++i) text += "\"" + std::to_string(i) + "\": 0, ";
+    CHECK(refusal(text + "\"7\": 0}").message() == "the name \"7\" occurs twice in one object");
+}
+
+TEST_CASE("nesting is limited before it is stored") {
+    Limits limits;
+    limits.nesting = 3;
+    CHECK(protocol::to_text(parse_json("[{\"a\": []}]", limits)) == "[{\"a\": []}]");
+    CHECK(refusal("[[[[]]]]", limits).message() == "brackets nested deeper than the limit nesting = 3");
+    CHECK(refusal(std::string(1'000'000, '[')).code() == ErrorCode::limit_exceeded);
+}
+
+TEST_CASE("what was read before an error is handed out") {
+    const JsonReading reading = read_json(R"({"id": [1, 2], "op": "evaluate", "at": [1, )", Limits{});
+    REQUIRE(reading.error);
+    REQUIRE(reading.value.find("id"));
+    CHECK(protocol::to_text(*reading.value.find("id")) == "[1, 2]");
+}
+
+TEST_CASE("JSON Pointers lead to places and back") {
+    const Json value = parse_json(R"({"a/b": {"~": ["x", "y"]}, "": 5})", Limits{});
+    const std::string pointer = pointer_token("a/b") + pointer_token("~") + "/1";
+    CHECK(pointer == "/a~1b/~0/1");
+    REQUIRE(at_pointer(value, pointer));
+    CHECK(*at_pointer(value, pointer) == Json("y"));
+    CHECK(*at_pointer(value, "/") == Json(Json::Number{"5"}));
+    CHECK(at_pointer(value, "") == &value);
+    CHECK(at_pointer(value, "/a~1b/~0/2") == nullptr);
+    CHECK(at_pointer(value, "/a~1b/~0/x") == nullptr);
+    CHECK(at_pointer(value, "/none/0") == nullptr);
+}
+
+TEST_CASE("text is always written as valid UTF-8") {
+    CHECK(protocol::to_text(Json("a\xff"
+                                 "b")) ==
+          "\"a\xEF\xBF\xBD"
+          "b\"");
+    CHECK(protocol::to_text(Json(std::string("\0\x1f", 2))) == "\"\\u0000\\u001f\"");
+}
