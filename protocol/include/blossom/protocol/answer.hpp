@@ -24,7 +24,8 @@ struct Response {
 /// "at"}}, where "at" is the JSON Pointer of what is wrong in the request. docs/protocol.md describes every
 /// operation. Nothing is thrown: whatever goes wrong is in the response.
 ///
-///     protocol::answer(R"({"op": "evaluate", "polynomial": "t^2", "at": ["1/2"]})").text
+///     protocol::answer(R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t^2"}, "at":
+///     ["1/2"]})").text
 ///
 /// Cost: that of the operation, within `limits`.
 Response answer(std::string_view request, const Limits& limits = {});
