@@ -1,4 +1,4 @@
-#include "label_placement.hpp"
+#include "drawing/label_placement.hpp"
 
 #include "support/catch.hpp"
 #include "support/random.hpp"

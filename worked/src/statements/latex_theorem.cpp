@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include "latex_words.hpp"
-#include "layout.hpp"
-#include "letters.hpp"
+#include "document/layout.hpp"
+#include "document/letters.hpp"
+#include "writers/latex_words.hpp"
 
 namespace blossom::worked {
 

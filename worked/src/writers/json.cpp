@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "document/overloaded.hpp"
 #include "formula_json.hpp"
-#include "overloaded.hpp"
 #include "pyramid_text.hpp"
 
 namespace blossom::worked {

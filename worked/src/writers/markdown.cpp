@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "overloaded.hpp"
+#include "document/overloaded.hpp"
 #include "pyramid_text.hpp"
 
 namespace blossom::worked {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "drawing.hpp"
+#include "drawing/drawing.hpp"
 
 namespace blossom::worked {
 

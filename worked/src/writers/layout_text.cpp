@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "layout.hpp"
-#include "letters.hpp"
+#include "document/layout.hpp"
+#include "document/letters.hpp"
 
 namespace blossom::worked {
 

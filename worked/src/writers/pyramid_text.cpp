@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "letters.hpp"
-#include "text_width.hpp"
+#include "document/letters.hpp"
+#include "document/text_width.hpp"
 
 namespace blossom::worked {
 

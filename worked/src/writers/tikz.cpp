@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "drawing.hpp"
+#include "drawing/drawing.hpp"
 
 namespace blossom::worked {
 

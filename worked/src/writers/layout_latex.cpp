@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "layout.hpp"
-#include "letters.hpp"
+#include "document/layout.hpp"
+#include "document/letters.hpp"
 
 namespace blossom::worked {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <utility>
 
-#include "html_page.hpp"
+#include "writers/html_page.hpp"
 
 namespace blossom::worked {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "letters.hpp"
+#include "document/letters.hpp"
 
 namespace blossom::worked {
 

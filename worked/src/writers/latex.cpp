@@ -2,10 +2,10 @@
 
 #include <string>
 
+#include "document/layout.hpp"
+#include "document/letters.hpp"
+#include "document/overloaded.hpp"
 #include "latex_words.hpp"
-#include "layout.hpp"
-#include "letters.hpp"
-#include "overloaded.hpp"
 #include "tikz.hpp"
 
 namespace blossom::worked {

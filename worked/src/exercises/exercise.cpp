@@ -8,8 +8,8 @@
 #include <array>
 #include <utility>
 
+#include "document/renaming.hpp"
 #include "problem_numbers.hpp"
-#include "renaming.hpp"
 
 namespace blossom::worked {
 

@@ -2,7 +2,7 @@
 
 #include <pugixml.hpp>
 
-#include "layout.hpp"
+#include "document/layout.hpp"
 
 namespace blossom::worked {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "layout.hpp"
-#include "letters.hpp"
-#include "overloaded.hpp"
+#include "document/layout.hpp"
+#include "document/letters.hpp"
+#include "document/overloaded.hpp"
+#include "document/text_width.hpp"
 #include "pyramid_text.hpp"
-#include "text_width.hpp"
 
 namespace blossom::worked {
 

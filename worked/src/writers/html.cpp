@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
+#include "document/letters.hpp"
+#include "document/overloaded.hpp"
 #include "html_page.hpp"
-#include "letters.hpp"
 #include "mathml.hpp"
-#include "overloaded.hpp"
 #include "pyramid_text.hpp"
 #include "svg.hpp"
 

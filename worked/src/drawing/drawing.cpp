@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "letters.hpp"
+#include "document/letters.hpp"
 #include "paper.hpp"
 
 namespace blossom::worked {
