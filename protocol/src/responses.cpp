@@ -42,7 +42,10 @@ void require_output_digits(const Json& result, const Limits& limits) {
                    "the size of the result in decimal digits, at most");
 }
 
-Response written(const Json& response) { return {to_text(response), outcome_of(response)}; }
+Response written(const Json& response) {
+    const Json* result = response.find("result");
+    return {to_text(response), result ? outcome_of(*result) : Outcome::refused};
+}
 
 }  // namespace
 
@@ -58,17 +61,18 @@ const Operation& find_operation(std::string_view name) {
                                            suggestion(name, names) + "; known are: " + list);
 }
 
-Json result_of(const Json& request, const Limits& limits) {
-    Fields fields(request);
+Answer find_answer(const Json& request, const Limits& limits) {
+    Request fields(request);
     static_cast<void>(fields.optional("id", [](const Json& id) { return &id; }));
     const Operation& operation = fields.required(
         "op", [](const Json& name) -> const Operation& { return find_operation(read_text(name)); });
     const Rounding rounding = fields.optional("numbers", read_rounding).value_or(Rounding::none);
-    Json result = operation.answer(fields, limits);
+    Answer answer = operation.answer(fields, limits);
     fields.finish();
-    require_output_digits(result, limits);
-    add_rounded_numbers(result, rounding);
-    return result;
+    require_output_digits(answer.result, limits);
+    add_rounded_numbers(answer.result, rounding);
+    answer.given = std::move(fields).given();
+    return answer;
 }
 
 Json success_response(const Json& request, Json result) {
@@ -84,10 +88,8 @@ Json error_response(const Json& request, const Error& error) {
     return response;
 }
 
-Outcome outcome_of(const Json& response) {
-    const Json* result = response.find("result");
-    if (!result) return Outcome::refused;
-    const Json* agree = result->find("agree");
+Outcome outcome_of(const Json& result) {
+    const Json* agree = result.find("agree");
     return agree && !*agree->boolean() ? Outcome::disagreement : Outcome::success;
 }
 
@@ -100,7 +102,7 @@ Error unexpected(const std::exception& problem) {
 
 Json answer_to(const Json& request, const Limits& limits) {
     try {
-        return success_response(request, result_of(request, limits));
+        return success_response(request, find_answer(request, limits).result);
     } catch (const Error& error) {
         return error_response(request, error);
     } catch (const std::exception& problem) {

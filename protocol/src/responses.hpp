@@ -15,8 +15,9 @@ namespace blossom::protocol {
 /// The operation of that name. Errors: `unknown_op`.
 const Operation& find_operation(std::string_view name);
 
-/// The result of a request. Errors: all that can be wrong with it, each with the JSON Pointer of its place.
-Json result_of(const Json& request, const Limits& limits);
+/// The answer to a request, with rounded numbers where it asks for them. Errors: all that can be wrong with
+/// it, each with the JSON Pointer of its place.
+Answer find_answer(const Json& request, const Limits& limits);
 
 /// {"ok": true, "result": ...}, with "id" in front when the request has one.
 Json success_response(const Json& request, Json result);
@@ -26,7 +27,8 @@ Json error_response(const Json& request, const Error& error);
 /// What else was thrown, as an error: `limit_exceeded` for memory, `internal` for the rest.
 Error unexpected(const std::exception& problem);
 
-Outcome outcome_of(const Json& response);
+/// That of an answer with this result.
+Outcome outcome_of(const Json& result);
 
 /// The response to a line that was too long to be read.
 Response refuse_long_line(const Limits& limits);

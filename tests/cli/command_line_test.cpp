@@ -64,13 +64,14 @@ TEST_CASE("a disagreement prints what is needed to reproduce it") {
     const Json request = Json::Object{{"op", "agree"},
                                       {"map", Json::Object{{"kind", "polynomial"}, {"text", "t"}}},
                                       {"arguments", Json::Array{"5"}}};
-    const Json result =
+    Answer wrong =
         Json::Object{{"agree", false},
                      {"degree", std::size_t{1}},
                      {"values", Json::Object{{"symmetric", Rational(5)}, {"casteljau", Rational(6)}}},
                      {"skipped", Json::Array{}}};
+    wrong.given.push_back(read_map(*request.find("map"), Limits{}));
     const auto agree = std::ranges::find(operations(), "agree", &Operation::name);
-    const std::string text = agree->render({request, result, Limits{}, Style(false)});
+    const std::string text = agree->render({request, wrong, Limits{}, Style(false)});
     CHECK(contains(text, "symmetric functions   p(5) = 5\n"));
     CHECK(contains(text, "de Casteljau          p(5) = 6\n"));
     CHECK(contains(text, "DISAGREE"));

@@ -163,11 +163,11 @@ TEST_CASE("what was not run on symbols is skipped too") {
 }
 
 TEST_CASE("a disagreement has an outcome of its own") {
-    const auto outcome = [](const char* response) { return outcome_of(parse_json(response, Limits{})); };
-    CHECK(outcome(R"({"ok": true, "result": {"agree": false}})") == Outcome::disagreement);
-    CHECK(outcome(R"({"ok": true, "result": {"agree": true}})") == Outcome::success);
-    CHECK(outcome(R"({"ok": true, "result": {"value": "1"}})") == Outcome::success);
-    CHECK(outcome(R"({"ok": false, "error": {}})") == Outcome::refused);
+    const auto outcome = [](const char* result) { return outcome_of(parse_json(result, Limits{})); };
+    CHECK(outcome(R"({"agree": false})") == Outcome::disagreement);
+    CHECK(outcome(R"({"agree": true})") == Outcome::success);
+    CHECK(outcome(R"({"value": "1"})") == Outcome::success);
+    CHECK(protocol::answer("{}").outcome == Outcome::refused);
 }
 
 TEST_CASE("rounded numbers stand beside the exact ones, in the same shape") {

@@ -24,10 +24,10 @@ namespace {
 
 std::string shown(const std::string& text, std::string (*Operation::*show)(const Answered&)) {
     const Json request = parse_json(text, Limits{});
-    const Json result = result_of(request, Limits{});
+    const Answer answer = find_answer(request, Limits{});
     const auto function = find_operation(*request.find("op")->text()).*show;
     REQUIRE(function);
-    return function({request, result, Limits{}, Style()});
+    return function({request, answer, Limits{}, Style()});
 }
 
 std::string picture(const std::string& request) { return shown(request, &Operation::plot); }

@@ -18,10 +18,10 @@ namespace {
 
 std::string picture(const std::string& text) {
     const Json request = parse_json(text, Limits{});
-    const Json result = result_of(request, Limits{});
+    const Answer answer = find_answer(request, Limits{});
     const auto plot = find_operation(*request.find("op")->text()).plot;
     REQUIRE(plot);
-    return plot({request, result, Limits{}, Style()});
+    return plot({request, answer, Limits{}, Style()});
 }
 
 std::size_t occurrences(const std::string& text, const std::string& part) {

@@ -95,13 +95,13 @@ Json begun_request(const Operation& operation) {
 
 Outcome answer_and_print(const Command& command, const Json& request, const Streams& streams) {
     try {
-        const Json response = success_response(Json(), result_of(request, command.limits));
-        const Style style(streams.coloured_output);
-        const Answered answered{request, *response.find("result"), command.limits, style};
+        const Answer answer = find_answer(request, command.limits);
+        const Answered answered{request, answer, command.limits, Style(streams.coloured_output)};
         if (!command.picture.empty()) write_file(command.picture, command.operation.plot(answered));
         if (!command.mesh.empty()) write_file(command.mesh, command.operation.mesh(answered));
-        streams.output(command.as_json ? to_text(response) + "\n" : command.operation.render(answered));
-        return outcome_of(response);
+        streams.output(command.as_json ? to_text(success_response(Json(), answer.result)) + "\n"
+                                       : command.operation.render(answered));
+        return outcome_of(answer.result);
     } catch (const Error& error) {
         return report({error, request}, command, streams);
     }

@@ -31,11 +31,10 @@ Error one_parameter(std::size_t asked) {
 /// A request that was answered, so that its fields are known to be right.
 class Asked {
 public:
-    Asked(const Json& request, const Limits& allowed) : limits(allowed), request_(request) {
-        if (const Json* map = request.find("map")) map_ = read_map(*map, allowed);
-    }
+    Asked(const Json& request, const Answer& answer, const Limits& allowed)
+        : limits(allowed), request_(request), answer_(answer) {}
 
-    const Map& map() const { return *map_; }
+    const Map& map() const { return answer_.given.front(); }
     const Json* find(std::string_view name) const { return request_.find(name); }
     std::vector<Argument> arguments() const {
         return read_arguments(*find("arguments"), {.scalar = true}, limits);
@@ -62,7 +61,7 @@ public:
 
 private:
     const Json& request_;
-    std::optional<Map> map_;
+    const Answer& answer_;
 };
 
 GivenMap one_polynomial_of(const Asked& asked) {
@@ -181,20 +180,31 @@ Document continuity_chapter(const Asked& asked) {
     return worked::continuity_at(required_spline(asked), asked.parameter(), asked.limits);
 }
 
-/// A page for each claim of the statement, or of several.
-std::vector<Document> proof_pages(const Json& statement, const Limits& limits) {
-    if (statement.text()) return worked::claims_decided(*statement.text(), limits);
+/// A page for each claim of one statement, or of several.
+std::vector<Document> pages_of_claims(const Json& statement, const Limits& limits) {
+    if (!statement.array()) return worked::claims_decided(read_text(statement), limits);
+    if (statement.array()->empty()) throw Error(ErrorCode::wrong_arity, "there is no statement");
     std::vector<Document> pages;
-    for (const Json& one : *statement.array())
-        std::ranges::move(proof_pages(one, limits), std::back_inserter(pages));
+    for (auto& of_one : read_list(statement, [&](const Json& one) { return pages_of_claims(one, limits); }))
+        std::ranges::move(of_one, std::back_inserter(pages));
+    return pages;
+}
+
+/// The pages decide the claims, so that a request to prove is not answered first.
+std::vector<Document> proof_pages(const Json& request, const Limits& limits) {
+    Fields fields(request);
+    for (const std::string_view name : {"op", "id", "numbers"})
+        static_cast<void>(fields.optional(name, [](const Json& value) { return &value; }));
+    std::vector<Document> pages = fields.required(
+        "statement", [&](const Json& statement) { return pages_of_claims(statement, limits); });
+    fields.finish();
     return pages;
 }
 
 /// Says of a rational curve what its points mean, unless its page says so itself.
-Document with_weights(Document document, const Json& request, const Limits& limits) {
-    const Json* given = request.find("map");
-    if (!given) return document;
-    const Map map = read_map(*given, limits);
+Document with_weights(Document document, const Json& request, const Answer& answer) {
+    if (answer.given.empty()) return document;
+    const Map& map = answer.given.front();
     const bool said = std::holds_alternative<Patch>(map.value) ||
                       (*request.find("op")->text() == evaluate_operation().name &&
                        !std::holds_alternative<BSplineCurve>(map.value));
@@ -240,12 +250,12 @@ std::string no_chapter(std::string_view operation) {
 }
 
 std::vector<Document> chapters_of(const Json& request, const Limits& limits) {
-    static_cast<void>(result_of(request, limits));
-    const std::string& name = *request.find("op")->text();
-    if (name == prove_operation().name) return proof_pages(*request.find("statement"), limits);
-    const auto* chapter = std::ranges::find(chapters, name, &Chapter::operation);
-    if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(name), "/op");
-    return {with_weights(chapter->make(Asked(request, limits)), request, limits)};
+    const Json* name = request.find("op");
+    if (name && name->text() && *name->text() == prove_operation().name) return proof_pages(request, limits);
+    const Answer answer = find_answer(request, limits);
+    const auto* chapter = std::ranges::find(chapters, *name->text(), &Chapter::operation);
+    if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(*name->text()), "/op");
+    return {with_weights(chapter->make(Asked(request, answer, limits)), request, answer)};
 }
 
 }  // namespace blossom::protocol

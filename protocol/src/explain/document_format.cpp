@@ -117,6 +117,6 @@ std::vector<Option> document_options() {
     };
 }
 
-std::string document_text(const Answered& answered) { return *answered.result.find("document")->text(); }
+std::string document_text(const Answered& answered) { return *answered.result().find("document")->text(); }
 
 }  // namespace blossom::protocol

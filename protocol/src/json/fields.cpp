@@ -65,6 +65,7 @@ void Fields::finish() const {
 }
 
 Rational read_number(const Json& value, const Limits& limits) {
+    if (const Rational* exact = value.exact()) return *exact;  // of an answer
     if (const std::string* text = value.text()) return parse_rational(*text, limits);
     const Json::Number* number = value.number();
     if (!number) {

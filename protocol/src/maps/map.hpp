@@ -38,6 +38,11 @@ struct Map {
     std::string variable = "t";  ///< what its text called the parameter
 };
 
+/// Another map whose points are written as those of the original.
+inline Map like(const Map& original, AnyMap value) {
+    return {std::move(value), original.form, original.variable};
+}
+
 std::size_t dimension_of(const Map& map);
 
 /// A map of any kind. Errors: `wrong_kind` for a kind that is not known, those of the kind.

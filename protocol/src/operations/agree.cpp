@@ -64,8 +64,8 @@ Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, co
     return result;
 }
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return agree_on_patch(request, map, limits);
     const auto arguments = request.optional(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
@@ -87,7 +87,7 @@ std::vector<std::string_view> names_of_those_run(const Json& values) {
 
 std::string values_text(const Answered& answered, const std::string& arguments) {
     std::string text;
-    const Json& values = *answered.result.find("values");
+    const Json& values = *answered.result().find("values");
     const std::vector<std::string_view> names = names_of_those_run(values);
     std::size_t width = 21;
     for (const std::string_view name : names) width = std::max(width, readable_name(name).size());
@@ -104,16 +104,16 @@ std::string expression_text(const Json& expressions) {
 }
 
 std::string expansion_text(const Answered& answered) {
-    const std::size_t degree = read_count(*answered.result.find("degree"), answered.limits);
+    const std::size_t degree = read_count(*answered.result().find("degree"), answered.limits);
     std::string arguments;
     for (const std::string& name : numbered_names("u", degree))
         arguments += (arguments.empty() ? "" : ", ") + name;
     const std::string left = fmt::format("  p({})", arguments);
     const std::string below(left.size(), ' ');
     std::string text =
-        fmt::format("{} = {}\n{} = {}\n", left, expression_text(*answered.result.find("elementary")), below,
-                    expression_text(*answered.result.find("expansion")));
-    if (const Json* expansions = answered.result.find("expansions")) {
+        fmt::format("{} = {}\n{} = {}\n", left, expression_text(*answered.result().find("elementary")), below,
+                    expression_text(*answered.result().find("expansion")));
+    if (const Json* expansions = answered.result().find("expansions")) {
         for (const auto& [construction, expansion] : *expansions->object()) {
             text += fmt::format("  {:<21} {}\n", readable_name(construction), expression_text(expansion));
         }
@@ -124,10 +124,10 @@ std::string expansion_text(const Answered& answered) {
 
 /// "The three constructions agree exactly, for all arguments."
 std::string verdict(const Answered& answered) {
-    const bool agree = *answered.result.find("agree")->boolean();
-    const bool for_all = answered.result.find("for_all_arguments") != nullptr;
+    const bool agree = *answered.result().find("agree")->boolean();
+    const bool for_all = answered.result().find("for_all_arguments") != nullptr;
     std::string text;
-    for (const Json& entry : *answered.result.find("skipped")->array()) {
+    for (const Json& entry : *answered.result().find("skipped")->array()) {
         text += fmt::format("Skipped: {}: {}.\n", readable_name(*entry.find("construction")->text()),
                             *entry.find("reason")->text());
     }
@@ -136,7 +136,7 @@ std::string verdict(const Answered& answered) {
                "\nThis is an error of the program. To reproduce it, as one line of a batch:\n" +
                to_text(answered.request) + "\n";
     }
-    const Json* values = answered.result.find("values");
+    const Json* values = answered.result().find("values");
     const std::string_view who = text.empty() ? "The three constructions agree exactly"
                                  : values != nullptr && names_of_those_run(*values).size() > 2
                                      ? "The three constructions that were run agree exactly"
@@ -146,7 +146,7 @@ std::string verdict(const Answered& answered) {
 
 std::string render(const Answered& answered) {
     const Json* arguments = answered.request.find("arguments");
-    return fmt::format("{}\n\n{}\n{}", description(map_of(answered)),
+    return fmt::format("{}\n\n{}\n{}", description(answered.given()),
                        arguments                     ? values_text(answered, arguments_text(*arguments))
                        : has_patch(answered.request) ? patch_expansion_text(answered)
                                                      : expansion_text(answered),

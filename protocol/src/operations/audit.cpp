@@ -91,8 +91,8 @@ Json read_computed(Fields& request, const Limits& limits) {
     });
 }
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     const auto parameters =
         request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
     const bool whole_document = request.has("document");
@@ -136,8 +136,8 @@ std::string ulps_text(const Json& ulps) {
 }
 
 std::string render(const Answered& answered) {
-    const Json& result = answered.result;
-    std::string text = description(map_of(answered)) + "\n\n";
+    const Json& result = answered.result();
+    std::string text = description(answered.given()) + "\n\n";
     for (const auto& [field, ulps] : *result.find("ulps")->object()) {
         if (is_rounded_twin(field)) continue;
         const Json::Array& errors = *result.find("errors")->find(field)->array();

@@ -8,7 +8,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const BarycentricFrame frame =
         request.required("vertices", [&](const Json& value) { return read_vertices(value, limits); });
     const auto coordinates = request.required("at", [&](const Json& value) {
@@ -25,7 +25,7 @@ Json answer(Fields& request, const Limits& limits) {
 std::string render(const Answered& answered) {
     std::string text;
     const Json::Array& points = *answered.request.find("at")->array();
-    const std::vector<std::string> coordinates = member_texts(answered.result, "coordinates");
+    const std::vector<std::string> coordinates = member_texts(answered.result(), "coordinates");
     for (std::size_t i = 0; i < points.size(); ++i) {
         text += fmt::format("  {} has the barycentric coordinates {}\n", point_text(points[i]),
                             answered.style.bold(coordinates[i]));

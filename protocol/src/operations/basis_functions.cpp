@@ -72,7 +72,7 @@ Json values_json(const KnotVector& knots, const std::vector<Rational>& parameter
     return list;
 }
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const KnotVector knots = read_knots(request, limits);
     const auto parameters =
         request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
@@ -89,7 +89,7 @@ Json answer(Fields& request, const Limits& limits) {
 std::string values_text(const Answered& answered) {
     std::string text;
     const Json::Array& parameters = *answered.request.find("at")->array();
-    const Json::Array& list = *answered.result.find("basis_values")->array();
+    const Json::Array& list = *answered.result().find("basis_values")->array();
     for (std::size_t i = 0; i < list.size(); ++i) {
         std::size_t j = std::stoul(list[i].find("first_function")->number()->text);
         for (const std::string& value : member_texts(list[i], "values")) {
@@ -108,13 +108,13 @@ std::string polynomial_text(const Json& piece) {
 }
 
 std::string render(const Answered& answered) {
-    if (answered.result.find("basis_values")) return values_text(answered);
-    const bool with_abscissae = answered.result.find("greville");
+    if (answered.result().find("basis_values")) return values_text(answered);
+    const bool with_abscissae = answered.result().find("greville");
     const auto abscissae =
-        with_abscissae ? member_texts(answered.result, "greville") : std::vector<std::string>{};
+        with_abscissae ? member_texts(answered.result(), "greville") : std::vector<std::string>{};
     std::string text;
     std::size_t j = 0;
-    for (const Json& pieces : *answered.result.find("functions")->array()) {
+    for (const Json& pieces : *answered.result().find("functions")->array()) {
         text += fmt::format("N{}{}:\n", j, with_abscissae ? ", Greville abscissa " + abscissae[j] : "");
         for (const Json& piece : *pieces.array()) {
             const std::vector<std::string> ends = member_texts(piece, "interval");

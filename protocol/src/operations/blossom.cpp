@@ -36,8 +36,8 @@ struct Value {
     }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return blossom_of_patch(request, map, limits);
     if (tensor_bspline_of(map))
         return blossom_of_patch(request, chosen_segment(request, map, limits), limits);
@@ -52,9 +52,9 @@ Json answer(Fields& request, const Limits& limits) {
 }
 
 std::string render(const Answered& answered) {
-    return fmt::format("{}\n\n  p({}) = {}\n", description(map_of(answered)),
+    return fmt::format("{}\n\n  p({}) = {}\n", description(answered.given()),
                        arguments_text(*answered.request.find("arguments")),
-                       answered.style.bold(member_text(answered.result, "value")));
+                       answered.style.bold(member_text(answered.result(), "value")));
 }
 
 }  // namespace

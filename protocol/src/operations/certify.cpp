@@ -30,30 +30,31 @@ PolynomialCurve with_degree(const PolynomialCurve& curve, std::size_t degree) {
 /// A request that has been answered, and what it was about.
 struct Question {
     const Json& request;
-    const Json& result;
-    const Map& map;
+    const Answer& answer;
     std::optional<std::size_t> span;  ///< of a B-spline, where the request names one
     Certificate& certificate;
     const Limits& limits;
 
+    const Map& map() const { return answer.given.front(); }
+    const Json& result() const { return answer.result; }
     const PolynomialCurve& curve() const { return certificate.maps.back().curve; }
     std::size_t degree() const { return curve().degree(); }
-    const BSplineCurve* spline() const { return std::get_if<BSplineCurve>(&map.value); }
+    const BSplineCurve* spline() const { return std::get_if<BSplineCurve>(&map().value); }
     /// What follows is about the polynomial of the span of a B-spline that holds `t`.
     void turn_to(const Rational& t) const {
-        certificate.maps.push_back(certified_map(map, spline()->knots().span_at(t), limits));
+        certificate.maps.push_back(certified_map(map(), spline()->knots().span_at(t), limits));
     }
     /// A value at `arguments`; of a rational map its homogeneous point, with the weight there.
     Coordinates point(const Json& value, std::span<const Argument> arguments) const {
-        if (!map.form.separate_weights()) return read_point(value, map.form, curve().dimension(), limits);
-        Coordinates point = read_point(value, {.scalar = map.form.scalar}, curve().dimension() - 1, limits);
+        if (!map().form.separate_weights()) return read_point(value, map().form, curve().dimension(), limits);
+        Coordinates point = read_point(value, {.scalar = map().form.scalar}, curve().dimension() - 1, limits);
         point.emplace_back(1);
         const Rational weight = Blossom(curve(), limits)(arguments).back();
         for (Rational& coordinate : point) coordinate *= weight;
         return point;
     }
     std::vector<Argument> arguments() const {
-        return read_arguments(*request.find("arguments"), map.form, limits);
+        return read_arguments(*request.find("arguments"), map().form, limits);
     }
     void claim(CertifiedValue value) const { certificate.maps.back().values.push_back(std::move(value)); }
     void claim_all(std::vector<CertifiedValue> values) const {
@@ -63,15 +64,15 @@ struct Question {
 
 void certify_blossom(const Question& question) {
     if (question.spline())
-        question.certificate.maps.push_back(certified_map(question.map, question.span, question.limits));
+        question.certificate.maps.push_back(certified_map(question.map(), question.span, question.limits));
     const std::vector<Argument> arguments = question.arguments();
-    question.claim({"value", arguments, 1, question.point(*question.result.find("value"), arguments)});
+    question.claim({"value", arguments, 1, question.point(*question.result().find("value"), arguments)});
 }
 
 /// The coefficients of the elementary symmetric functions: C(n, k) p(0^(n-k), delta^k) / C(n, k).
 void certify_expansion(const Question& question) {
     const std::size_t n = question.degree();
-    const Json& elementary = *question.result.find("elementary");
+    const Json& elementary = *question.result().find("elementary");
     const std::vector<std::string> names = numbered_names("e", n);
     std::vector<Coordinates> coefficients(n + 1, Coordinates(question.curve().dimension()));
     for (std::size_t j = 0; j < coefficients.front().size(); ++j) {
@@ -95,7 +96,7 @@ void certify_agree(const Question& question) {
         return;
     }
     const std::vector<Argument> arguments = question.arguments();
-    for (const auto& [construction, value] : *question.result.find("values")->object())
+    for (const auto& [construction, value] : *question.result().find("values")->object())
         question.claim({construction, arguments, 1, question.point(value, arguments)});
 }
 
@@ -122,7 +123,7 @@ struct CertifyPoints {
 };
 
 void certify_control_points(const Question& question) {
-    const Map points = result_map(*question.result.find("map"), question.limits);
+    const Map& points = question.answer.maps.front();
     const CertifyPoints certify{question, 0};
     if (const auto* curve = std::get_if<BezierCurve>(&points.value)) {
         if (question.spline()) question.turn_to(std::min(curve->interval().a(), curve->interval().b()));
@@ -132,7 +133,7 @@ void certify_control_points(const Question& question) {
 }
 
 void certify_derivative(const Question& question) {
-    if (question.map.form.separate_weights()) {
+    if (question.map().form.separate_weights()) {
         throw Error(
             ErrorCode::wrong_kind,
             "a derivative of a rational map comes from the quotient rule and is no blossom value; with "
@@ -141,12 +142,12 @@ void certify_derivative(const Question& question) {
     }
     const Json* written = question.request.find("order");
     const std::size_t order = written ? read_count(*written, question.limits) : 1;
-    if (const Json* map = question.result.find("map")) {
-        serve<void>(result_map(*map, question.limits), CertifyPoints{question, order});
+    if (!question.answer.maps.empty()) {
+        serve<void>(question.answer.maps.front(), CertifyPoints{question, order});
         return;
     }
     const std::vector<Rational> parameters = read_numbers(*question.request.find("at"), question.limits);
-    const Json::Array& values = *question.result.find("values")->array();
+    const Json::Array& values = *question.result().find("values")->array();
     for (std::size_t i = 0; i < values.size(); ++i) {
         if (question.spline()) question.turn_to(parameters[i]);
         const std::size_t n = question.degree();
@@ -179,20 +180,19 @@ const Certified& read_operation(const Json& value) {
 Certificate certificate_of(const Json& request, const Limits& limits) {
     Fields fields(request);
     const Certified& entry = fields.required("op", read_operation);
-    // What is certified is what is printed, so the answer is read back from its text.
-    const Json result = parse_json(to_text(result_of(request, limits)), limits);
-    const Map map = read_map_field(fields, limits);
+    const Answer answer = find_answer(request, limits);
+    const Map& map = answer.given.front();
     Certificate certificate{std::string(entry.operation), {}};
     const auto span = read_span(fields, map, limits);
     // The polynomials of a spline are taken where they are asked about.
     if (!std::holds_alternative<BSplineCurve>(map.value))
         certificate.maps.push_back(certified_map(map, span, limits));
-    entry.certify({request, result, map, span, certificate, limits});
+    entry.certify({request, answer, span, certificate, limits});
     std::erase_if(certificate.maps, [](const CertifiedMap& claims) { return claims.values.empty(); });
     return certificate;
 }
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const auto certificates = request.required("requests", [&](const Json& value) {
         return read_list(value, [&](const Json& element) { return certificate_of(element, limits); });
     });
@@ -200,7 +200,7 @@ Json answer(Fields& request, const Limits& limits) {
     return Json::Object{{"document", coq_file(certificates, limits)}};
 }
 
-std::string render(const Answered& answered) { return *answered.result.find("document")->text(); }
+std::string render(const Answered& answered) { return *answered.result().find("document")->text(); }
 
 /// One request a line.
 void apply_requests(Json& request, const std::vector<std::string>& values, const Limits& limits) {

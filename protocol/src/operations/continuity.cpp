@@ -93,28 +93,29 @@ Json continuity_of_spline(const Map& map, const Rational& s, const Limits& limit
     });
 }
 
-Json answer(Fields& request, const Limits& limits) {
-    const bool of_maps = request.has("maps");
-    std::optional<Map> map;
-    std::vector<Map> maps;
-    if (of_maps) {
-        maps = read_maps_field(request, limits);
-        if (std::ranges::any_of(maps, patch_of))
-            return continuity_of_patches(request, std::move(maps), limits);
-    } else {
-        map = read_map_field(request, limits);
-        if (tensor_bspline_of(*map)) return continuity_of_tensor_bspline(request, *map, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const auto read_at = [&] {
+        const Rational s =
+            request.required("at", [&](const Json& value) { return read_number(value, limits); });
+        request.finish();
+        return s;
+    };
+    if (!request.has("maps")) {
+        const Map& map = request.map(limits);
+        return tensor_bspline_of(map) ? continuity_of_tensor_bspline(request, map, limits)
+                                      : continuity_of_spline(map, read_at(), limits);
     }
-    const Rational s = request.required("at", [&](const Json& value) { return read_number(value, limits); });
-    request.finish();
-    return of_maps ? continuity_of_maps(std::move(maps), s, limits) : continuity_of_spline(*map, s, limits);
+    std::vector<Map> maps = read_maps_field(request, limits);
+    if (std::ranges::any_of(maps, patch_of)) return continuity_of_patches(request, std::move(maps), limits);
+    const Rational s = read_at();
+    return continuity_of_maps(std::move(maps), s, limits);
 }
 
 std::string render(const Answered& answered) {
-    std::string text = answered.request.find("map") ? description(map_of(answered)) + "\n\n" : "";
+    std::string text = answered.has_given() ? description(answered.given()) + "\n\n" : "";
     return text + fmt::format("Order of contact: {}\n{}.\n",
-                              answered.style.bold(point_text(*answered.result.find("order"))),
-                              *answered.result.find("reason")->text());
+                              answered.style.bold(point_text(*answered.result().find("order"))),
+                              *answered.result().find("reason")->text());
 }
 
 }  // namespace

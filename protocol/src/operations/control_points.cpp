@@ -51,8 +51,8 @@ struct ControlPoints {
     }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return control_net_of_patch(request, map, limits);
     if (tensor_bspline_of(map)) return control_net_of_tensor_bspline(request, map, limits);
     const auto interval =
@@ -62,8 +62,7 @@ Json answer(Fields& request, const Limits& limits) {
     request.finish();
     require_numbers(degree.value_or(0) + 1, dimension_of(map), limits);
 
-    const Map answered{serve<AnyMap>(map, ControlPoints{degree, interval, limits}), map.form, map.variable};
-    return Json::Object{{"map", within("map", [&] { return to_json(answered); })}};
+    return answer_of(like(map, serve<AnyMap>(map, ControlPoints{degree, interval, limits})));
 }
 
 /// A B-spline has to say its degree, so that --degree says this one.

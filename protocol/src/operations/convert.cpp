@@ -62,8 +62,8 @@ private:
     }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return convert_patch(request, map, limits);
     if (tensor_bspline_of(map)) return convert_tensor_bspline(request, map, limits);
     const Basis to = request.required("to", read_basis);
@@ -78,8 +78,7 @@ Json answer(Fields& request, const Limits& limits) {
     const auto span = read_span(request, map, limits);
     request.finish();
     const Conversion conversion{to, interval, center.value_or(0), span, limits};
-    const Map converted{serve<AnyMap>(map, conversion), map.form, map.variable};
-    return Json::Object{{"map", within("map", [&] { return to_json(converted); })}};
+    return answer_of(like(map, serve<AnyMap>(map, conversion)));
 }
 
 }  // namespace

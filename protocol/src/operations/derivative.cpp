@@ -11,7 +11,6 @@
 #include "patch_answers.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
-#include "responses.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -41,11 +40,10 @@ struct DerivativeMap {
 
 Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
     const DerivativeMap derive{order, map.form.separate_weights(), limits};
-    return {serve<AnyMap>(map, derive), map.form, map.variable};
+    return like(map, serve<AnyMap>(map, derive));
 }
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer_about(const Map& map, Fields& request, const Limits& limits) {
     if (patch_of(map)) return derivative_of_patch(request, map, limits);
     if (tensor_bspline_of(map)) return derivative_of_tensor_bspline(request, map, limits);
     const std::size_t order =
@@ -53,11 +51,15 @@ Json answer(Fields& request, const Limits& limits) {
     const auto parameters =
         request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
     request.finish();
-    if (!parameters) return Json::Object{{"map", to_json(derived_map(map, order, limits))}};
+    if (!parameters) return answer_of(derived_map(map, order, limits));
     // The derivative of a rational map comes divided.
     const PointForm form = map.form.separate_weights() ? PointForm{.scalar = map.form.scalar} : map.form;
     return Json::Object{{"values", values_at(derivative_evaluator(map, order, limits), *parameters, form,
                                              dimension_of(map), limits)}};
+}
+
+Answer answer(Request& request, const Limits& limits) {
+    return answer_about(request.map(limits), request, limits);
 }
 
 /// P', P'', P''', P^(4), ...
@@ -69,13 +71,14 @@ std::string render(const Answered& answered) {
     const Json* order = answered.request.find("order");
     const std::string name =
         has_patch(answered.request) ? "DP" : derivative_name(order ? read_count(*order, answered.limits) : 1);
-    std::string text = description(map_of(answered)) + "\n\n";
-    if (const Json* derived = answered.result.find("map")) {
-        return text + (derived->find("control_net") ? net_listing(*derived, name, answered)
-                                                    : line_of(*derived, name, answered));
+    std::string text = description(answered.given()) + "\n\n";
+    if (!answered.answer.maps.empty()) {
+        const ShownMap derived = shown_maps(answered).front();
+        return text + (derived.json.find("control_net") ? net_listing(derived, name, answered.style)
+                                                        : line_of(derived.map, name, answered.style));
     }
     const Json::Array& parameters = *answered.request.find("at")->array();
-    const std::vector<std::string> values = member_texts(answered.result, "values");
+    const std::vector<std::string> values = member_texts(answered.result(), "values");
     for (std::size_t i = 0; i < values.size(); ++i) {
         text +=
             fmt::format("  {}{} = {}\n", name, parameter_text(parameters[i]), answered.style.bold(values[i]));
@@ -86,14 +89,16 @@ std::string render(const Answered& answered) {
 /// `show` of the derived map, whether or not the request asks for values only.
 template <std::string (*show)(const Answered&)>
 std::string of_derived_map(const Answered& answered) {
-    if (answered.result.find("map")) return show(answered);
+    if (!answered.answer.maps.empty()) return show(answered);
     Json::Object members;
-    for (const auto& [name, member] : *answered.request.object()) {
-        if (name != "at") members.emplace_back(name, member);
+    for (const std::string_view name : {"order", "direction", "directions"}) {
+        if (const Json* member = answered.request.find(name)) members.emplace_back(name, *member);
     }
-    const Json request = std::move(members);
-    const Json result = result_of(request, answered.limits);
-    return show({request, result, answered.limits, answered.style});
+    const Json without_parameters = std::move(members);
+    Fields fields(without_parameters);
+    Answer derived = answer_about(answered.given(), fields, answered.limits);
+    derived.given = answered.answer.given;
+    return show({answered.request, derived, answered.limits, answered.style});
 }
 
 }  // namespace

@@ -30,16 +30,15 @@ struct Elevate {
     }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return elevate_patch(request, map, limits);
     if (tensor_bspline_of(map)) return elevate_tensor_bspline(request, map, limits);
     const std::size_t by =
         request.required("by", [&](const Json& value) { return read_count(value, limits); });
     request.finish();
     require_numbers(by, dimension_of(map), limits);
-    const Map raised{serve<AnyMap>(map, Elevate{by, limits}), map.form, map.variable};
-    return Json::Object{{"map", within("map", [&] { return to_json(raised); })}};
+    return answer_of(like(map, serve<AnyMap>(map, Elevate{by, limits})));
 }
 
 Json degrees_to_raise_by(std::string_view text, const Json&) {

@@ -12,8 +12,8 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return evaluate_patch(request, map, limits);
     if (tensor_bspline_of(map)) return evaluate_tensor_bspline(request, map, limits);
     const auto parameters =
@@ -29,9 +29,9 @@ Json answer(Fields& request, const Limits& limits) {
 }
 
 std::string render(const Answered& answered) {
-    std::string text = description(map_of(answered)) + "\n\n";
+    std::string text = description(answered.given()) + "\n\n";
     const Json::Array& parameters = *answered.request.find("at")->array();
-    const std::vector<std::string> values = member_texts(answered.result, "values");
+    const std::vector<std::string> values = member_texts(answered.result(), "values");
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += fmt::format("  P{} = {}\n", parameter_text(parameters[i]), answered.style.bold(values[i]));
     }

@@ -17,7 +17,7 @@ std::string topics_text() {
     return text;
 }
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     worked::SheetRequest sheet;
     const auto number = [&](std::string_view name, std::size_t otherwise) {
         return request.optional(name, [&](const Json& value) { return read_count(value, limits); })

@@ -6,7 +6,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const std::vector<worked::Document> documents =
         request.required("request", [&](const Json& explained) { return chapters_of(explained, limits); });
     const DocumentFormat format = DocumentFormat::read(request, limits);

@@ -8,19 +8,19 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
     const bool several = request.has("maps");
     std::vector<Map> maps =
-        several ? read_maps_field(request, limits) : std::vector<Map>{read_map_field(request, limits)};
+        several ? read_maps_field(request, limits) : std::vector<Map>{request.map(limits)};
     request.finish();
     for (Map& map : maps) map = as_textbook_spline(map, limits);
     return Json::Object{{"document", within(several ? "maps" : "map", [&] { return format.write(maps); })}};
 }
 
 /// The document alone, as the other library reads it.
-std::string render(const Answered& answered) { return to_text(*answered.result.find("document")) + "\n"; }
+std::string render(const Answered& answered) { return to_text(*answered.result().find("document")) + "\n"; }
 
 }  // namespace
 

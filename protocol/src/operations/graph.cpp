@@ -8,10 +8,10 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     request.finish();
-    return Json::Object{{"map", within("map", [&] { return to_json(graph_of(map, limits)); })}};
+    return answer_of(within("map", [&] { return graph_of(map, limits); }));
 }
 
 }  // namespace

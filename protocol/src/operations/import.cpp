@@ -10,15 +10,12 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
-    const auto maps =
-        request.required("document", [&](const Json& value) { return format.read(value, limits); });
+    auto maps = request.required("document", [&](const Json& value) { return format.read(value, limits); });
     request.finish();
-    Json::Array list;
-    for (const Map& map : maps) list.push_back(to_json(map));
-    return Json::Object{{"maps", std::move(list)}};
+    return answer_of(std::move(maps), "document");
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ using Insertion = BSplineCurve (*)(const BSplineCurve& curve, std::span<const Ra
 constexpr std::string_view method_names[] = {"boehm", "oslo"};
 constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (tensor_bspline_of(map)) return insert_knots_of_tensor_bspline(request, map, limits);
     const auto knots =
         request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
@@ -29,9 +29,9 @@ Json answer(Fields& request, const Limits& limits) {
                       [](const Json& value) { return read_alternative(value, method_names, "a method"); })
             .value_or(0);
     request.finish();
-    const auto refined = serve<BSplineCurve>(
+    auto refined = serve<BSplineCurve>(
         map, [&](const BSplineCurve& curve) { return methods[method](curve, knots, limits); });
-    return Json::Object{{"map", within("map", [&] { return to_json(Map{refined, map.form}); })}};
+    return answer_of(like(map, std::move(refined)));
 }
 
 /// "1/2; 1,3": one list a direction, which may be empty.

@@ -29,7 +29,7 @@ Json of_simplex(Fields& request, std::size_t degree, const Limits& limits) {
         {"nodes", std::move(nodes)}, {"weights", std::move(weights)}, {"indices", std::move(indices)}};
 }
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const std::size_t degree =
         request.required("degree", [&](const Json& value) { return read_count(value, limits); });
     const auto interval =
@@ -47,10 +47,11 @@ Json answer(Fields& request, const Limits& limits) {
 
 std::string render(const Answered& answered) {
     std::vector<std::vector<std::string>> rows{{""}};
-    for (std::string& node : member_texts(answered.result, "nodes")) rows.front().push_back(std::move(node));
-    const Json::Array& weights = *answered.result.find("weights")->array();
+    for (std::string& node : member_texts(answered.result(), "nodes"))
+        rows.front().push_back(std::move(node));
+    const Json::Array& weights = *answered.result().find("weights")->array();
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        const Json* indices = answered.result.find("indices");
+        const Json* indices = answered.result().find("indices");
         rows.push_back({indices ? "P" + point_text((*indices->array())[i]) : fmt::format("P{}", i)});
         for (const Json& weight : *weights[i].array()) rows.back().push_back(point_text(weight));
     }

@@ -33,7 +33,7 @@ Interval covered(const std::vector<BezierCurve>& curves) {
                   [&] { return Interval(std::min(first.a(), first.b()), std::max(last.a(), last.b())); });
 }
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
     const auto knots =
         request.optional("knots", [&](const Json& value) { return read_numbers(value, limits); });
@@ -50,8 +50,7 @@ Json answer(Fields& request, const Limits& limits) {
     const BSplineCurve spline =
         knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
               : join(curves, limits);
-    const Map joined{spline, maps.front().form};
-    return Json::Object{{"map", within("maps", [&] { return to_json(joined); })}};
+    return answer_of(like(maps.front(), spline), "maps");
 }
 
 }  // namespace

@@ -90,29 +90,22 @@ void add_nested(std::string& text, const Json& net, const Json* weights, std::st
 
 }  // namespace
 
-Map result_map(const Json& map, const Limits& limits) {
-    Json::Object members;
-    for (const auto& [name, member] : *map.object()) {
-        if (!is_rounded_twin(name)) members.emplace_back(name, member);
-    }
-    return read_map(parse_json(to_text(Json(std::move(members))), limits), limits);
+std::vector<ShownMap> shown_maps(const Answered& answered) {
+    const std::vector<Map>& maps = answered.answer.maps;
+    const Json* list = answered.result().find("maps");
+    std::vector<ShownMap> shown;
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        shown.push_back({maps[i], list ? (*list->array())[i] : *answered.result().find("map")});
+    return shown;
 }
 
-std::vector<Map> maps_of_result(const Answered& answered) {
-    std::vector<Map> maps;
-    if (const Json* map = answered.result.find("map")) maps.push_back(result_map(*map, answered.limits));
-    if (const Json* list = answered.result.find("maps")) {
-        for (const Json& map : *list->array()) maps.push_back(result_map(map, answered.limits));
-    }
-    return maps;
+std::string line_of(const Map& map, std::string_view name, const Style& style) {
+    return "  " + style.bold(formula(map, name)) + "\n";
 }
 
-std::string line_of(const Json& map, std::string_view name, const Answered& answered) {
-    return "  " + answered.style.bold(formula(result_map(map, answered.limits), name)) + "\n";
-}
-
-std::string net_listing(const Json& map, std::string_view name, const Answered& answered) {
-    std::string text = formula(result_map(map, answered.limits), name) + ":\n";
+std::string net_listing(const ShownMap& shown, std::string_view name, const Style& style) {
+    const Json& map = shown.json;
+    std::string text = formula(shown.map, name) + ":\n";
     if (const Json* knots = map.find("knots")) {
         const Json::Array& lists = *knots->array();
         for (std::size_t d = 0; d < lists.size(); ++d)
@@ -121,34 +114,32 @@ std::string net_listing(const Json& map, std::string_view name, const Answered& 
     const Json& net = *map.find("control_net");
     const Json* weights = map.find("weights");
     if (const Json* degrees = map.find("degrees")) {
-        add_nested(text, net, weights, name, "", degrees->array()->size(), answered.style);
+        add_nested(text, net, weights, name, "", degrees->array()->size(), style);
         return text;
     }
     const Json::Array& entries = *net.array();
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const Json::Array& pair = *entries[i].array();
         const Json* weight = weights ? &(*(*weights->array())[i].array())[1] : nullptr;
-        text += fmt::format("  {}{} = {}{}\n", name, point_text(pair[0]),
-                            answered.style.bold(point_text(pair[1])),
+        text += fmt::format("  {}{} = {}{}\n", name, point_text(pair[0]), style.bold(point_text(pair[1])),
                             weight ? ", weight " + point_text(*weight) : "");
     }
     return text;
 }
 
-std::string listing(const Json& map, const Answered& answered) {
-    const std::string& kind = *map.find("kind")->text();
-    if (map.find("control_net")) return net_listing(map, "P", answered);
-    if (kind == "bezier") return bezier_listing(map, answered.style);
-    if (map.find("knots")) return window_listing(map, answered.style);
-    return line_of(map, "P", answered);
+std::string listing(const ShownMap& shown, const Style& style) {
+    const Json& map = shown.json;
+    if (map.find("control_net")) return net_listing(shown, "P", style);
+    if (std::holds_alternative<BezierCurve>(shown.map.value)) return bezier_listing(map, style);
+    if (map.find("knots")) return window_listing(map, style);
+    return line_of(shown.map, "P", style);
 }
 
 std::string described_listing(const Answered& answered) {
-    std::string text = answered.request.find("map") ? description(map_of(answered)) + "\n\n" : "";
-    if (const Json* map = answered.result.find("map")) return text + listing(*map, answered);
+    std::string text = answered.has_given() ? description(answered.given()) + "\n\n" : "";
     bool first = true;
-    for (const Json& map : *answered.result.find("maps")->array()) {
-        text += (first ? "" : "\n") + listing(map, answered);
+    for (const ShownMap& map : shown_maps(answered)) {
+        text += (first ? "" : "\n") + listing(map, answered.style);
         first = false;
     }
     return text;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <blossom/protocol/json.hpp>
+#include "answer.hpp"
 #include "json/fields.hpp"
 #include "maps/map.hpp"
 #include "text/readable.hpp"
@@ -28,9 +29,14 @@ struct Option {
 /// What a command shows to a person.
 struct Answered {
     const Json& request;
-    const Json& result;
+    const Answer& answer;
     const Limits& limits;
     Style style;
+
+    const Json& result() const { return answer.result; }
+    /// Whether the request is about one map, and that map.
+    bool has_given() const { return !answer.given.empty(); }
+    const Map& given() const { return answer.given.front(); }
 };
 
 /// One operation of the protocol, and the command of the same name.
@@ -39,7 +45,7 @@ struct Operation {
     std::string_view summary;
     std::vector<std::string> example;  ///< the arguments of an example for the help, which runs it
     std::vector<Option> options;
-    Json (*answer)(Fields& request, const Limits& limits);
+    Answer (*answer)(Request& request, const Limits& limits);
     std::string (*render)(const Answered& answered);
     bool has_own_command = false;  ///< the command of this name does more and is made elsewhere
     std::string (*plot)(const Answered& answered) = nullptr;  ///< an SVG picture, where there is one
@@ -49,10 +55,5 @@ struct Operation {
 
 /// All of them, in the order of the help.
 const std::vector<Operation>& operations();
-
-/// Field "map" of a request.
-Map read_map_field(Fields& request, const Limits& limits);
-/// The same of an answered request.
-Map map_of(const Answered& answered);
 
 }  // namespace blossom::protocol

@@ -24,16 +24,16 @@ Json evaluate_patch(Fields& request, const Map& map, const Limits& limits);
 Json blossom_of_patch(Fields& request, const Map& map, const Limits& limits);
 Json agree_on_patch(Fields& request, const Map& map, const Limits& limits);
 /// "direction" and "order", or "directions"; without "at" the derived map.
-Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits);
+Answer derivative_of_patch(Fields& request, const Map& map, const Limits& limits);
 /// "vertices" or "intervals", "degree" or "degrees".
-Json control_net_of_patch(Fields& request, const Map& map, const Limits& limits);
+Answer control_net_of_patch(Fields& request, const Map& map, const Limits& limits);
 /// "to": monomial, bernstein, bspline, tensor or simplex, the last two and bernstein with the fields of a
 /// control net.
-Json convert_patch(Fields& request, const Map& map, const Limits& limits);
+Answer convert_patch(Fields& request, const Map& map, const Limits& limits);
 /// "at": a point of the simplex or "midpoints"; for a tensor product one number or null a direction.
-Json subdivide_patch(Fields& request, const Map& map, const Limits& limits);
+Answer subdivide_patch(Fields& request, const Map& map, const Limits& limits);
 /// "by": a number, or one a direction.
-Json elevate_patch(Fields& request, const Map& map, const Limits& limits);
+Answer elevate_patch(Fields& request, const Map& map, const Limits& limits);
 /// Of two patches along what their domains share.
 Json continuity_of_patches(Fields& request, std::vector<Map> maps, const Limits& limits);
 
@@ -52,18 +52,18 @@ Map chosen_segment(Fields& request, const Map& map, const Limits& limits);
 
 Json evaluate_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// As for patches; without "at" in directions along one parameter each.
-Json derivative_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer derivative_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// "intervals", "degrees": the part over a box, a tensor map where it is one polynomial.
-Json control_net_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer control_net_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// "knots": one list a direction.
-Json insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
-Json segments_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer segments_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// "at": one number or null a direction.
-Json subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// As for patches, of the polynomial of field "segment"; to bspline it is what it is.
-Json convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 /// "by": a number, or one a direction.
-Json elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
+Answer elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits);
 
 /// At a knot of one direction, "at" with null in the others.
 Json continuity_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits);

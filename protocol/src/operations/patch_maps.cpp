@@ -11,10 +11,6 @@ namespace blossom::protocol {
 
 namespace {
 
-Json map_json(Patch patch, const Map& original) {
-    return to_json(Map{std::move(patch), original.form, original.variable});
-}
-
 /// A piece of one factor whose vertices are the combinations of the old ones.
 Patch piece_of(const Patch& patch, BezierPatch net, std::size_t factor,
                std::span<const Coordinates> elements) {
@@ -92,18 +88,19 @@ std::vector<Patch> split_simplex(const Patch& patch, const Json& at, const Limit
 
 }  // namespace
 
-Json subdivide_patch(Fields& request, const Map& map, const Limits& limits) {
+Answer subdivide_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch patch = as_net(*patch_of(map), limits);
     const auto pieces = request.required("at", [&](const Json& value) {
         return patch.tensor ? split_box(patch, value, limits) : split_simplex(patch, value, limits);
     });
     request.finish();
-    Json::Array maps;
-    for (const Patch& piece : pieces) maps.push_back(within("at", [&] { return map_json(piece, map); }));
-    return Json::Object{{"maps", std::move(maps)}};
+    std::vector<Map> maps;
+    maps.reserve(pieces.size());
+    for (const Patch& piece : pieces) maps.push_back(like(map, piece));
+    return answer_of(std::move(maps), "at");
 }
 
-Json elevate_patch(Fields& request, const Map& map, const Limits& limits) {
+Answer elevate_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch& patch = *patch_of(map);
     const std::size_t factors = patch.shape().factors();
     const auto by = request.required("by", [&](const Json& value) {
@@ -119,7 +116,7 @@ Json elevate_patch(Fields& request, const Map& map, const Limits& limits) {
         const auto raise = [&](const auto& one) -> PatchMap { return elevate(one, f, by[f], limits); };
         raised.map = std::visit(raise, raised.map);
     }
-    return Json::Object{{"map", map_json(std::move(raised), map)}};
+    return answer_of(like(map, std::move(raised)));
 }
 
 }  // namespace blossom::protocol

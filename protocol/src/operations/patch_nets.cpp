@@ -14,10 +14,6 @@ namespace blossom::protocol {
 
 namespace {
 
-Json map_json(AnyMap value, const Map& original) {
-    return to_json(Map{std::move(value), original.form, original.variable});
-}
-
 /// What control points are wanted of.
 struct WantedDomain {
     bool tensor;
@@ -183,7 +179,7 @@ constexpr std::string_view form_names[] = {"monomial", "bernstein", "bspline", "
 
 /// The control points of the map over what the request says; in simplex or tensor form where `form` says
 /// which, by default that of the map.
-Json net_over(Fields& request, const Map& map, std::optional<bool> tensor, const Limits& limits) {
+Answer net_over(Fields& request, const Map& map, std::optional<bool> tensor, const Limits& limits) {
     const Patch& patch = *patch_of(map);
     WantedDomain wanted = read_domain(request, patch, limits);
     if (tensor && *tensor != wanted.tensor) {
@@ -200,10 +196,8 @@ Json net_over(Fields& request, const Map& map, std::optional<bool> tensor, const
         throw Error(ErrorCode::wrong_kind, R"(a simplex without "vertices" has no box of parameters)",
                     wanted.frames.empty() ? "/map" : "/intervals");
     }
-    return Json::Object{
-        {"map", map_json(patch.is_barycentric() ? over_sub_simplex(patch, wanted, degrees, limits)
-                                                : over_domain(patch, wanted, degrees, limits),
-                         map)}};
+    return answer_of(like(map, patch.is_barycentric() ? over_sub_simplex(patch, wanted, degrees, limits)
+                                                      : over_domain(patch, wanted, degrees, limits)));
 }
 
 }  // namespace
@@ -214,21 +208,21 @@ Patch as_net(const Patch& patch, const Limits& limits) {
     return over_domain(patch, {patch.tensor, {}}, degrees, limits);
 }
 
-Json control_net_of_patch(Fields& request, const Map& map, const Limits& limits) {
+Answer control_net_of_patch(Fields& request, const Map& map, const Limits& limits) {
     return net_over(request, map, {}, limits);
 }
 
-Json convert_patch(Fields& request, const Map& map, const Limits& limits) {
+Answer convert_patch(Fields& request, const Map& map, const Limits& limits) {
     const auto to = static_cast<PatchForm>(request.required(
         "to", [](const Json& value) { return read_alternative(value, form_names, "a form of a patch"); }));
     const Patch& patch = *patch_of(map);
     switch (to) {
         case PatchForm::monomial:
             request.finish();
-            return Json::Object{{"map", map_json(as_polynomial(patch, limits), map)}};
+            return answer_of(like(map, as_polynomial(patch, limits)));
         case PatchForm::bspline:
             request.finish();
-            return Json::Object{{"map", map_json(as_bspline(patch, limits), map)}};
+            return answer_of(like(map, as_bspline(patch, limits)));
         case PatchForm::bernstein:
             return net_over(request, map, {}, limits);
         case PatchForm::tensor:

@@ -124,9 +124,9 @@ Json agree_on_patch(Fields& request, const Map& map, const Limits& limits) {
 }
 
 std::string patch_expansion_text(const Answered& answered) {
-    const Map map = map_of(answered);
+    const Map map = answered.given();
     const Patch& patch = *patch_of(map);
-    const Json& expansion = *answered.result.find("expansion");
+    const Json& expansion = *answered.result().find("expansion");
     std::string text =
         fmt::format("  p({}) = {}\n", fmt::join(symbol_names(patch), ", "), point_text(expansion));
     if (patch.is_polynomial()) return text;

@@ -198,7 +198,7 @@ Json blossom_of_patch(Fields& request, const Map& map, const Limits& limits) {
     return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
 }
 
-Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits) {
+Answer derivative_of_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch& patch = *patch_of(map);
     const auto read = [&](const Json& value) {
         return engine_arguments(patch, read_tuple(value, patch.parameters(), limits), 0);
@@ -212,7 +212,7 @@ Json derivative_of_patch(Fields& request, const Map& map, const Limits& limits) 
         Patch derived = patch;
         derived.map = divided ? divided_derivative_map(patch, directions, limits)
                               : derivative_map(patch, directions, limits);
-        return Json::Object{{"map", to_json(Map{std::move(derived), map.form, map.variable})}};
+        return answer_of(like(map, std::move(derived)));
     }
     std::vector<Coordinates> values;
     within("at", [&] {

@@ -52,7 +52,7 @@ std::vector<DecidedLine> all_decisions(const Json& value, const Limits& limits) 
     return decisions;
 }
 
-Json answer(Fields& request, const Limits& limits) {
+Answer answer(Request& request, const Limits& limits) {
     const auto decisions =
         request.required("statement", [&](const Json& value) { return all_decisions(value, limits); });
     request.finish();
@@ -69,7 +69,7 @@ Json answer(Fields& request, const Limits& limits) {
     return result;
 }
 
-std::string render(const Answered& answered) { return to_text(answered.result) + "\n"; }
+std::string render(const Answered& answered) { return to_text(answered.result()) + "\n"; }
 
 }  // namespace
 

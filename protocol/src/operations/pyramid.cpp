@@ -76,7 +76,7 @@ void add_pyramids(Json& result, const Map& map, const std::vector<Rational>& par
 }
 
 std::string pyramids_text(const Answered& answered) {
-    const Json* pyramids = answered.result.find("pyramids");
+    const Json* pyramids = answered.result().find("pyramids");
     if (!pyramids) return "";
     const Json::Array& parameters = *answered.request.find("at")->array();
     std::string text;

@@ -51,8 +51,8 @@ struct Reduce {
     }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     const std::size_t degree =
         request.required("to", [&](const Json& value) { return read_count(value, limits); });
     const auto method = request.optional("method", read_method).value_or(ReductionMethod::least_squares);
@@ -65,17 +65,17 @@ Json answer(Fields& request, const Limits& limits) {
     const PointForm form{.scalar = map.form.scalar && !map.form.rational};
     if (!reduced.maximum.empty()) error["maximum"] = to_json(reduced.maximum, form);
     error["l2_squared"] = reduced.l2_squared;
-    return Json::Object{
-        {"map", within("map", [&] { return to_json(Map{reduced.map, map.form, map.variable}); })},
-        {"exact", reduced.exact},
-        {"error", std::move(error)}};
+    Answer answer = answer_of(like(map, reduced.map));
+    answer.result["exact"] = reduced.exact;
+    answer.result["error"] = std::move(error);
+    return answer;
 }
 
 std::string render(const Answered& answered) {
     std::string text = described_listing(answered) + "\n";
-    if (*answered.result.find("exact")->boolean())
+    if (*answered.result().find("exact")->boolean())
         return text + answered.style.good("Nothing was lost: this is the same map.") + "\n";
-    const Json& error = *answered.result.find("error");
+    const Json& error = *answered.result().find("error");
     text += fmt::format("Integral of the squared error: {}\n", member_text(error, "l2_squared"));
     if (error.find("maximum")) text += fmt::format("Greatest error: {}\n", member_text(error, "maximum"));
     return text;

@@ -11,8 +11,8 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     const Rational knot =
         request.required("knot", [&](const Json& value) { return read_number(value, limits); });
     const std::size_t times =
@@ -20,8 +20,9 @@ Json answer(Fields& request, const Limits& limits) {
     request.finish();
     const auto removal =
         serve<KnotRemoval>(map, [&](const BSplineCurve& curve) { return remove_knot(curve, knot, times); });
-    Json result = Json::Object{{"map", within("map", [&] { return to_json(Map{removal.curve, map.form}); })},
-                               {"removed", removal.removed}};
+    Answer answer = answer_of(like(map, removal.curve));
+    Json& result = answer.result;
+    result["removed"] = removal.removed;
     if (removal.obstruction) {
         const RemovalObstruction& obstruction = *removal.obstruction;
         // Differences of homogeneous points: undivided, with the difference of the weights last.
@@ -32,11 +33,11 @@ Json answer(Fields& request, const Limits& limits) {
                          {"from_left", to_json(obstruction.from_left, form)},
                          {"from_right", to_json(obstruction.from_right, form)}};
     }
-    return result;
+    return answer;
 }
 
 std::string render(const Answered& answered) {
-    const Json& result = answered.result;
+    const Json& result = answered.result();
     std::string text = described_listing(answered) + fmt::format("\nTimes that the knot was removed: {}\n",
                                                                  point_text(*result.find("removed")));
     const Json* obstruction = result.find("obstruction");

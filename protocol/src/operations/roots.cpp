@@ -59,8 +59,8 @@ private:
     }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     const auto width =
@@ -89,8 +89,8 @@ Json answer(Fields& request, const Limits& limits) {
 }
 
 std::string render(const Answered& answered) {
-    std::string text = description(map_of(answered)) + "\n\n";
-    const Json::Array& list = *answered.result.find("roots")->array();
+    std::string text = description(answered.given()) + "\n\n";
+    const Json::Array& list = *answered.result().find("roots")->array();
     if (list.empty()) return text + "There is no root there.\n";
     for (const Json& root : list) {
         const std::string multiplicity = point_text(*root.find("multiplicity"));

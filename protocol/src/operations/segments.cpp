@@ -12,20 +12,18 @@ namespace blossom::protocol {
 
 namespace {
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (tensor_bspline_of(map)) return segments_of_tensor_bspline(request, map, limits);
     request.finish();
     const auto segments = serve<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
         require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);
         return bezier_segments(curve, limits);
     });
-    Json::Array maps;
+    std::vector<Map> maps;
     maps.reserve(segments.size());
-    for (const BezierCurve& segment : segments) {
-        maps.push_back(within("map", [&] { return to_json(Map{segment, map.form}); }));
-    }
-    return Json::Object{{"maps", std::move(maps)}};
+    for (const BezierCurve& segment : segments) maps.push_back(like(map, segment));
+    return answer_of(std::move(maps));
 }
 
 }  // namespace

@@ -31,18 +31,14 @@ struct Subdivide {
     TwoMaps operator()(const BSplineCurve& curve) const { return split(curve, t, limits); }
 };
 
-Json answer(Fields& request, const Limits& limits) {
-    const Map map = read_map_field(request, limits);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
     if (patch_of(map)) return subdivide_patch(request, map, limits);
     if (tensor_bspline_of(map)) return subdivide_tensor_bspline(request, map, limits);
     const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
-    const auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});
-    Json::Array maps;
-    for (const AnyMap& part : {left, right}) {
-        maps.push_back(within("at", [&] { return to_json(Map{part, map.form, map.variable}); }));
-    }
-    return Json::Object{{"maps", std::move(maps)}};
+    auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});
+    return answer_of(std::vector{like(map, std::move(left)), like(map, std::move(right))}, "at");
 }
 
 }  // namespace

@@ -17,10 +17,4 @@ const std::vector<Operation>& operations() {
     return table;
 }
 
-Map read_map_field(Fields& request, const Limits& limits) {
-    return request.required("map", [&](const Json& value) { return read_map(value, limits); });
-}
-
-Map map_of(const Answered& answered) { return read_map(*answered.request.find("map"), answered.limits); }
-
 }  // namespace blossom::protocol

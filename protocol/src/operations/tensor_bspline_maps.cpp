@@ -20,10 +20,6 @@ auto read_each_direction(const Json& value, const TensorBSpline& spline, const s
                 fmt::format("{} {} for {} directions", list.size(), what, spline.directions()));
 }
 
-Json map_json(AnyMap value, const Map& original) {
-    return to_json(Map{std::move(value), original.form, original.variable});
-}
-
 /// The errors of rows, whose fields are those of a curve, are about an element of the request.
 template <class Action>
 auto at_own_place(const Action& action) {
@@ -62,7 +58,7 @@ TensorBSpline elevated_to(TensorBSpline spline, const std::vector<std::size_t>& 
 
 }  // namespace
 
-Json control_net_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer control_net_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     TensorBSpline part = *tensor_bspline_of(map);
     const auto intervals = request.optional("intervals", [&](const Json& value) {
         return read_each_direction(value, part, "intervals",
@@ -81,10 +77,10 @@ Json control_net_of_tensor_bspline(Fields& request, const Map& map, const Limits
         });
     }
     if (degrees) part = elevated_to(std::move(part), *degrees, limits);
-    return Json::Object{{"map", map_json(bezier_or_spline(part, limits), map)}};
+    return answer_of(like(map, bezier_or_spline(part, limits)));
 }
 
-Json insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     TensorBSpline refined = *tensor_bspline_of(map);
     const auto knots = request.required("knots", [&](const Json& value) {
         return read_each_direction(value, refined, "lists of knots",
@@ -106,20 +102,19 @@ Json insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Limit
             });
         });
     }
-    return Json::Object{{"map", map_json(std::move(refined), map)}};
+    return answer_of(like(map, std::move(refined)));
 }
 
-Json segments_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer segments_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     const TensorBSpline& spline = *tensor_bspline_of(map);
     request.finish();
-    Json::Array maps;
-    for (const auto& spans : boxes_of(spline, limits)) {
-        maps.push_back(within("map", [&] { return map_json(segment_patch(spline, spans, limits), map); }));
-    }
-    return Json::Object{{"maps", std::move(maps)}};
+    std::vector<Map> maps;
+    for (const auto& spans : boxes_of(spline, limits))
+        maps.push_back(like(map, segment_patch(spline, spans, limits)));
+    return answer_of(std::move(maps));
 }
 
-Json subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     const TensorBSpline& spline = *tensor_bspline_of(map);
     const auto at = request.required("at", [&](const Json& value) {
         return read_each_direction(value, spline, "entries", [&](const Json& element) {
@@ -141,22 +136,23 @@ Json subdivide_tensor_bspline(Fields& request, const Map& map, const Limits& lim
         }
         parts = std::move(finer);
     }
-    Json::Array maps;
-    for (TensorBSpline& part : parts) maps.push_back(map_json(std::move(part), map));
-    return Json::Object{{"maps", std::move(maps)}};
+    std::vector<Map> maps;
+    maps.reserve(parts.size());
+    for (TensorBSpline& part : parts) maps.push_back(like(map, std::move(part)));
+    return answer_of(std::move(maps), "at");
 }
 
-Json convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer convert_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     const auto to = request.optional("to", [](const Json& value) { return value; });
     const std::string* word = to ? to->text() : nullptr;
     if (!request.has("segment") && word && *word == "bspline") {
         request.finish();
-        return Json::Object{{"map", to_json(map)}};
+        return answer_of(map);
     }
     return convert_patch(request, chosen_segment(request, map, limits), limits);
 }
 
-Json elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     TensorBSpline raised = *tensor_bspline_of(map);
     const auto by = request.required("by", [&](const Json& value) {
         const auto read = [&](const Json& element) { return read_count(element, limits); };
@@ -165,7 +161,7 @@ Json elevate_tensor_bspline(Fields& request, const Map& map, const Limits& limit
     });
     request.finish();
     for (std::size_t d = 0; d < by.size(); ++d) raised = elevate(raised, d, by[d], limits);
-    return Json::Object{{"map", map_json(std::move(raised), map)}};
+    return answer_of(like(map, std::move(raised)));
 }
 
 }  // namespace blossom::protocol

@@ -71,7 +71,7 @@ PartialOrders partial_orders(std::size_t count, const std::vector<Coordinates>& 
     return result;
 }
 
-Json derived_map(const Map& map, const std::vector<Coordinates>& directions, const Limits& limits) {
+Map derived_map(const Map& map, const std::vector<Coordinates>& directions, const Limits& limits) {
     const TensorBSpline& spline = *tensor_bspline_of(map);
     if (map.form.separate_weights()) {
         throw Error(ErrorCode::wrong_kind,
@@ -85,7 +85,7 @@ Json derived_map(const Map& map, const std::vector<Coordinates>& directions, con
     for (Coordinates& point : points) {
         for (Rational& coordinate : point) coordinate *= factor;
     }
-    return to_json(Map{TensorBSpline(derived.knots(), std::move(points)), map.form});
+    return like(map, TensorBSpline(derived.knots(), std::move(points)));
 }
 
 }  // namespace
@@ -119,14 +119,14 @@ Json evaluate_tensor_bspline(Fields& request, const Map& map, const Limits& limi
          })}};
 }
 
-Json derivative_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+Answer derivative_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
     const TensorBSpline& spline = *tensor_bspline_of(map);
     const std::size_t count = spline.directions();
     const std::vector<Coordinates> directions = read_directions(
         request, count, limits, [&](const Json& value) { return read_tuple(value, count, limits); });
     if (!request.has("at")) {
         request.finish();
-        return Json::Object{{"map", derived_map(map, directions, limits)}};
+        return answer_of(derived_map(map, directions, limits));
     }
     const bool divided = map.form.separate_weights();
     std::map<std::vector<std::size_t>, Patch> pieces;

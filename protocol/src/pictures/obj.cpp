@@ -20,8 +20,8 @@ void add_element(std::string& text, char kind, const std::vector<std::size_t>& p
 }  // namespace
 
 std::string obj_of(const Answered& answered) {
-    std::vector<Map> maps = maps_of_result(answered);
-    if (maps.empty()) maps.push_back(map_of(answered));
+    const std::vector<Map>& maps =
+        answered.answer.maps.empty() ? answered.answer.given : answered.answer.maps;
     std::string text = "# blossom\n";
     std::size_t before = 0;
     for (std::size_t i = 0; i < maps.size(); ++i) {

@@ -43,11 +43,11 @@ void add_results(Picture& picture, const std::vector<Map>& maps, const Limits& l
 }  // namespace
 
 std::string plot_of_values(const Answered& answered) {
-    const Map map = map_of(answered);
+    const Map& map = answered.given();
     if (is_surface(map)) return surface_of_values(answered);
     Picture picture{"P", {}, {}, !is_graph(map)};
     const std::vector<Rational> parameters = read_numbers(*answered.request.find("at"), answered.limits);
-    const Json::Array& values = *answered.result.find("values")->array();
+    const Json::Array& values = *answered.result().find("values")->array();
     std::optional<Interval> where;
     if (!given_interval(map) && !parameters.empty()) {
         const auto [least, greatest] = std::ranges::minmax(parameters);
@@ -62,11 +62,11 @@ std::string plot_of_values(const Answered& answered) {
 }
 
 std::string plot_of_maps(const Answered& answered) {
-    const std::vector<Map> results = maps_of_result(answered);
+    const std::vector<Map>& results = answered.answer.maps;
     if (is_surface(results.front())) return surfaces_of_maps(answered, results);
     Picture picture{operation_name(answered), {}, {}, true};
-    if (answered.request.find("map")) {
-        const Map before = map_of(answered);
+    if (answered.has_given()) {
+        const Map& before = answered.given();
         if (!std::holds_alternative<Samples>(before.value))
             picture.layers.push_back({drawn(before, hull(results), answered.limits), "before", true});
     }
@@ -75,7 +75,7 @@ std::string plot_of_maps(const Answered& answered) {
 }
 
 std::string plot_of_result(const Answered& answered) {
-    const std::vector<Map> results = maps_of_result(answered);
+    const std::vector<Map>& results = answered.answer.maps;
     if (is_surface(results.front())) return surfaces_of_result(answered, results);
     Picture picture{operation_name(answered), {}, {}, true};
     add_results(picture, results, answered.limits);

@@ -30,10 +30,10 @@ bool has_net(const Map& map) {
 bool is_surface(const Map& map) { return patch_of(map) || tensor_bspline_of(map); }
 
 std::string surface_of_values(const Answered& answered) {
-    const Map map = map_of(answered);
+    const Map& map = answered.given();
     SurfacePicture picture = picture_of("P", {map}, answered.limits);
     const Json::Array& parameters = *answered.request.find("at")->array();
-    const Json::Array& values = *answered.result.find("values")->array();
+    const Json::Array& values = *answered.result().find("values")->array();
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto place = place_of_value(map, parameters[i], values[i], answered.limits);
         if (place) picture.points.push_back({*place, fmt::format("P{}", point_text(parameters[i]))});
@@ -43,8 +43,8 @@ std::string surface_of_values(const Answered& answered) {
 
 std::string surfaces_of_maps(const Answered& answered, const std::vector<Map>& results) {
     SurfacePicture picture = picture_of(operation_of(answered), results, answered.limits);
-    if (answered.request.find("map")) {
-        const Map before = map_of(answered);
+    if (answered.has_given()) {
+        const Map& before = answered.given();
         if (has_net(before)) picture.before = mesh_of(before, answered.limits);
     }
     return svg_of(picture);

@@ -123,6 +123,7 @@ Formula question(const WrittenCase& written) {
 std::vector<Document> claims_decided(std::string_view statement, const Limits& limits) {
     const proofs::Document text = proofs::parse(statement, limits);
     if (!text.errors.empty()) refuse(statement, text.errors.front());
+    proofs::require_claim(text);
     std::vector<Document> pages;
     for (const proofs::Block& block : text.blocks) {
         std::map<std::size_t, WrittenCase> written;
@@ -138,8 +139,6 @@ std::vector<Document> claims_decided(std::string_view statement, const Limits& l
                                     limits));
         }
     }
-    if (pages.empty())
-        throw Error(ErrorCode::wrong_arity, R"(the statement has no line "claim" or "refute")", "/statement");
     return pages;
 }
 
