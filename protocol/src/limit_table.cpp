@@ -13,7 +13,7 @@ constexpr std::size_t safe_nesting = 1'000;
 constexpr LimitEntry table[] = {
     {"degree", &Limits::degree, "formal degree of a map, order of a derivative, and exponents in text", any},
     {"digits", &Limits::digits, "decimal digits of one number, read or computed", any},
-    {"nesting", &Limits::nesting, "brackets within brackets, in text and in JSON", safe_nesting},
+    {"nesting", &Limits::nesting, "depth of nested brackets, in text and in JSON", safe_nesting},
     {"variables", &Limits::variables, "variables of one polynomial", any},
     {"polarization_terms", &Limits::polarization_terms, "terms of one polarization sum", any},
     {"regrouping_work", &Limits::regrouping_work, "multiply-adds of one regrouped polarization", any},

@@ -138,14 +138,14 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     const std::string json_help = "print the response as JSON";
     const CLI::Option* as_json = command->add_flag("--json", json_help);
     const CLI::Option* numbers =
-        add_value(*command, "--numbers", "double|hexfloat", "give every number correctly rounded too");
+        add_value(*command, "--numbers", "double|hexfloat", "also give every number correctly rounded");
     const CLI::Option* picture =
-        operation.plot ? add_value(*command, "--svg", "FILE", "write a picture of the curves or patches too")
+        operation.plot ? add_value(*command, "--svg", "FILE", "also write a picture of the curves or patches")
                        : nullptr;
-    const CLI::Option* mesh =
-        operation.mesh
-            ? add_value(*command, "--obj", "FILE", "write a mesh of the patches too, a Wavefront OBJ file")
-            : nullptr;
+    const CLI::Option* mesh = operation.mesh
+                                  ? add_value(*command, "--obj", "FILE",
+                                              "also write a mesh of the patches, as a Wavefront OBJ file")
+                                  : nullptr;
     const LimitOptions limits(*command);
     if (!operation.example.empty()) command->footer([&operation] { return example_text(operation); });
 
@@ -182,24 +182,24 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
     const CLI::Option* paths =
         several("FILE", "", "files of statements, or folders with files *.blossom")->allow_extra_args();
     const CLI::Option* statements =
-        several("-e,--statement", "TEXT", "one statement, \"claim\" may be left out")
+        several("-e,--statement", "TEXT", "one statement; the word \"claim\" may be omitted")
             ->allow_extra_args(false);
     const CLI::Option* degrees =
         several("--degree", "NAME=N", "declares a map for -e: b=2, or f=2,3")->allow_extra_args(false);
-    const CLI::Option* format = flag("--format", "print the files in canonical form instead");
-    const CLI::Option* quiet = flag("--quiet", "print only what is not as expected, and the summary");
+    const CLI::Option* format = flag("--format", "print the files in canonical form and decide nothing");
+    const CLI::Option* quiet = flag("--quiet", "print only unexpected verdicts and the summary");
     const CLI::Option* as_json = flag("--json", "print one line of JSON for each claim");
     const CLI::Option* certificate =
         add_value(*command, "--certificate", "FILE", "write a record of each proof, for check-certificate");
     const CLI::Option* coq = add_value(*command, "--coq", "FILE", "write the proved cases as lemmas of Coq");
     const CLI::Option* latex =
         add_value(*command, "--latex", "PATH",
-                  "write each theorem in LaTeX, for \\input: a file, or a folder/ for a file each");
+                  "write the theorems in LaTeX for \\input: to one file, or to a folder/ with one file each");
     const CLI::Option* junit =
-        add_value(*command, "--junit", "FILE", "write the verdicts as a report in JUnit's XML");
+        add_value(*command, "--junit", "FILE", "write the verdicts as a JUnit XML report");
     const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
     const CLI::Option* timeout = add_value(*command, "--timeout", "SECONDS",
-                                           "give up a case of a claim after so long; by default never");
+                                           "give up on a case of a claim after this time; by default never");
     const LimitOptions limits(*command);
     command->footer([&operation] { return example_text(operation); });
     const auto action = [=](const Streams& streams) {
@@ -226,7 +226,7 @@ Subcommand add_explain(CLI::App& app, const Operation& explain) {
     CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
     command->require_subcommand(0, 1);
     const CLI::Option* gallery =
-        add_value(*command, "--gallery", "FOLDER", "write all chapters as a small site");
+        add_value(*command, "--gallery", "FOLDER", "write all chapters as a small web site");
     std::vector<Subcommand> commands;
     for (const Operation& operation : explained_operations()) {
         commands.push_back(add_operation(*command, operation));
@@ -247,7 +247,7 @@ Subcommand add_own_command(CLI::App& app, const Operation& operation) {
 
 Subcommand add_check_certificate(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("check-certificate", "Check the proofs that prove --certificate has recorded");
+        app.add_subcommand("check-certificate", "Check the proofs recorded by prove --certificate");
     const CLI::Option* file =
         add_value(*command, "FILE", "", "the certificate; \"-\" is the standard input")->required();
     const LimitOptions limits(*command);
@@ -264,9 +264,9 @@ Subcommand add_check_certificate(CLI::App& app) {
 
 Subcommand add_batch(CLI::App& app) {
     CLI::App* command =
-        app.add_subcommand("batch", "Serve requests in JSON, one a line, from FILE or the standard input");
-    const CLI::Option* file =
-        add_value(*command, "FILE", "", "the requests; by default, or \"-\", standard input");
+        app.add_subcommand("batch", "Answer requests in JSON, one per line, from FILE or the standard input");
+    const CLI::Option* file = add_value(
+        *command, "FILE", "", "the file with the requests; by default, or for \"-\", the standard input");
     const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
     const LimitOptions limits(*command);
     command->footer(

@@ -28,7 +28,7 @@ Json::Array statements_of(const Json& request) {
 /// `prove` has a command of its own, whose options take texts as these do. They are applied in this order.
 std::vector<Option> statement_options() {
     return {
-        {"-e,--statement", "/statement", "TEXT", "a statement, \"claim\" may be left out; may be repeated",
+        {"-e,--statement", "/statement", "TEXT", "a statement, with or without \"claim\"; may be repeated",
          [](Json& request, const std::vector<std::string>& values, const Limits&) {
              Json::Array statements;
              for (const std::string& value : values) statements.emplace_back(statement_text(value));

@@ -109,9 +109,10 @@ Json DocumentFormat::written(const std::vector<worked::Document>& documents) con
 std::vector<Option> document_options() {
     return {
         field_option("--format", "format", "text|markdown|latex|latex-fragment|html|json",
-                     "how the document is written; by default text", plain_text),
+                     "the format of the document; by default text", plain_text),
         field_option("--notation", "notation", "parentheses|brackets|multiplicative",
-                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses, of statements brackets", plain_text),
+                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses, for statements brackets",
+                     plain_text),
         flag_option("--multiplicities", "multiplicities", "write equal arguments once, as t^<3>"),
         field_option("--columns", "columns", "N", "the columns of a text; by default 79", count),
     };

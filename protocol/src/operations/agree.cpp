@@ -158,10 +158,10 @@ std::string render(const Answered& answered) {
 Operation agree_operation() {
     return {
         .name = "agree",
-        .summary = "The blossom by three constructions, and whether they agree exactly",
+        .summary = "Build the blossom by three constructions and check that they agree exactly",
         .example = {"agree", "1 + 2t + 4t^2 - t^3", "--at", "1,2,3"},
-        .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; "
-                                                      "without them agreement is proved for all arguments")}),
+        .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; by "
+                                                      "default agreement is proved for all arguments")}),
         .answer = answer,
         .render = render,
     };

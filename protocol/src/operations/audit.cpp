@@ -161,18 +161,19 @@ void apply_computed(Json& request, const std::vector<std::string>& values, const
 Operation audit_operation() {
     return {
         .name = "audit",
-        .summary = "How far the doubles of another program are from the exact numbers of a map",
+        .summary =
+            "Measure the error of doubles computed by another program, against the exact numbers of a map",
         .example = {"audit", "--control-points", "0; 1/3; 1/10", "--computed",
                     R"({"control_points": [0, 0.333, 0.1]})"},
         .options = with_map_options({
             {"--computed", "/computed", "JSON",
-             R"(what the other program has for "control_points", "weights", "knots", "coefficients", )"
-             R"(or for the "values" at the parameters --at)",
+             R"(the numbers of the other program: "control_points", "weights", "knots", "coefficients", )"
+             R"(or the "values" at the parameters --at)",
              apply_computed},
             field_option("--at", "at", "T1,T2,...", R"(the parameters of "values")", number_list),
             format_option(),
             document_option(
-                R"(instead of --computed a file of another library, "@NAME" or "-", or its text)"),
+                R"(instead of --computed: a file of another library, "@NAME" or "-", or its text)"),
         }),
         .answer = answer,
         .render = render,

@@ -38,7 +38,7 @@ std::string render(const Answered& answered) {
 Operation barycentric_operation() {
     return {
         .name = "barycentric",
-        .summary = "The barycentric coordinates of points with respect to a simplex",
+        .summary = "Compute the barycentric coordinates of points with respect to a simplex",
         .example = {"barycentric", "--vertices", "0,0; 1,0; 0,1", "--at", "1/4,1/2"},
         .options = {field_option("--vertices", "vertices", "P0;P1;...",
                                  "the vertices of the simplex, \"0,0; 1,0; 0,1\"", tuple_list),

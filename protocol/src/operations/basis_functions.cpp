@@ -130,16 +130,17 @@ std::string render(const Answered& answered) {
 Operation basis_functions_operation() {
     return {
         .name = "basis-functions",
-        .summary = "The B-spline basis functions of knots, as polynomials or at parameters",
+        .summary =
+            "Compute the B-spline basis functions over knots, as polynomials or as values at parameters",
         .example = {"basis-functions", "--knots", "0,0,0,1,2,2,2", "--degree", "2"},
         .options = {field_option("--knots", "knots", "T0,T1,...", "the knots", number_list),
                     field_option("--degree", "degree", "N", "the degree", count),
                     field_option("--convention", "convention", "textbook|polar",
-                                 "whether the knots list one more at each end than blossoms need; by "
-                                 "default textbook",
+                                 "textbook (the default): with the first and last knot, on which no point "
+                                 "depends; polar: without them",
                                  plain_text),
                     field_option("--at", "at", "T1,T2,...",
-                                 "where to evaluate; by default the polynomials are given", number_list)},
+                                 "the parameters; by default the polynomials are printed", number_list)},
         .answer = answer,
         .render = render,
     };

@@ -62,13 +62,13 @@ std::string render(const Answered& answered) {
 Operation blossom_operation() {
     return {
         .name = "blossom",
-        .summary = "The value of the blossom at arguments: points, vectors, or pairs with any mass",
+        .summary = "Compute the value of the blossom at points, vectors, or pairs with any mass",
         .example = {"blossom", "1 + 2t + 4t^2 - t^3", "--at", "delta,2,pair:3:2"},
         .options = with_map_options({
             arguments_option("the arguments, as many as the formal degree: T, vector:V, delta, pair:U:MASS"),
             field_option("--construction", "construction",
                          "symmetric|polarization|regrouped-polarization|casteljau",
-                         "by which construction; by default the one that suits the map", plain_text),
+                         "the construction to use; by default the one that suits the map", plain_text),
             segment_option(),
         }),
         .answer = answer,

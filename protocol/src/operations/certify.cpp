@@ -217,7 +217,7 @@ void apply_requests(Json& request, const std::vector<std::string>& values, const
 Operation certify_operation() {
     return {
         .name = "certify",
-        .summary = "The answers to requests as a file in which Coq checks every number",
+        .summary = "Answer requests as a file in which Coq checks every number",
         .example = {"certify",
                     R"({"op":"blossom","map":{"kind":"polynomial","text":"1 + 2t"},"arguments":["1/2"]})"},
         .options = {{"REQUEST", "/requests", "JSON",

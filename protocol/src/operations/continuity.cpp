@@ -123,13 +123,15 @@ std::string render(const Answered& answered) {
 Operation continuity_operation() {
     return {
         .name = "continuity",
-        .summary = "How smooth a spline is at a knot, or how smoothly two curves or patches meet, and why",
+        .summary =
+            "Find the order of continuity of a spline at a knot, or of two curves or patches, with the "
+            "reason",
         .example = {"continuity", "--control-points", "0; 1; 4; 5; 9", "--knots", "0,0,0,1,2,3,3,3",
                     "--degree", "2", "--at", "1"},
         .options = with_map_options({
             maps_option("--maps",
-                        "instead of a spline a list of two curves, left and right, as maps of the protocol, "
-                        "or what 'subdivide --json' printed"),
+                        "instead of a spline: a list of two curves, left and right, as maps of the protocol, "
+                        "or the output of 'subdivide --json'"),
             field_option("--at", "at", "T",
                          "the parameter; in several directions a number for one and - for the others",
                          plain_text, place_of_division),

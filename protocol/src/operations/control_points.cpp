@@ -76,18 +76,17 @@ void apply_degree(Json& request, const std::vector<std::string>& values, const L
 Operation control_points_operation() {
     return {
         .name = "control-points",
-        .summary = "The control points of a map over any interval, simplex or box, or part of a spline",
+        .summary = "Compute the control points of a map over any interval, simplex or box",
         .example = {"control-points", "1 + 2t + 4t^2 - t^3", "--interval", "2,-1"},
         .options = with_map_options({
-            own_interval_option("the interval of the control points: of those given, or else of those "
-                                "wanted; by default 0,1"),
-            field_option("--over", "interval", "A,B", "the interval of the control points wanted",
-                         number_list),
+            own_interval_option(
+                "the interval of the given control points, or else of the new ones; by default 0,1"),
+            field_option("--over", "interval", "A,B", "the interval of the new control points", number_list),
             field_option("--vertices", "vertices", "P0;P1;...",
-                         "of a patch: the vertices of the simplex wanted", tuple_list),
-            field_option("--intervals", "intervals", "A,B;C,D;...", "of a patch: the box wanted", tuple_list),
+                         "for a patch: the vertices of the new simplex", tuple_list),
+            field_option("--intervals", "intervals", "A,B;C,D;...", "for a patch: the new box", tuple_list),
             {"--degree", "/degree", "N",
-             "the formal degree wanted, by default that of the map; with --knots the degree of the spline",
+             "the new formal degree, by default that of the map; with --knots the degree of the spline",
              apply_degree},
             wanted_degrees_option(),
         }),

@@ -87,20 +87,19 @@ Operation convert_operation() {
     return {
         .name = "convert",
         .summary =
-            "The same map in another basis or form: monomial, Bernstein, Taylor, B-spline, tensor, simplex",
+            "Convert a map to another basis or form: monomial, Bernstein, Taylor, B-spline, tensor, simplex",
         .example = {"convert", "--control-points", "1; 5/3; 11/3; 6", "--to", "monomial"},
         .options = with_map_options({
             field_option("--to", "to", "monomial|bernstein|taylor|bspline|tensor|simplex",
-                         "the basis wanted; tensor and simplex are forms of patches", plain_text),
-            own_interval_option("the interval of the control points: of those given, or else of those "
-                                "wanted; by default 0,1"),
-            field_option("--over", "interval", "A,B", "the interval of the control points wanted",
-                         number_list),
+                         "the new basis; tensor and simplex are forms of patches", plain_text),
+            own_interval_option(
+                "the interval of the given control points, or else of the new ones; by default 0,1"),
+            field_option("--over", "interval", "A,B", "the interval of the new control points", number_list),
             field_option("--center", "center", "A", "the centre of the powers for taylor; by default 0",
                          plain_text),
             field_option("--vertices", "vertices", "P0;P1;...",
-                         "of a patch: the vertices of the simplex wanted", tuple_list),
-            field_option("--intervals", "intervals", "A,B;C,D;...", "of a patch: the box wanted", tuple_list),
+                         "for a patch: the vertices of the new simplex", tuple_list),
+            field_option("--intervals", "intervals", "A,B;C,D;...", "for a patch: the new box", tuple_list),
             wanted_degrees_option(),
             segment_option(),
         }),

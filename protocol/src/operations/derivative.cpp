@@ -106,16 +106,17 @@ std::string of_derived_map(const Answered& answered) {
 Operation derivative_operation() {
     return {
         .name = "derivative",
-        .summary = "A derivative of a map: its values at parameters, or the derived map",
+        .summary = "Differentiate a map: values at parameters, or the derivative as a map",
         .example = {"derivative", "1 + 2t + 4t^2 - t^3", "--order", "2", "--at", "1/2"},
         .options = with_map_options({
             field_option("--order", "order", "K", "the order of the derivative; by default 1", count),
-            field_option("--at", "at", "T1,T2,...", "the parameters; without them the derived map is given",
-                         number_list, patch_parameters),
+            field_option("--at", "at", "T1,T2,...",
+                         "the parameters; by default the derivative is returned as a map", number_list,
+                         patch_parameters),
             field_option("--direction", "direction", "X,Y,...",
-                         "of a patch: the direction, as often as the order says", number_list),
-            field_option("--directions", "directions", "D1;D2;...", "of a patch: several directions",
-                         tuple_list),
+                         "for a patch: the direction, used as often as the order says", number_list),
+            field_option("--directions", "directions", "D1;D2;...",
+                         "for a patch: one direction per order of a mixed derivative", tuple_list),
         }),
         .answer = answer,
         .render = render,

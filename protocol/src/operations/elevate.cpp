@@ -50,11 +50,12 @@ Json degrees_to_raise_by(std::string_view text, const Json&) {
 Operation elevate_operation() {
     return {
         .name = "elevate",
-        .summary = "The same curve with a higher degree",
+        .summary = "Raise the degree of a map without changing it",
         .example = {"elevate", "--control-points", "0; 3; 0", "--by", "2"},
-        .options = with_map_options({field_option(
-            "--by", "by", "R", "by how much the degree is raised; of a tensor product one a direction", count,
-            degrees_to_raise_by)}),
+        .options = with_map_options(
+            {field_option("--by", "by", "R",
+                          "by how much to raise the degree; for a tensor product one number per direction",
+                          count, degrees_to_raise_by)}),
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,

@@ -43,13 +43,13 @@ std::string render(const Answered& answered) {
 Operation evaluate_operation() {
     return {
         .name = "evaluate",
-        .summary = "The values of a map at parameters, exactly",
+        .summary = "Compute the exact values of a map at parameters",
         .example = {"evaluate", "1 + 1/2t^2; t - 3t^2", "--at", "0,1/3,-0.25"},
         .options = with_map_options({
             field_option("--at", "at", "T1,T2,...",
-                         "the parameters; any rational numbers; of a patch points, separated by ';'",
+                         "the parameters, any rational numbers; for a patch points, separated by ';'",
                          number_list, patch_parameters),
-            flag_option("--pyramid", "pyramid", "show every node of de Casteljau's or de Boor's triangle"),
+            flag_option("--pyramid", "pyramid", "show every point of de Casteljau's or de Boor's algorithm"),
         }),
         .answer = answer,
         .render = render,

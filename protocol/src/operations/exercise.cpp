@@ -38,16 +38,16 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation exercise_operation() {
     std::vector<Option> options{
-        field_option("TOPIC", "topic", topics_text(), "what the problems are about", plain_text),
-        field_option("--seed", "seed", "N", "which sheet; by default 1", count),
-        field_option("--count", "count", "N", "how many problems; by default 5", count),
-        field_option("--level", "level", "1|2|3", "how hard; by default 1", count),
-        flag_option("--solutions", "solutions", "the worked solutions instead of the problems"),
+        field_option("TOPIC", "topic", topics_text(), "the topic of the problems", plain_text),
+        field_option("--seed", "seed", "N", "the number of the sheet; by default 1", count),
+        field_option("--count", "count", "N", "the number of problems; by default 5", count),
+        field_option("--level", "level", "1|2|3", "the difficulty; by default 1", count),
+        flag_option("--solutions", "solutions", "print the worked solutions instead of the problems"),
     };
     std::ranges::move(document_options(), std::back_inserter(options));
     return {
         .name = "exercise",
-        .summary = "A sheet of problems, or its worked solutions; the same seed gives the same sheet",
+        .summary = "Print a sheet of problems, or its worked solutions; the same seed gives the same sheet",
         .example = {"exercise", "subdivision", "--count", "2"},
         .options = std::move(options),
         .answer = answer,

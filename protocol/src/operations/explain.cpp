@@ -19,7 +19,7 @@ Answer answer(Request& request, const Limits& limits) {
 Operation explain_operation() {
     return {
         .name = "explain",
-        .summary = "Any computation worked out step by step, as text, Markdown, LaTeX, HTML or JSON",
+        .summary = "Work out a computation step by step, as text, Markdown, LaTeX, HTML or JSON",
         .example = {"explain", "evaluate", "t^2", "--at", "3"},
         .options = {},
         .answer = answer,

@@ -27,11 +27,12 @@ std::string render(const Answered& answered) { return to_text(*answered.result()
 Operation export_operation() {
     return {
         .name = "export",
-        .summary = "Curves as a file of tinyspline, geomdl or splinepy, each number correctly rounded",
+        .summary = "Write curves as a file of tinyspline, geomdl or splinepy, each number correctly rounded",
         .example = {"export", "--format", "tinyspline", "--control-points", "0,0; 1/3,2; 3,0"},
         .options = with_map_options({
             format_option(),
-            maps_option("--maps", "instead of a map a list of maps, or what a command with --json printed"),
+            maps_option("--maps",
+                        "instead of a map: a list of maps, or the --json output of another command"),
         }),
         .answer = answer,
         .render = render,

@@ -6,7 +6,8 @@
 namespace blossom::protocol {
 
 Option format_option() {
-    return field_option("--format", "format", "tinyspline|geomdl|splinepy", "whose file it is", plain_text);
+    return field_option("--format", "format", "tinyspline|geomdl|splinepy",
+                        "the library whose file format is used", plain_text);
 }
 
 Option document_option(std::string help) {

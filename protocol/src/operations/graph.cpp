@@ -19,7 +19,7 @@ Answer answer(Request& request, const Limits& limits) {
 Operation graph_operation() {
     return {
         .name = "graph",
-        .summary = "The curve (t, P(t)) of a map P",
+        .summary = "Compute the curve (t, P(t)) of a map P",
         .example = {"graph", "--control-points", "0; 3; 1"},
         .options = with_map_options({}),
         .answer = answer,

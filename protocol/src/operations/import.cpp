@@ -24,7 +24,8 @@ Operation import_operation() {
     return {
         .name = "import",
         .summary =
-            "The curves of a file of tinyspline, geomdl or splinepy, with the exact values of its doubles",
+            "Read the curves in a file of tinyspline, geomdl or splinepy, with the exact values of its "
+            "doubles",
         .example = {"import", "--format", "tinyspline", "--document",
                     R"({"degree": 1, "dimension": 1, "control_points": [0.1, 2], "knots": [0, 0, 1, 1]})"},
         .options = {format_option(), document_option(R"(the file, "@NAME" or "-", or its text)")},

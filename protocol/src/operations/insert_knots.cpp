@@ -46,16 +46,15 @@ Json lists_of_knots(std::string_view text, const Json&) {
 Operation insert_knots_operation() {
     return {
         .name = "insert-knots",
-        .summary = "The same B-spline over more knots",
+        .summary = "Insert knots into a B-spline without changing the curve",
         .example = {"insert-knots", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,1,2,3,4,5",
                     "--degree", "3", "--insert", "5/2"},
         .options = with_map_options({
             field_option("--insert", "knots", "X1,X2,...",
-                         "the knots to insert, in any order; repeated for a higher multiplicity; in several "
+                         "the knots to insert, in any order, repeated for a higher multiplicity; in several "
                          "directions one list each, separated by ';'",
                          number_list, lists_of_knots),
-            field_option("--method", "method", "boehm|oslo", "by which algorithm; by default boehm",
-                         plain_text),
+            field_option("--method", "method", "boehm|oslo", "the algorithm; by default boehm", plain_text),
         }),
         .answer = answer,
         .render = described_listing,

@@ -65,13 +65,13 @@ std::string render(const Answered& answered) {
 Operation inverse_formula_operation() {
     return {
         .name = "inverse-formula",
-        .summary = "The weights that make control points of the values of a map",
+        .summary = "Compute the weights that turn values of a map into control points",
         .example = {"inverse-formula", "--degree", "3"},
         .options = {field_option("--degree", "degree", "N", "the degree", count),
                     field_option("--interval", "interval", "A,B", "the interval; by default 0,1",
                                  number_list),
-                    field_option("--vertices", "vertices", "P0;P1;...", "instead of an interval a simplex",
-                                 tuple_list)},
+                    field_option("--vertices", "vertices", "P0;P1;...",
+                                 "instead of an interval: the vertices of a simplex", tuple_list)},
         .answer = answer,
         .render = render,
     };

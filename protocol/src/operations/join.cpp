@@ -58,17 +58,18 @@ Answer answer(Request& request, const Limits& limits) {
 Operation join_operation() {
     return {
         .name = "join",
-        .summary = "The B-spline that Bezier curves on adjacent intervals make up",
+        .summary = "Join Bezier curves on adjacent intervals to a B-spline",
         .example = {"join", R"({"kind": "bezier", "control_points": [0, 1, 4], "interval": [0, 1]})",
                     R"({"kind": "bezier", "control_points": [4, 7, 9], "interval": [1, 2]})"},
         .options = {maps_option("MAP",
-                                "the Bezier curves, as maps of the protocol, lists of them, or what "
-                                "'segments --json' printed"),
+                                "the Bezier curves, as maps of the protocol, lists of them, or the output of "
+                                "'segments --json'"),
                     field_option("--knots", "knots", "T0,T1,...",
                                  "the knots of the spline; by default as few as the curves allow",
                                  number_list),
                     field_option("--degree", "degree", "N",
-                                 "the degree of these knots; by default the greatest of the curves", count)},
+                                 "the degree of the spline; by default the greatest degree of the curves",
+                                 count)},
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_result,

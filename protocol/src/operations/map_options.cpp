@@ -90,24 +90,24 @@ Option map_option(std::string name, const std::string& field, std::string value,
 std::vector<Option> map_options() {
     return {
         {"POLYNOMIAL", "/map", "TEXT",
-         "a polynomial, \"1 + 2t\"; the coordinates of a point-valued one repeated or separated by ';'",
+         "a polynomial, \"1 + 2t\"; for a point-valued map one per coordinate, repeated or separated by ';'",
          apply_polynomial},
         {"--control-points", "/map/control_points", "P0;P1;...",
-         "a Bezier curve by its control points, \"0,0; 1,2; 3,0\"", apply_control_points},
+         "the control points of a Bezier curve, \"0,0; 1,2; 3,0\"", apply_control_points},
         {"--knots", "/map/knots", "T0,T1,...",
-         "makes the control points those of a B-spline over these knots, of degree --degree", apply_knots},
-        {"--map", "/map", "JSON", "any map of the protocol, or what a command with --json printed",
+         "with --degree: makes the control points those of a B-spline over these knots", apply_knots},
+        {"--map", "/map", "JSON", "any map of the protocol, or the --json output of another command",
          apply_map},
         map_option("--variables", "variables", "X,Y,...", "makes the polynomial one in several variables",
                    number_list),
         map_option("--degrees", "degrees", "M,N,...",
-                   "one formal degree a variable: a tensor product, not a total degree", number_list),
+                   "one formal degree per variable: a tensor product instead of a total degree", number_list),
         map_option("--degree", "degree", "N", "the formal degree; by default the actual one", count),
         map_option("--denominator", "denominator", "TEXT",
                    "makes the polynomial the numerator of a rational map", plain_text),
         map_option("--weights", "weights", "W0,W1,...", "the weights of the control points", number_list),
         map_option("--interval", "interval", "A,B",
-                   "the interval of the control points given; by default 0,1", number_list),
+                   "the interval of the given control points; by default 0,1", number_list),
         map_option("--homogeneous", "homogeneous", "", "points carry their weight as their last coordinate",
                    nullptr),
     };
@@ -215,7 +215,8 @@ Option wanted_degrees_option() {
         owner["degrees"] = number_list(values.front());
     };
     return {"--degrees", "/degrees", "M,N,...",
-            "one formal degree a variable of a polynomial; of a patch given by --map those wanted", apply};
+            "for a polynomial, one formal degree per variable; for a patch given by --map, the new degrees",
+            apply};
 }
 
 Json place_of_division(std::string_view text, const Json&) {

@@ -86,15 +86,15 @@ std::string render(const Answered& answered) {
 Operation reduce_operation() {
     return {
         .name = "reduce",
-        .summary = "A curve of lower degree near a curve, with the exact error",
+        .summary = "Approximate a curve by one of lower degree, with the exact error",
         .example = {"reduce", "t^3", "--to", "2", "--method", "uniform"},
         .options = with_map_options({
-            field_option("--to", "to", "M", "the degree wanted", count),
+            field_option("--to", "to", "M", "the new degree", count),
             field_option("--method", "method",
                          "inverse-formula|least-squares|least-squares-endpoints|uniform",
-                         "how; by default least-squares", plain_text),
+                         "the method; by default least-squares", plain_text),
             own_interval_option(
-                "the interval: of control points that are given, or else that of the error; by default 0,1"),
+                "the interval of the given control points, or else that of the error; by default 0,1"),
             field_option("--over", "interval", "A,B", "the interval of the error", number_list),
         }),
         .answer = answer,

@@ -55,12 +55,13 @@ std::string render(const Answered& answered) {
 Operation remove_knot_operation() {
     return {
         .name = "remove-knot",
-        .summary = "The same B-spline without a knot, or why that is not possible",
+        .summary =
+            "Remove a knot from a B-spline without changing the curve, or say why that is not possible",
         .example = {"remove-knot", "--control-points", "0,0; 5/6,5/3; 2,5/2; 10/3,8/3; 5,1", "--knots",
                     "0,1,2,5/2,3,4,5", "--degree", "3", "--knot", "5/2"},
         .options = with_map_options({
             field_option("--knot", "knot", "X", "the knot to remove", plain_text),
-            field_option("--times", "times", "N", "how often; by default once", count),
+            field_option("--times", "times", "N", "how often to remove it; by default once", count),
         }),
         .answer = answer,
         .render = render,

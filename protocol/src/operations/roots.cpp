@@ -110,16 +110,16 @@ std::string render(const Answered& answered) {
 Operation roots_operation() {
     return {
         .name = "roots",
-        .summary = "The real roots of a scalar map in an interval, isolated, with their multiplicities",
+        .summary = "Isolate the real roots of a scalar map in an interval, with their multiplicities",
         .example = {"roots", "(t^2 - 2)(2t - 1)^2", "--interval", "0,2"},
         .options = with_map_options({
             own_interval_option(
-                "the interval: of control points that are given, or else where to look; by default 0,1"),
+                "the interval of the given control points, or else that of the roots; by default 0,1"),
             field_option("--over", "interval", "A,B",
-                         "where to look; by default the map's own interval, 0,1 for a polynomial",
+                         "the interval of the roots; by default that of the map, 0,1 for a polynomial",
                          number_list),
             field_option("--width", "width", "W",
-                         "the greatest length of the intervals around irrational roots", plain_text),
+                         "the maximal width of the intervals around irrational roots", plain_text),
         }),
         .answer = answer,
         .render = render,

@@ -19,8 +19,8 @@ std::size_t chosen_span(const BSplineCurve& curve, std::optional<std::size_t> sp
 
 Option segment_option() {
     return field_option("--segment", "segment", "I",
-                        "of a B-spline, the index of the knot with which the segment begins; by default "
-                        "the only one; in several directions one index each, I,J",
+                        "for a B-spline: the index of the knot at which the segment begins, needed if there "
+                        "are several; in several directions one index each, I,J",
                         count, [](std::string_view text, const Json&) -> Json {
                             Json::Array indices;
                             for (const std::string& index : split(text, ',')) indices.push_back(count(index));

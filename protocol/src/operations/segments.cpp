@@ -31,7 +31,7 @@ Answer answer(Request& request, const Limits& limits) {
 Operation segments_operation() {
     return {
         .name = "segments",
-        .summary = "The Bezier curves that a B-spline is made of",
+        .summary = "Split a B-spline into its Bezier curves",
         .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
                     "--degree", "2"},
         .options = with_map_options({}),

@@ -46,12 +46,12 @@ Answer answer(Request& request, const Limits& limits) {
 Operation subdivide_operation() {
     return {
         .name = "subdivide",
-        .summary = "The control points of a curve on both sides of a parameter",
+        .summary = "Split a curve or patch at a parameter",
         .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
         .options = with_map_options({field_option(
             "--at", "at", "T",
-            "the parameter; for Bezier curves it may lie outside the interval; of a simplex a point or "
-            "\"midpoints\", of a tensor product a number or - a direction",
+            "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a point or "
+            "\"midpoints\", for a tensor product a number or - per direction",
             plain_text, place_of_division)}),
         .answer = answer,
         .render = described_listing,
