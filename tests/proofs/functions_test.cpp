@@ -147,6 +147,10 @@ TEST_CASE("derivatives of expressions, and along directions") {
 }
 
 TEST_CASE("raised tensors and nets, and points by their coordinates") {
+    CHECK(verdicts("map q degree 2 on simplex 2\n"
+                   "claim q[((1,0) + (0,1))/2, (0,0)] == (q[(1,0), (0,0)] + q[(0,1), (0,0)])/2\n"
+                   "claim q[2*(1,0) - (0,1), (0,0)] == 2*q[(1,0), (0,0)] - q[(0,1), (0,0)]\n"
+                   "claim q[((1,0) + (0,1))/2, (0,0)] == q[(1,0), (0,0)]") == "proved proved refuted");
     CHECK(verdicts(
               "map f degrees 1, 2\nraise f to 2, 2 as g\nclaim g[a, b; c, d] == (f[a; c, d] + f[b; c, d])/2\n"
               "claim g(u, v) == f(u, v)\nclaim g[a, b; c, d] == f[a; c, d]") == "proved proved refuted");

@@ -60,6 +60,16 @@ TEST_CASE("no name is declared twice, whatever the two declarations are") {
     }
 }
 
+TEST_CASE("a family has nothing to do with a map, a parameter or an abbreviation of its name") {
+    CHECK(verdicts("map b degree 1\nclaim b_1*x == x*b_1\nclaim b_1 == b(1)") == "proved refuted");
+    CHECK(verdicts("let a = 3\nclaim a_1 == a_1\nclaim a_1 == 3") == "proved refuted");
+    CHECK(verdicts("for n in 2..2\nclaim x^n == x*x\nclaim n_1 == 2") == "proved refuted");
+    CHECK(complaint("strict\nfor n in 1..2\nclaim n_1 == n_1").find("\"n\"_i is not declared") !=
+          std::string::npos);
+    CHECK(complaint("strict\nlet a = 3\nclaim a_1 == a_1").find("\"a\"_i is not declared") !=
+          std::string::npos);
+}
+
 TEST_CASE("members of families are declared once, of one kind and dimension") {
     CHECK(complaint("point u_1 in 2\nvector u_2 in 2\nclaim 1 == 1") ==
           "2:8 the members of u_i are declared already, as something else");
@@ -83,7 +93,11 @@ TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a
     CHECK(complaint("for n in 1..1\nlet w_n = 1\nclaim w_2 == 0").find("w_2") != std::string::npos);
     CHECK(verdicts("let b_2 = x\nclaim b_2 == x\nclaim b_3 == x") == "proved refuted");
     CHECK(verdicts("let v_{0,l} = v_l\nclaim v_{0,3} == v_3\nclaim v_3 == 0") == "proved refuted");
-    CHECK(complaint("let v_{0,l} = v_l\nclaim v_{1,3} == v_3").starts_with("2:7 "));
+    CHECK(
+        complaint("let v_{0,l} = v_l\nclaim v_{1,3} == v_3").starts_with("2:7 no line \"let\" fits v_{1,3}"));
+    CHECK(complaint("let v_{0,l} = x*l\nclaim v_{1,3} == x").starts_with("2:7 no line \"let\" fits v_{1,3}"));
+    CHECK(complaint("strict\nnumber x\nlet b_2 = x\nclaim b_3 == x")
+              .starts_with("4:7 \"b\"_i is not declared"));
     CHECK(verdicts("number w_{1,1}..w_{1,9}\nlet w_{i,i} = i\nclaim w_{2,2} == 2\nclaim w_{2,3} == 3") ==
           "proved refuted");
     CHECK(verdicts("let w_{i,i} = 1\nlet w_{i,j} = 0\nclaim w_{2,2} == 1\nclaim w_{2,3} == 0") ==
@@ -127,6 +141,14 @@ TEST_CASE("the variable of a poly is its own, and abbreviations in it see it") {
     CHECK(complaint("poly P(t) degree 1 = 1/t\nclaim 1 == 1").find("not a polynomial") != std::string::npos);
     CHECK(complaint("poly P(t) degree 1 = t^2\nclaim 1 == 1").find("higher degree") != std::string::npos);
     CHECK(verdicts("poly P(t) degree 1 = (t^2 - 1)/(t - 1)*1\nclaim P(3) == 4") == "proved");
+}
+
+TEST_CASE("what an abbreviation was outside of a poly is forgotten in it, and the other way round") {
+    CHECK(verdicts("let L = t + 1\nassume L != 0\npoly P(t) degree 1 = L\nclaim P(3) == 4\nclaim L == 4") ==
+          "proved refuted");
+    CHECK(verdicts(
+              "let L = t + 1\npoly P(t) degree 1 = L\nclaim P(3) == 4\nclaim L == t + 1\nclaim P(3) == L") ==
+          "proved proved refuted");
 }
 
 TEST_CASE("for all binds the names of its line alone, in abbreviations too") {

@@ -201,7 +201,7 @@ Value Grounder::without_clause(const std::string& full, const Expression& e) {
             refuse(full + " is not declared, and no line \"let\" fits it", e.offset);
         return variable(full, declared, e.offset);
     }
-    if (text_->strict || has_open_index(*names_->clauses(e.name), e.children.size()) ||
+    if (has_open_index(*names_->clauses(e.name), e.children.size()) ||
         kinds_->of_family(e.name).is_geometric() ||
         (may_fit(*names_->clauses(e.name), e) && kinds_->of_family(e.name).name != KindName::number)) {
         std::string reason;
