@@ -2,6 +2,9 @@
 
 #include <blossom/core/blossom/blossom.hpp>
 
+#include <array>
+#include <thread>
+
 #include "support/failure.hpp"
 #include "support/map_generators.hpp"
 #include "support/map_printing.hpp"
@@ -37,6 +40,12 @@ void check(Random& random, const Recipe& recipe, const Oracle& oracle) {
             values.begin() + static_cast<std::ptrdiff_t>((i + 1) * blossom.dimension()));
         CAPTURE(i, jobs, tuples[i]);
         CHECK(blossom(tuples[i]) == expected);
+        // The first values are computed without the prepared form.
+        const Blossom fresh(recipe.curve());
+        CHECK(fresh(tuples[i]) == expected);
+        CHECK(fresh.values({&tuples[i], 1}) == expected);
+        for (std::size_t j = 0; j < blossom.dimension(); ++j)
+            CHECK(Blossom(recipe.curve()).coordinate(j, tuples[i]) == expected[j]);
         for (std::size_t j = 0; j < blossom.dimension(); ++j)
             CHECK(blossom.coordinate(j, tuples[i]) == expected[j]);
         if (i == 0) CHECK(textbook::text(expected) == oracle(tuples[i]));
@@ -123,4 +132,25 @@ TEST_CASE("batches fill exactly the places they are given", "[blossom][batch]") 
           ErrorCode::wrong_arity);
     CHECK(results == untouched);
     blossom.values({}, std::span<Rational>());
+}
+
+TEST_CASE("several threads ask a new blossom at the same time") {
+    Random random(313);
+    for (int i = 0; i < 200; ++i) {
+        const PolynomialRecipe recipe = polynomial_map(random, random.below(8), any_size(random));
+        const std::vector<Argument> tuple = arguments(random, recipe.curve().degree(), any_size(random));
+        const Coordinates expected = Blossom(recipe.curve())(tuple);
+        const Blossom shared(recipe.curve());
+        std::array<std::vector<Coordinates>, 3> found;
+        {
+            std::vector<std::jthread> threads;
+            for (auto& values : found) {
+                threads.emplace_back([&] {
+                    const Blossom copy = shared;
+                    for (int k = 0; k < 3; ++k) values.push_back(copy(tuple));
+                });
+            }
+        }
+        for (const auto& values : found) CHECK(values == std::vector<Coordinates>(3, expected));
+    }
 }

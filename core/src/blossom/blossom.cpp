@@ -38,8 +38,8 @@ Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> ar
     if (auto value = value_in_words(map, arguments, construction, limits)) return *std::move(value);
     if (construction == Construction::symmetric) {
         if (const auto* bezier = std::get_if<BezierCurve>(&map))
-            return Blossom::value_once(monomial_form(*bezier, limits), arguments, limits);
-        return Blossom::value_once(map, arguments, limits);
+            return Blossom(monomial_form(*bezier, limits), limits)(arguments);
+        return Blossom(map, limits)(arguments);
     }
     if (construction != Construction::casteljau)
         return polarization_value(map, arguments, construction, limits);

@@ -1,17 +1,21 @@
-// The blossom as an object that is prepared once and asked many times.
+// The blossom as an object that is prepared once it has been asked for several values.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <atomic>
 #include <cstddef>
+#include <mutex>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "blossom_bits.hpp"
 #include "maps/binomial_weights.hpp"
 #include "maps/on_threads.hpp"
 #include "maps/result_room.hpp"
 #include "run_construction.hpp"
+#include "values_in_words.hpp"
 #include "word_factors.hpp"
 
 namespace blossom {
@@ -112,32 +116,71 @@ struct Blossom::Kernel {
     bool reads_pairs;  ///< arguments are factors as they are, see evaluate_pairs
 };
 
+/// The map, and its prepared form as soon as that pays.
+struct Blossom::Shared {
+    Shared(PolynomialMap of, const Limits& given) : map(std::move(of)), limits(given) {}
+
+    /// The prepared form, or nullptr while `count` more values are as cheap without it.
+    const Kernel* kernel_for(std::size_t count) const {
+        constexpr std::size_t values_without = 2;  // preparing costs about as much as one to four of them
+        const Kernel* known = ready.load(std::memory_order_acquire);
+        if (known || asked.fetch_add(count, std::memory_order_relaxed) + count <= values_without)
+            return known;
+        std::call_once(once, [&] {
+            kernel.emplace(map, limits, LinearFactorSums::Use::many);
+            ready.store(&*kernel, std::memory_order_release);
+        });
+        return &*kernel;
+    }
+
+    /// One value without the prepared form, its coordinates from row `first` on.
+    void evaluate_once(std::span<const Argument> arguments, std::size_t first,
+                       std::span<Rational> coordinates) const {
+        const auto construction =
+            std::holds_alternative<BezierCurve>(map) ? Construction::casteljau : Construction::symmetric;
+        if (auto value = value_in_words(map, arguments, construction, limits)) {
+            std::move(value->begin() + static_cast<std::ptrdiff_t>(first),
+                      value->begin() + static_cast<std::ptrdiff_t>(first + coordinates.size()),
+                      coordinates.begin());
+        } else {
+            Kernel(map, limits, LinearFactorSums::Use::once).evaluate(arguments, first, coordinates);
+        }
+    }
+
+    PolynomialMap map;
+    Limits limits;
+    mutable std::atomic<std::size_t> asked = 0;
+    mutable std::once_flag once;
+    mutable std::optional<Kernel> kernel;
+    mutable std::atomic<const Kernel*> ready = nullptr;
+};
+
 Blossom::Blossom(PolynomialMap map, Limits limits)
     : degree_(degree_of(map)),
       dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
     require_within(degree_, limits.degree, "degree", "the formal degree", "/degree");
-    kernel_ = std::make_shared<const Kernel>(map, limits, LinearFactorSums::Use::many);
+    shared_ = std::make_shared<const Shared>(std::move(map), limits);
+}
+
+void Blossom::evaluate(std::span<const Argument> arguments, std::size_t first,
+                       std::span<Rational> coordinates) const {
+    require_arity(degree_, arguments.size());
+    if (const Kernel* kernel = shared_->kernel_for(1)) {
+        kernel->evaluate(arguments, first, coordinates);
+    } else {
+        shared_->evaluate_once(arguments, first, coordinates);
+    }
 }
 
 Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
-    require_arity(degree_, arguments.size());
     Coordinates value(dimension_);
-    kernel_->evaluate(arguments, 0, value);
+    evaluate(arguments, 0, value);
     return value;
 }
 
 Rational Blossom::coordinate(std::size_t j, std::span<const Argument> arguments) const {
-    require_arity(degree_, arguments.size());
     Rational value;
-    kernel_->evaluate(arguments, j, {&value, 1});
-    return value;
-}
-
-Coordinates Blossom::value_once(const PolynomialMap& map, std::span<const Argument> arguments,
-                                const Limits& limits) {
-    const Kernel kernel(map, limits, LinearFactorSums::Use::once);
-    Coordinates value(kernel.sums.rows());
-    kernel.evaluate(arguments, 0, value);
+    evaluate(arguments, j, {&value, 1});
     return value;
 }
 
@@ -151,14 +194,20 @@ void Blossom::values(std::span<const std::vector<Argument>> tuples, std::span<Ra
                      std::size_t jobs) const {
     require_room(tuples.size(), "tuples of arguments", dimension_, results.size());
     for (const auto& arguments : tuples) require_arity(degree_, arguments.size());
+    const Kernel* kernel = shared_->kernel_for(tuples.size());
+    if (!kernel) {
+        for (std::size_t i = 0; i < tuples.size(); ++i)
+            shared_->evaluate_once(tuples[i], 0, results.subspan(i * dimension_, dimension_));
+        return;
+    }
     on_threads(tuples.size(), jobs, [&](std::size_t begin, std::size_t end) {
         const auto results_of = [&](std::size_t i, std::size_t count) {
             return results.subspan(i * dimension_, count * dimension_);
         };
         for (std::size_t i = begin; i < end;) {
             const std::size_t count = std::min<std::size_t>(end - i, 8);
-            if (count < 8 || !kernel_->evaluate_eight(tuples.subspan(i).first<8>(), results_of(i, 8))) {
-                for (std::size_t k = i; k < i + count; ++k) kernel_->evaluate(tuples[k], 0, results_of(k, 1));
+            if (count < 8 || !kernel->evaluate_eight(tuples.subspan(i).first<8>(), results_of(i, 8))) {
+                for (std::size_t k = i; k < i + count; ++k) kernel->evaluate(tuples[k], 0, results_of(k, 1));
             }
             i += count;
         }
