@@ -81,7 +81,7 @@ std::string pyramids_text(const Answered& answered) {
     const Json::Array& parameters = *answered.request.find("at")->array();
     std::string text;
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        text += fmt::format("\nPyramid at {}, one level a line:\n", point_text(parameters[i]));
+        text += fmt::format("\nPyramid at {}, one level per line:\n", point_text(parameters[i]));
         for (const Json& level : *(*pyramids->array())[i].array()) {
             text += " ";
             for (const Json& point : *level.array()) text += " " + point_text(point);

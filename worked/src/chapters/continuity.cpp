@@ -36,7 +36,7 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     const std::size_t left = curve.knots().span_before(knot);
     const std::size_t right = curve.knots().span_at(knot);
     document.statement.emplace_back(
-        Paragraph{{"Wanted is how smoothly the segments on both sides of ", number(knot), " meet."}});
+        Paragraph{{"Find how smoothly the segments on both sides of ", number(knot), " meet."}});
     Table table{"Both blossoms at the knot and beside it.",
                 {symbol("k"), "arguments", "segment before", "segment after", "values"},
                 {}};

@@ -85,7 +85,7 @@ Document control_points_over(const GivenMap& given, const Interval& interval, co
     Document document =
         begun(given, "Control points over an interval", "Goldman, theorem 4: the dual functional property");
     document.statement.emplace_back(
-        Paragraph{{"Wanted are the Bézier control points over ",
+        Paragraph{{"Find the Bézier control points over ",
                    interval_of(number(interval.a()), number(interval.b())), "."}});
     const BezierCurve polygon =
         std::visit([&](const auto& curve) { return control_points(curve, interval, limits); }, given.map);

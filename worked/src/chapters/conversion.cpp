@@ -45,7 +45,7 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
     const std::size_t n = curve.degree();
     Document document = begun({curve, given.variable}, "From coefficients to control points",
                               "Goldman, section 5 and figure 11(b)");
-    document.statement.emplace_back(Paragraph{"Wanted are its control points over [0, 1]."});
+    document.statement.emplace_back(Paragraph{"Find its control points over [0, 1]."});
     const Blossom p(curve, limits);
     TrianglePyramid triangle =
         triangle_by({n, [n](std::size_t r, std::size_t i) { return adding_label(n, r, i); },
@@ -75,7 +75,7 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
 Document control_points_to_coefficients(const GivenMap& given, const Limits& limits) {
     Document document =
         begun(given, "From control points to coefficients", "Goldman, section 5 and figure 11(a)");
-    document.statement.emplace_back(Paragraph{"Wanted are its coefficients."});
+    document.statement.emplace_back(Paragraph{"Find its coefficients."});
     const BezierCurve bezier = bezier_form(given.map, limits);
     const BezierCurve unit = control_points(bezier, Interval(), limits);
     const std::size_t n = unit.degree();

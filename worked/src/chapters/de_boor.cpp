@@ -55,7 +55,7 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
     const std::size_t span = curve.knots().span_at(t.value);
     const std::vector<Argument> arguments = with_copies({}, curve.degree(), t);
     const Formula wanted = call("F", {number(t.value)});
-    document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, "."}});
+    document.statement.emplace_back(Paragraph{{"Find ", wanted, "."}});
     Text used{"The parameter lies between the knots ", number(curve.knots()[span]), " and ",
               number(curve.knots()[span + 1]),
               ". Only those control points count whose knots reach this span: "};
@@ -65,7 +65,7 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
     }
     used.append(std::string("."));
     document.steps.push_back(StepBuilder("The segment").say(std::move(used)).done());
-    StepBuilder triangle("Knots are replaced by the parameter, one a level");
+    StepBuilder triangle("Knots are replaced by the parameter, one per level");
     triangle
         .say(
             "Each node combines two neighbours whose arguments differ in one knot; the weights are the "

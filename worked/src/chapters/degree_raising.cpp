@@ -81,9 +81,8 @@ Document degree_raised(const GivenMap& given, std::size_t times, const Limits& l
     require_within(degree_of(given.map) + times, page_degree, "page degree", "raised degree");
     Document document = begun(given, "Degree raising", "DeRose, section 4.4; Goldman, exercise 12");
     const BezierCurve first = bezier_form(given.map, limits);
-    document.statement.emplace_back(
-        Paragraph{{"Wanted are the control points of the same map as one of degree ",
-                   number(first.degree() + times), "."}});
+    document.statement.emplace_back(Paragraph{
+        {"Find the control points of the same map as one of degree ", number(first.degree() + times), "."}});
     BezierCurve current = first;
     for (std::size_t step = 1; step <= times; ++step) {
         const BezierCurve next = elevate(current, 1, limits);

@@ -38,7 +38,7 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
     const std::size_t n = degree_of(given.map);
     const Formula wanted = derivative_of("P", order, number(t.value));
     document.statement.emplace_back(
-        Paragraph{{"Wanted is ", wanted, ", the derivative of order ", number(order), "."}});
+        Paragraph{{"Find ", wanted, ", the derivative of order ", number(order), "."}});
     const Coordinates value = derivative(given.map, order, t, limits);
     if (order > n) {
         document.steps.push_back(

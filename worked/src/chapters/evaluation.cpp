@@ -34,7 +34,7 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
     const std::vector<Argument> arguments = with_copies({}, n, t);
     const Formula wanted = call("P", {number(t.value)});
     const Formula diagonal = value_of_blossom(arguments);
-    document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, "."}});
+    document.statement.emplace_back(Paragraph{{"Find ", wanted, "."}});
 
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
@@ -42,16 +42,16 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
     diagonal_value.say("When all arguments agree, the blossom is the map:")
         .show({equation({wanted, diagonal})});
     if (std::holds_alternative<BezierCurve>(given.map)) {
-        diagonal_value.say({"The way there begins at the control points, the values at the ends ", number(a),
-                            " and ", number(b), " of the interval."});
+        diagonal_value.say({"The computation starts from the control points, the values at the ends ",
+                            number(a), " and ", number(b), " of the interval."});
     } else {
         diagonal_value
-            .say("The way there begins at the control points, the values at the ends of the interval:")
+            .say("The computation starts from the control points, the values at the ends of the interval:")
             .show(control_point_equations(bezier));
     }
     document.steps.push_back(diagonal_value.done());
     document.steps.push_back(
-        StepBuilder("One argument a level becomes the parameter")
+        StepBuilder("One argument per level becomes the parameter")
             .say({"The parameter is a combination of the ends, ",
                   equation({number(t.value), combination({{(b - t.value) / (b - a), number(a)},
                                                           {(t.value - a) / (b - a), number(b)}})}),

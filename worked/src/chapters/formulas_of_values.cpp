@@ -104,7 +104,7 @@ Document begun(const GivenMap& given, std::string title, std::string source) {
     document.maps.push_back({"P", "p", given.variable, given.map});
     const bool polynomial = std::holds_alternative<PolynomialCurve>(given.map);
     std::string words =
-        polynomial ? "Given is the polynomial map of formal degree " : "Given is the Bézier curve of degree ";
+        polynomial ? "Given the polynomial map of formal degree " : "Given the Bézier curve of degree ";
     Text text{words, number(n),
               polynomial ? ":" : ", by its control points, which are values of its blossom "};
     if (!polynomial)

@@ -60,7 +60,7 @@ std::string index_page(const std::vector<GalleryPage>& pages) {
     append_words(
         page.main(), "p",
         "Every number on these pages is computed exactly. Each page can be made for any other input, and "
-        "each stands here as LaTeX, Markdown and JSON too.");
+        "each is also available as LaTeX, Markdown and JSON.");
     pugi::xml_node list = page.main().append_child("ol");
     for (const GalleryPage& entry : pages) {
         pugi::xml_node item = list.append_child("li");

@@ -137,7 +137,7 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
                               "Goldman, figures 4 and 5, theorem 6");
     require_within(n, written_degree, "degree of a page with all arguments", "formal degree");
     document.statement.emplace_back(
-        Paragraph{"Wanted is its blossom for all arguments, points and vectors alike."});
+        Paragraph{"Find its blossom for all arguments, points and vectors alike."});
     document.statement.emplace_back(square(n, given.variable));
 
     const auto affine = agreement_for_all_arguments(curve, limits);

@@ -56,7 +56,7 @@ Document knots_inserted(const BSplineCurve& curve, std::span<const Rational> kno
     std::vector<Formula> wanted;
     for (const Rational& knot : knots) wanted.push_back(number(knot));
     document.statement.emplace_back(
-        Paragraph{{"Wanted are the control points of the same curve with the further knots ",
+        Paragraph{{"Find the control points of the same curve with the further knots ",
                    tuple(std::move(wanted)), "."}});
     BSplineCurve current = curve;
     for (const Rational& knot : knots) {

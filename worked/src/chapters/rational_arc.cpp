@@ -103,7 +103,7 @@ Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& l
         Paragraph{"The last coordinate is a weight: a point of the rational curve has the others divided by "
                   "it."});
     document.statement.emplace_back(
-        Paragraph{{"Wanted is the point ", symbol("C"), " of the rational curve at ", number(t.value), "."}});
+        Paragraph{{"Find the point ", symbol("C"), " of the rational curve at ", number(t.value), "."}});
     document.steps.push_back(StepBuilder("Control points with weights")
                                  .say("The blossom works on all coordinates alike.")
                                  .add(weight_table(bezier))

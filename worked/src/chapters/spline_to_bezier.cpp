@@ -21,7 +21,7 @@ Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve
               number(interval.b()),
               std::string(
                   ". De Boor's triangle replaces the knots of the control points of the spline by these, "
-                  "one a level. This is the triangle of one of them; its lower levels have others too:")})
+                  "one per level. This is the triangle of one of them; its lower levels have others too:")})
         .add(de_boor_triangle(curve, span, end_arguments(interval.a(), interval.b(), n, n / 2),
                               "De Boor's triangle.", limits))
         .done();
@@ -52,7 +52,7 @@ Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
 Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
     Document document = begun(curve, "From a B-spline to Bézier curves",
                               "Hart, Boehm blossoms; DeRose, section 4.6 and figure 9");
-    document.statement.emplace_back(Paragraph{"Wanted are the Bézier control points of all its segments."});
+    document.statement.emplace_back(Paragraph{"Find the Bézier control points of all its segments."});
     const std::vector<std::size_t> spans = curve.knots().spans();
     std::vector<BezierCurve> segments;
     for (const std::size_t span : spans) {

@@ -56,7 +56,7 @@ Document begun(const BSplineCurve& curve, std::string title, std::string source)
     std::vector<Formula> knots;
     for (const Rational& knot : curve.knots().knots()) knots.push_back(number(knot));
     document.statement.emplace_back(Paragraph{
-        {"Given is the B-spline curve of degree ", number(curve.degree()), " over the knots ",
+        {"Given the B-spline curve of degree ", number(curve.degree()), " over the knots ",
          tuple(std::move(knots)), ". Its control points are values of the blossoms of its segments at ",
          number(curve.degree()), " consecutive knots:"}});
     document.statement.emplace_back(Display{spline_equations(curve)});

@@ -37,8 +37,8 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
     const Rational& b = bezier.interval().b();
     const auto [left, right] = subdivide(bezier, t, limits);
     document.statement.emplace_back(
-        Paragraph{{"Wanted are its control points over ", interval_of(number(a), number(t.value)),
-                   " and over ", interval_of(number(t.value), number(b)), "."}});
+        Paragraph{{"Find its control points over ", interval_of(number(a), number(t.value)), " and over ",
+                   interval_of(number(t.value), number(b)), "."}});
     TrianglePyramid pyramid = casteljau_triangle(
         bezier, with_copies({}, bezier.degree(), t),
         "The pyramid: the upper edge has the left polygon, the lower edge the right one.", limits);
@@ -48,7 +48,7 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
             .say(
                 "De Casteljau's pyramid has, along one lateral edge, the values with ever more copies of the "
                 "parameter and ever fewer of the right end, and along the other the same for the left end. "
-                "These are the control points wanted.")
+                "These are the required control points.")
             .add(std::move(pyramid))
             .add_if(both_polygons(given.map, bezier, t, limits))
             .done());

@@ -216,7 +216,7 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
 
 Step casteljau_step(const GivenMap& given, std::span<const Argument> arguments, const Limits& limits) {
     const BezierCurve bezier = bezier_form(given.map, limits);
-    Step step{"By de Casteljau's algorithm, one argument a level", {}};
+    Step step{"By de Casteljau's algorithm, one argument per level", {}};
     step.blocks.emplace_back(Paragraph{
         {"Each level replaces one end of the interval ",
          interval_of(number(bezier.interval().a()), number(bezier.interval().b())),
@@ -253,7 +253,7 @@ Document three_ways(const GivenMap& given, std::span<const Argument> arguments, 
     const Agreement<Coordinates> values = agreement(given.map, arguments, limits);
     const Coordinates value = *values.results.front().value;
     const Formula left = value_of_blossom(arguments);
-    document.statement.emplace_back(Paragraph{{"Wanted is the value ", left, " of its blossom."}});
+    document.statement.emplace_back(Paragraph{{"Find the value ", left, " of its blossom."}});
     document.steps.push_back(symmetric_step(given, arguments, value, limits));
     document.steps.push_back(polarization_step(given, arguments, value, limits));
     document.steps.push_back(casteljau_step(given, arguments, limits));

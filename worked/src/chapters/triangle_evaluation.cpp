@@ -44,7 +44,7 @@ Document triangle_evaluation(const GivenTriangle& given, const Coordinates& u, c
     const TriangleNet net(given, u, limits);
     Document document = begun(given, net, "De Casteljau's algorithm on a triangle", "DeRose, section 5.2");
     const Formula wanted = call("P", {symbol("u")});
-    document.statement.emplace_back(Paragraph{{"Wanted is ", wanted, " for the point"}});
+    document.statement.emplace_back(Paragraph{{"Find ", wanted, " for the point"}});
     document.statement.emplace_back(point_display(given, net));
 
     document.steps = level_steps(given, net);

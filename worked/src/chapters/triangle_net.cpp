@@ -143,12 +143,12 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
         variables.reserve(given.variables.size());
         for (const std::string& variable : given.variables) variables.push_back(symbol(variable));
         document.statement.emplace_back(
-            Paragraph{{"Given is the polynomial map of formal total degree ", degree, " in the plane:"}});
+            Paragraph{{"Given the polynomial map of formal total degree ", degree, " in the plane:"}});
         document.statement.emplace_back(
             Display{{equation({call("P", variables), polynomial_formula(*polynomial, variables)})}});
     } else {
         document.statement.emplace_back(
-            Paragraph{{"Given is the triangular Bézier patch of degree ", degree, " over the triangle ",
+            Paragraph{{"Given the triangular Bézier patch of degree ", degree, " over the triangle ",
                        symbol("r"), ", ", symbol("s"), ", ", symbol("t"),
                        " by its control points, the values of its blossom at the vertices:"}});
         document.statement.emplace_back(Display{equations(net, 0)});
@@ -180,7 +180,7 @@ std::vector<Step> level_steps(const GivenTriangle& given, const TriangleNet& net
                             .show(equations(net, 0))
                             .done());
     }
-    StepBuilder levels("One argument a level becomes the point");
+    StepBuilder levels("One argument per level becomes the point");
     levels.say({"The blossom is affine in each argument, and so a value with the argument ", symbol("u"),
                 " is the combination, with the coordinates of ", symbol("u"),
                 " as weights, of three values of the level before, those with ", symbol("r"), ", ",

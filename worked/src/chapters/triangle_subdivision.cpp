@@ -59,7 +59,7 @@ Document triangle_subdivision(const GivenTriangle& given, const Coordinates& u, 
     const std::vector<BezierPatch> parts = subdivide(net.patch(), 0, u, limits);
     Document document = begun(given, net, "Subdivision of a triangle", "DeRose, section 5.2");
     document.statement.emplace_back(
-        Paragraph{"Wanted are the control points over the three triangles into "
+        Paragraph{"Find the control points over the three triangles into "
                   "which a point divides the given one:"});
     document.statement.emplace_back(point_display(given, net));
 
