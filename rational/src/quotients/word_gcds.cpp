@@ -5,7 +5,7 @@
 
 #include "limbs/limb_arithmetic.hpp"
 #include "small_primes.hpp"
-#include "vectors/gcd_lanes.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
@@ -37,8 +37,8 @@ void set_remainders(std::span<const std::uint64_t> number, const std::uint64_t* 
 
 void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std::uint64_t> factors,
                      std::uint64_t* common) {
-    const auto gcds_in_lanes = gcd_lanes::chosen().words;
-    if (factors.size() < least_words_for_lanes || gcds_in_lanes == nullptr) {
+    const gcd_lanes::Operations* const gcds = vectors::table().gcds;
+    if (factors.size() < least_words_for_lanes || gcds == nullptr) {
         for (std::size_t i = 0; i < factors.size(); ++i) {
             common[i] = gcd_of_words(limbs::remainder(number.data(), number.size(), factors[i]), factors[i]);
         }
@@ -52,7 +52,7 @@ void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std:
         std::fill_n(odd, word_pairs, std::uint64_t{1});
         for (std::size_t i = 0; i < some.size(); ++i) odd[i] = some[i] >> std::countr_zero(some[i]);
         for (std::size_t i = 0; i < some.size(); i += 4) set_remainders<4>(number, odd + i, rests + i);
-        gcds_in_lanes(odd, rests);
+        gcds->words(odd, rests);
         for (std::size_t i = 0; i < some.size(); ++i) {
             const auto own = static_cast<std::size_t>(std::countr_zero(some[i]));
             *common++ = odd[i] << std::min(twos, own);

@@ -5,9 +5,7 @@
 
 #include "limbs/limb_arithmetic.hpp"
 #include "quotient_reduction.hpp"
-#include "residues/residue_system.hpp"
-#include "vectors/prime_lanes.hpp"
-#include "vectors/vector_level.hpp"
+#include "vectors/vector_table.hpp"
 #include "word_gcds.hpp"
 
 namespace blossom {
@@ -92,21 +90,9 @@ constexpr auto prime_lane_table = [] {
     return table;
 }();
 
-prime_lanes::Divisors chosen_divisors() {
-    static const prime_lanes::Divisors chosen = []() -> prime_lanes::Divisors {
-#if defined(BLOSSOM_AVX512_IFMA)
-        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return prime_lanes::avx512_divisors;
-#endif
-        return nullptr;
-    }();
-    return chosen;
-}
-
 /// The primes of a set that divide the number.
 small_primes::Set divisors(const Words& number, small_primes::Set set) {
-    if (const prime_lanes::Divisors in_lanes = chosen_divisors())
+    if (const prime_lanes::Divisors in_lanes = vectors::table().prime_divisors)
         return in_lanes(prime_lane_table, number.words, number.size) & set;
     small_primes::Set result = 0;
     for (const PrimeGroup& group : prime_groups) {

@@ -30,7 +30,7 @@ std::shared_ptr<const BatchCombination> BatchCombination::for_bits(std::size_t b
     constexpr std::size_t most_groups = BatchTables::most_primes / lanes;
     constexpr std::size_t most_kept = 16;
     // The Chinese remainder theorem takes a product twice as large as for one number.
-    if (operations().radix_bits != BatchTables::digit_bits || bits > most_groups * lanes * 50) return nullptr;
+    if (vectors::table().integers_of_residues == nullptr || bits > most_groups * lanes * 50) return nullptr;
     const std::size_t groups = groups_for(bits + 1);
     if (groups > most_groups) return nullptr;
     static std::mutex mutex;
@@ -87,19 +87,17 @@ std::vector<Integer> BatchCombination::integers(Octet* residues, std::size_t str
     }
     std::vector<Integer> numbers;
     numbers.reserve(count);
-#if defined(BLOSSOM_AVX512_IFMA)
     const BatchTables tables = this->tables();
     const Buffer room(tables.primes + product_.size() + 2);
     const Buffer words(tables.words);
     std::vector<std::uint64_t> number(tables.words);
     for (std::size_t begin = 0; begin < count; begin += lanes) {
-        ifma_batch(tables, residues + begin, stride, room.data(), words.data());
+        vectors::table().integers_of_residues(tables, residues + begin, stride, room.data(), words.data());
         for (std::size_t i = 0; i < lanes && begin + i < count; ++i) {
             for (std::size_t w = 0; w < number.size(); ++w) number[w] = words.data()[w].lane[i];
             numbers.push_back(IntegerAccess::from_twos_complement(number));
         }
     }
-#endif
     return numbers;
 }
 

@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
-#include <string_view>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "modular_words.hpp"
 #include "number/backend.hpp"
 #include "number/uint128.hpp"
-#include "vectors/vector_level.hpp"
 
 namespace blossom::residues {
 
@@ -131,24 +129,7 @@ std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& 
     return result;
 }
 
-const Operations& chosen_operations() {
-    const std::string_view level = vectors::level();
-#if defined(BLOSSOM_AVX512_IFMA)
-    if (level == "ifma" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
-        return ifma_operations;
-#endif
-#if defined(BLOSSOM_AVX2)
-    if (level != "portable" && __builtin_cpu_supports("avx2")) return avx2_operations;
-#endif
-    return portable_operations;
-}
-
 }  // namespace
-
-const Operations& operations() {
-    static const Operations& chosen = chosen_operations();
-    return chosen;
-}
 
 const Moduli& moduli(std::size_t group) {
     return with_groups([&](Groups& groups) -> const Moduli& { return groups.group(group); });

@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "number/uint128.hpp"
-#include "vectors/residue_lanes.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom::residues {
 
-/// The operations for this processor, the first of "ifma", "avx2" and "portable" that it has from the one on
-/// that `vectors::level` names.
-const Operations& operations();
+inline const Operations& operations() { return *vectors::table().residues; }
 
 /// Group i of the primes, the same for the whole life of the program.
 const Moduli& moduli(std::size_t group);

@@ -8,8 +8,7 @@
 #include "bernstein_ntt.hpp"
 #include "number/backend.hpp"
 #include "number/uint128.hpp"
-#include "residues/residue_system.hpp"
-#include "vectors/taylor_lanes.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
@@ -27,16 +26,7 @@ constexpr std::size_t most_coefficients_in_words = 64;
 constexpr std::size_t least_coefficients_in_residues = 513;
 constexpr std::size_t most_bits_a_coefficient = 4;
 
-/// The level that the residues run on.
-const digit_rows::Operations& row_operations() {
-#if defined(BLOSSOM_AVX512_IFMA)
-    if (&residues::operations() == &residues::ifma_operations) return digit_rows::avx512_operations;
-#endif
-#if defined(BLOSSOM_AVX2)
-    if (&residues::operations() == &residues::avx2_operations) return digit_rows::avx2_operations;
-#endif
-    return digit_rows::portable_operations;
-}
+const digit_rows::Operations& row_operations() { return *vectors::table().taylor; }
 
 /// Planes for numbers of at most `bits` bits: the greatest digit stays far below a word. They hold whole
 /// groups of four digits.

@@ -7,32 +7,13 @@
 #include <utility>
 
 #include "prepared_rows.hpp"
-#include "vectors/eight_sums.hpp"
-#include "vectors/vector_level.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
 namespace {
 
 using word_lanes::lanes;
-
-/// What computes eight sums at a time here; nothing on processors without.
-struct WordLanes {
-    const word_lanes::Operations* narrow = nullptr;
-    const word_lanes::WideOperations* wide = nullptr;
-};
-const WordLanes& chosen_word_lanes() {
-    static const WordLanes chosen = []() -> WordLanes {
-#if defined(BLOSSOM_AVX512_WORDS)
-        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return {&word_lanes::avx512_operations, &word_lanes::wide_avx512_operations};
-#endif
-        return {};
-    }();
-    return chosen;
-}
 
 constexpr auto small_divisors = [] {
     std::array<word_lanes::Divisor, small_primes::count> divisors{};
@@ -141,8 +122,8 @@ Integer integer(std::uint64_t low, std::uint64_t high, bool negative) {
 bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tuples,
                                       std::span<Rational> sums, const WordLine* line) const {
     const Prepared& rows = *prepared_;
-    const WordLanes& operations = chosen_word_lanes();
-    if (operations.narrow == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
+    const vectors::Table& table = vectors::table();
+    if (table.eight_sums == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
         rows.word_denominator == 0 || (line != nullptr && !is_short(*line)))
         return false;
     const auto denominator = static_cast<std::uint64_t>(rows.word_denominator);
@@ -152,8 +133,8 @@ bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tu
         reinterpret_cast<const void* const*>(tuples.data()),
         rows.size - 1,
         line};
-    return evaluate_narrow(*operations.narrow, given, sums) ||
-           evaluate_wide(*operations.wide, given, tuples[0], sums);
+    return evaluate_narrow(*table.eight_sums, given, sums) ||
+           evaluate_wide(*table.eight_wide_sums, given, tuples[0], sums);
 }
 
 }  // namespace blossom

@@ -3,8 +3,7 @@
 #include <bit>
 
 #include "fixed_width_rows.hpp"
-#include "residues/residue_system.hpp"
-#include "vectors/vector_level.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
@@ -17,28 +16,6 @@ constexpr int block_bits = fold_bits - 1;
 
 /// Up to so many factors there is room for denominators of words.
 constexpr std::size_t factors_of_any_denominators = 64;
-
-digit_folds::Fold chosen_fold() {
-    static const digit_folds::Fold chosen = []() -> digit_folds::Fold {
-#if defined(BLOSSOM_AVX512_IFMA)
-        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return digit_folds::avx512_fold;
-#endif
-        return nullptr;
-    }();
-    return chosen;
-}
-
-/// Only where there is a fold.
-const factor_lanes::Operations& lane_operations() {
-#if defined(BLOSSOM_AVX512_IFMA)
-    return factor_lanes::avx512_operations;
-#else
-    static constexpr factor_lanes::Operations none{};
-    return none;
-#endif
-}
 
 constexpr factor_lanes::Primes factor_primes{small_primes::table.of, small_primes::greatest_known};
 
@@ -71,7 +48,7 @@ void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> wo
 
 DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits)
     : size_(size), bits_(bits), width_(bits / fold_bits + 2) {
-    if (chosen_fold() == nullptr || size <= factor_lanes::least_factors ||
+    if (vectors::table().fold_blocks == nullptr || size <= factor_lanes::least_factors ||
         size > digit_folds::most_factors + 1)
         return;
     // Whole vectors, and one behind them.
@@ -117,12 +94,14 @@ DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> fact
 
 bool LaneBlocks::multiply(const DigitRows& rows, std::span<const WordFactor> factors) {
     return !rows.empty() &&
-           lane_operations().multiply(factors.data(), factors.size(), factor_primes, product_) &&
+           vectors::table().factor_products->multiply(factors.data(), factors.size(), factor_primes,
+                                                      product_) &&
            set_folds(rows, factors.size());
 }
 
 bool LaneBlocks::multiply_pairs(const DigitRows& rows, const Rational* pairs, std::size_t count) {
-    return !rows.empty() && lane_operations().multiply_pairs(pairs, count, factor_primes, product_) &&
+    return !rows.empty() &&
+           vectors::table().factor_products->multiply_pairs(pairs, count, factor_primes, product_) &&
            set_folds(rows, count);
 }
 
@@ -143,7 +122,7 @@ bool LaneBlocks::set_folds(const DigitRows& rows, std::size_t count) {
 
 void DigitFolds::sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const {
     std::int64_t digits[digit_folds::most_digits];
-    chosen_fold()(row, blocks_, size_, digits);
+    vectors::table().fold_blocks(row, blocks_, size_, digits);
     set_words(std::span(digits).first(blocks_[size_ - 1].digits), words);
 }
 

@@ -87,9 +87,7 @@ struct WideOperations {
                  const Divisors& divisors, WideQuotients* quotients);
 };
 
-#if defined(BLOSSOM_AVX512_WORDS)
 extern const Operations avx512_operations;
 extern const WideOperations wide_avx512_operations;
-#endif
 
 }  // namespace blossom::word_lanes

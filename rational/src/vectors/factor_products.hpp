@@ -43,8 +43,6 @@ struct Operations {
     bool (*multiply)(const void* factors, std::size_t count, const Primes& primes, Product& product);
 };
 
-#if defined(BLOSSOM_AVX512_IFMA)
 extern const Operations avx512_operations;
-#endif
 
 }  // namespace blossom::factor_lanes

@@ -25,8 +25,6 @@ struct alignas(64) Table {
 /// The primes that divide the number in `words`, least significant first: bit k stands for prime k.
 using Divisors = std::uint32_t (*)(const Table& table, const std::uint64_t* words, std::size_t size);
 
-#if defined(BLOSSOM_AVX512_IFMA)
 std::uint32_t avx512_divisors(const Table& table, const std::uint64_t* words, std::size_t size);
-#endif
 
 }  // namespace blossom::prime_lanes

@@ -75,11 +75,7 @@ struct Operations {
 };
 
 extern const Operations portable_operations;
-#if defined(BLOSSOM_AVX2)
 extern const Operations avx2_operations;
-#endif
-#if defined(BLOSSOM_AVX512_IFMA)
-extern const Operations ifma_operations;
-#endif
+extern const Operations avx512_operations;
 
 }  // namespace blossom::residues

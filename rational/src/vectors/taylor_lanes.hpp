@@ -29,11 +29,7 @@ struct Operations {
 };
 
 extern const Operations portable_operations;
-#if defined(BLOSSOM_AVX2)
 extern const Operations avx2_operations;
-#endif
-#if defined(BLOSSOM_AVX512_IFMA)
 extern const Operations avx512_operations;
-#endif
 
 }  // namespace blossom::digit_rows

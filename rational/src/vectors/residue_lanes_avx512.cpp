@@ -101,7 +101,7 @@ private:
 
 }  // namespace
 
-const Operations ifma_operations = OperationsOf<Ifma>::table;
+const Operations avx512_operations = OperationsOf<Ifma>::table;
 
 }  // namespace blossom::residues
 

@@ -101,8 +101,8 @@ __m512i word(const Octet* digits, std::size_t index) {
 
 }  // namespace
 
-void ifma_batch(const BatchTables& tables, const Octet* numbers, std::size_t stride, Octet* room,
-                Octet* words) {
+void avx512_integers_of_residues(const BatchTables& tables, const Octet* numbers, std::size_t stride,
+                                 Octet* room, Octet* words) {
     Octet* const y = room;
     Octet* const digits = room + tables.primes;
     for (std::size_t i = 0; i < tables.primes; i += 8) transpose(numbers + i / 8 * stride, y + i);
