@@ -19,13 +19,13 @@ namespace blossom {
 namespace {
 
 /// Normalised coefficients, or the control points.
-LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
+BlossomSums prepared(const PolynomialMap& map, BlossomSums::Use use) {
     if (const auto* bezier = std::get_if<BezierCurve>(&map))
         return {bezier->control_points().numbers(), bezier->dimension(), use};
     const PointArray& coefficients = std::get<PolynomialCurve>(map).coefficients();
     const auto weights = binomial_weights(coefficients.size() - 1);
     RationalVector numbers = coefficients.numbers().weighted(weights->numerators, weights->denominator);
-    if (use == LinearFactorSums::Use::many) numbers.make_canonical();
+    if (use == BlossomSums::Use::many) numbers.make_canonical();
     return {std::move(numbers), coefficients.dimension(), use};
 }
 
@@ -42,7 +42,7 @@ static_assert(std::is_standard_layout_v<Argument> && offsetof(Argument, u) == 0 
               offsetof(Argument, mass) == sizeof(Rational) && sizeof(Argument) == 2 * sizeof(Rational));
 
 struct Blossom::Kernel {
-    Kernel(const PolynomialMap& map, const Limits& given, LinearFactorSums::Use use)
+    Kernel(const PolynomialMap& map, const Limits& given, BlossomSums::Use use)
         : limits(given),
           sums(prepared(map, use)),
           bits(numerator_bits(map) + degree_of(map) * frame_bits(map)) {
@@ -103,7 +103,7 @@ struct Blossom::Kernel {
     }
 
     Limits limits;
-    LinearFactorSums sums;
+    BlossomSums sums;
     std::size_t bits;  ///< bounds those of a value, but for the arguments
     std::optional<ClearedInterval> interval;
     WordFrame frame;
@@ -116,7 +116,7 @@ Blossom::Blossom(PolynomialMap map, Limits limits)
     : degree_(degree_of(map)),
       dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
     require_within(degree_, limits.degree, "degree", "the formal degree", "/degree");
-    kernel_ = std::make_shared<const Kernel>(map, limits, LinearFactorSums::Use::many);
+    kernel_ = std::make_shared<const Kernel>(map, limits, BlossomSums::Use::many);
 }
 
 Coordinates Blossom::operator()(std::span<const Argument> arguments) const {
@@ -135,7 +135,7 @@ Rational Blossom::coordinate(std::size_t j, std::span<const Argument> arguments)
 
 Coordinates Blossom::value_once(const PolynomialMap& map, std::span<const Argument> arguments,
                                 const Limits& limits) {
-    const Kernel kernel(map, limits, LinearFactorSums::Use::once);
+    const Kernel kernel(map, limits, BlossomSums::Use::once);
     Coordinates value(kernel.sums.rows());
     kernel.evaluate(arguments, 0, value);
     return value;

@@ -21,7 +21,7 @@ void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> fr
     std::uint64_t carry = 0;
     if (subtract) {
         for (std::size_t i = 0; i < size; ++i) {
-            const Wide product = Wide{from[i]} * factor + carry;
+            const UInt128 product = UInt128{from[i]} * factor + carry;
             const auto low = static_cast<std::uint64_t>(product);
             carry = static_cast<std::uint64_t>(product >> 64) + static_cast<std::uint64_t>(to[i] < low);
             to[i] -= low;
@@ -34,7 +34,7 @@ void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> fr
         return;
     }
     for (std::size_t i = 0; i < size; ++i) {
-        const Wide sum = Wide{from[i]} * factor + to[i] + carry;
+        const UInt128 sum = UInt128{from[i]} * factor + to[i] + carry;
         to[i] = static_cast<std::uint64_t>(sum);
         carry = static_cast<std::uint64_t>(sum >> 64);
     }
@@ -45,9 +45,9 @@ void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> fr
 }
 
 void multiply(std::span<std::uint64_t> number, std::uint64_t factor) {
-    Wide carry = 0;
+    UInt128 carry = 0;
     for (std::uint64_t& word : number) {
-        carry += Wide{word} * factor;
+        carry += UInt128{word} * factor;
         word = static_cast<std::uint64_t>(carry);
         carry >>= 64;
     }
@@ -68,10 +68,10 @@ void set_powers(std::uint64_t (&powers)[most_block + 1], std::uint64_t base, std
 
 /// sums[i] = sum_k parts[k width + i] weights[k]
 template <std::size_t width>
-void add_parts(const std::int64_t* parts, std::span<const std::int64_t> weights, SignedWide* sums) {
-    SignedWide here[width] = {};
+void add_parts(const std::int64_t* parts, std::span<const std::int64_t> weights, Int128* sums) {
+    Int128 here[width] = {};
     for (const std::int64_t weight : weights) {
-        for (std::size_t i = 0; i < width; ++i) here[i] += SignedWide{parts[i]} * weight;
+        for (std::size_t i = 0; i < width; ++i) here[i] += Int128{parts[i]} * weight;
         parts += width;
     }
     std::copy_n(here, width, sums);
@@ -83,16 +83,16 @@ constexpr auto add_parts_of_width = []<std::size_t... i>(std::index_sequence<i..
 }(std::make_index_sequence<most_parts>());
 
 /// The two's complement of a sum of parts, which it has room for.
-void gather(std::span<const SignedWide> parts, std::span<std::uint64_t> words) {
-    SignedWide carry = 0;
-    Wide gathered = 0;
+void gather(std::span<const Int128> parts, std::span<std::uint64_t> words) {
+    Int128 carry = 0;
+    UInt128 gathered = 0;
     unsigned filled = 0;
     std::size_t next = 0;
     for (std::uint64_t& word : words) {
         while (filled < 64) {
             carry += next < parts.size() ? parts[next] : 0;
             ++next;
-            gathered |= Wide{static_cast<std::uint64_t>(carry) & part_mask} << filled;
+            gathered |= UInt128{static_cast<std::uint64_t>(carry) & part_mask} << filled;
             carry >>= part_bits;
             filled += part_bits;
         }
@@ -112,8 +112,8 @@ FormLimbs::FormLimbs(std::span<const Integer> coefficients)
         IntegerAccess::to_twos_complement(abs(coefficient), words);
         for (std::size_t i = 0; i < width_; ++i) {
             const std::size_t bit = i * part_bits;
-            const Wide pair =
-                Wide{bit / 64 + 1 < words.size() ? words[bit / 64 + 1] : 0} << 64 | words[bit / 64];
+            const UInt128 pair =
+                UInt128{bit / 64 + 1 < words.size() ? words[bit / 64 + 1] : 0} << 64 | words[bit / 64];
             const auto part =
                 static_cast<std::int64_t>(static_cast<std::uint64_t>(pair >> (bit % 64)) & part_mask);
             parts_.push_back(coefficient.sign() < 0 ? -part : part);
@@ -147,7 +147,7 @@ bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t
                 static_cast<std::int64_t>(powers_of_top[k - begin] * powers_of_bottom[end - 1 - k]);
             weights[k - begin] = u < 0 && k % 2 == 1 ? -weight : weight;
         }
-        SignedWide part_sums[most_parts];
+        Int128 part_sums[most_parts];
         add_parts_of_width[width_ - 1](parts_.data() + begin * width_, std::span(weights).first(size),
                                        part_sums);
         const std::size_t sum_bits =

@@ -26,8 +26,8 @@ void set_remainders(std::span<const std::uint64_t> number, const std::uint64_t* 
     for (const std::uint64_t word : number) {
         for (std::size_t i = 0; i < Count; ++i) {
             const auto borrow = static_cast<std::uint64_t>(word < rests[i]);
-            const std::uint64_t digit = (word - rests[i]) * inverses[i];
-            rests[i] = static_cast<std::uint64_t>(Wide{digit} * odd[i] >> 64) + borrow;
+            const std::uint64_t quotient = (word - rests[i]) * inverses[i];
+            rests[i] = static_cast<std::uint64_t>(UInt128{quotient} * odd[i] >> 64) + borrow;
         }
     }
     std::copy_n(rests, Count, result);

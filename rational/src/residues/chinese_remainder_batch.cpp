@@ -26,7 +26,7 @@ std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
 
 }  // namespace
 
-std::shared_ptr<const BatchCombination> BatchCombination::for_bits(std::size_t bits) {
+std::shared_ptr<const ChineseRemainderBatch> ChineseRemainderBatch::for_bits(std::size_t bits) {
     constexpr std::size_t most_groups = BatchTables::most_primes / lanes;
     constexpr std::size_t most_kept = 16;
     // The Chinese remainder theorem takes a product twice as large as for one number.
@@ -34,20 +34,20 @@ std::shared_ptr<const BatchCombination> BatchCombination::for_bits(std::size_t b
     const std::size_t groups = groups_for(bits + 1);
     if (groups > most_groups) return nullptr;
     static std::mutex mutex;
-    static std::deque<std::shared_ptr<const BatchCombination>> kept;
+    static std::deque<std::shared_ptr<const ChineseRemainderBatch>> kept;
     {
         const std::lock_guard lock(mutex);
         for (const auto& combination : kept)
             if (combination->groups() == groups) return combination;
     }
-    auto made = std::make_shared<const BatchCombination>(groups);
+    auto made = std::make_shared<const ChineseRemainderBatch>(groups);
     const std::lock_guard lock(mutex);
     kept.push_back(made);
     if (kept.size() > most_kept) kept.pop_front();
     return made;
 }
 
-BatchCombination::BatchCombination(std::size_t groups) {
+ChineseRemainderBatch::ChineseRemainderBatch(std::size_t groups) {
     constexpr std::size_t step = BatchTables::digits_at_once;
     Integer product = 1;
     for (std::size_t g = 0; g < groups; ++g)
@@ -59,7 +59,7 @@ BatchCombination::BatchCombination(std::size_t groups) {
     cofactors_.resize(held * primes);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
-        Octet& factor = factors_.emplace_back();
+        ResidueVector& factor = factors_.emplace_back();
         for (std::size_t i = 0; i < lanes; ++i) {
             const PrimeField field(group.prime.lane[i]);
             const Integer cofactor = divide_exactly(product, field.prime());
@@ -67,21 +67,21 @@ BatchCombination::BatchCombination(std::size_t groups) {
             const std::vector<std::uint64_t> digits = digits_of(cofactor, held);
             for (std::size_t d = 0; d < held; ++d)
                 cofactors_[(d / step * primes + g * lanes + i) * step + d % step] = digits[d];
-            reciprocals_.push_back(static_cast<std::uint64_t>((Wide{1} << 101) / field.prime()));
+            reciprocals_.push_back(static_cast<std::uint64_t>((UInt128{1} << 101) / field.prime()));
         }
     }
 }
 
-BatchTables BatchCombination::tables() const {
+BatchTables ChineseRemainderBatch::tables() const {
     return {groups() * lanes,  digits_,         (digits_ * BatchTables::digit_bits + 63) / 64,
             cofactors_.data(), product_.data(), reciprocals_.data()};
 }
 
-std::vector<Integer> BatchCombination::integers(Octet* residues, std::size_t stride,
-                                                std::size_t count) const {
+std::vector<Integer> ChineseRemainderBatch::integers(ResidueVector* residues, std::size_t stride,
+                                                     std::size_t count) const {
     for (std::size_t g = 0; g < groups(); ++g) {
-        Octet* const row = residues + g * stride;
-        std::fill(row + count, row + stride, Octet{});
+        ResidueVector* const row = residues + g * stride;
+        std::fill(row + count, row + stride, ResidueVector{});
         operations().scale(moduli(g), row, factors_[g], count, row);
         operations().reduce(moduli(g), row, count);
     }

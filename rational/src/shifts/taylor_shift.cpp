@@ -14,8 +14,8 @@ namespace blossom {
 
 namespace {
 
-using digit_rows::digit_bits;
-using digit_rows::levels;
+using taylor_lanes::digit_bits;
+using taylor_lanes::levels;
 
 constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
 /// Below, what is written for the vectors takes longer than they save.
@@ -26,7 +26,7 @@ constexpr std::size_t most_coefficients_in_words = 64;
 constexpr std::size_t least_coefficients_in_residues = 513;
 constexpr std::size_t most_bits_a_coefficient = 4;
 
-const digit_rows::Operations& row_operations() { return *vectors::table().taylor; }
+const taylor_lanes::Operations& row_operations() { return *vectors::table().taylor; }
 
 /// Planes for numbers of at most `bits` bits: the greatest digit stays far below a word. They hold whole
 /// groups of four digits.
@@ -211,7 +211,7 @@ std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients) {
     if (coefficients.size() <= most_coefficients_in_words && bits < 64)
         return shifted_in<std::int64_t>(coefficients);
     if (coefficients.size() <= most_coefficients_in_words && bits < 128)
-        return shifted_in<SignedWide>(coefficients);
+        return shifted_in<Int128>(coefficients);
     if (coefficients.size() < least_coefficients)
         return row_recurrences::shifted_by_one<Integer>(coefficients);
     if (coefficients.size() >= least_coefficients_in_residues &&

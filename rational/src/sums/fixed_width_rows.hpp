@@ -32,7 +32,7 @@ public:
         }
         open_ = product;
     }
-    void multiply(Wide factor) {
+    void multiply(UInt128 factor) {
         if (factor >> 64 == 0) return multiply(static_cast<std::uint64_t>(factor));
         full_ += width(open_) + width(factor);
         open_ = 1;
@@ -40,7 +40,7 @@ public:
     std::size_t bits() const { return full_ + width(open_); }
 
 private:
-    static std::size_t width(Wide value) {
+    static std::size_t width(UInt128 value) {
         const auto high = static_cast<std::uint64_t>(value >> 64);
         const auto low = static_cast<std::uint64_t>(value);
         return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low));
@@ -84,7 +84,7 @@ public:
 
 private:
     static Word extended(std::int64_t value) {
-        if constexpr (sizeof(Word) > 8) return static_cast<Word>(static_cast<SignedWide>(value));
+        if constexpr (sizeof(Word) > 8) return static_cast<Word>(static_cast<Int128>(value));
         return static_cast<Word>(value);
     }
 

@@ -22,7 +22,7 @@ struct WordWeights {
     std::size_t final_bits(std::size_t start_bits) const {
         BitBound bound(start_bits);
         for (std::size_t i = 0; i < own.size(); ++i)
-            bound.multiply(Wide{magnitude(own[i])} + magnitude(neighbours[i]));
+            bound.multiply(UInt128{magnitude(own[i])} + magnitude(neighbours[i]));
         return bound.bits();
     }
 };
@@ -65,7 +65,7 @@ void multiply_factors(LimbRow& row, const WordWeights& weights) {
 template <class Run>
 auto with_row(std::size_t size, std::size_t start_bits, std::size_t final_bits, Run run) {
     if (final_bits < 64) return run(WordRow<std::uint64_t>(size));
-    if (final_bits < 128) return run(WordRow<Wide>(size));
+    if (final_bits < 128) return run(WordRow<UInt128>(size));
     return run(LimbRow(size, start_bits, final_bits));
 }
 

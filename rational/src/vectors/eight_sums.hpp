@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 inline constexpr std::size_t lanes = 8;
 /// The most factors of a tuple.
@@ -90,4 +90,4 @@ struct WideOperations {
 extern const Operations avx512_operations;
 extern const WideOperations wide_avx512_operations;
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums

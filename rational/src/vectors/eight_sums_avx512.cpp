@@ -4,7 +4,7 @@
 // NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
 #include "load_eight_factors.hpp"
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 namespace {
 
@@ -136,7 +136,7 @@ template <std::size_t Count>
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) {
         all_denominators = _mm512_or_si512(all_denominators, factors[i].denominator);
-        all = _mm512_or_si512(all, size_of(factors[i]));
+        all = _mm512_or_si512(all, l1_norm(factors[i]));
     }
     all = _mm512_or_si512(all, all_denominators);
     beyond =
@@ -223,6 +223,6 @@ bool store(const Quotients& quotients, void* numbers) {
 
 const Operations avx512_operations{sums, store};
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums
 
 // NOLINTEND(portability-simd-intrinsics)

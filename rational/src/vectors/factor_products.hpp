@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::factor_lanes {
+namespace blossom::factor_products {
 
 inline constexpr std::size_t most_blocks = 8;
 /// The most factors of a block.
@@ -45,4 +45,4 @@ struct Operations {
 
 extern const Operations avx512_operations;
 
-}  // namespace blossom::factor_lanes
+}  // namespace blossom::factor_products

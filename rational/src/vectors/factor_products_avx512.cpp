@@ -6,13 +6,13 @@
 #include "factor_products.hpp"
 #include "load_factors.hpp"
 
-namespace blossom::factor_lanes {
+namespace blossom::factor_products {
 
 namespace {
 
-using lane_factors::Factor;
-using lane_factors::size_of;
-using lane_factors::united;
+using load_factors::Factor;
+using load_factors::l1_norm;
+using load_factors::united;
 
 constexpr std::size_t number_bits = 52;
 
@@ -25,7 +25,7 @@ __m512i extended(__m512i number) {
 
 /// Pairs of numbers u and m for the factors m + u X.
 struct OfPairs {
-    static constexpr std::size_t words = lane_factors::pair_words;
+    static constexpr std::size_t words = load_factors::pair_words;
     static constexpr std::size_t denominator = 2;  ///< its place among them
 
     const std::uint64_t* pairs = nullptr;
@@ -47,12 +47,12 @@ struct OfPairs {
             constexpr int any_of_three = 0xfe;
             all = _mm512_ternarylogic_epi64(all, next[b], next[b + 1], any_of_three);
         }
-        return lane_factors::factor_of<Blocks>(next);
+        return load_factors::factor_of<Blocks>(next);
     }
 
     /// Whether every u that was read is a quotient of words and every m is 0 or 1.
     bool is_valid() const {
-        const __m512i surplus = lane_factors::surplus(all);
+        const __m512i surplus = load_factors::surplus(all);
         return _mm512_test_epi64_mask(surplus, surplus) == 0;
     }
 };
@@ -144,7 +144,7 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
     coefficients[1] = factors.slope;
     __m512i denominators = factors.denominator;
     __m512i all_denominators = denominators;
-    __m512i bounds = size_of(factors);
+    __m512i bounds = l1_norm(factors);
     __m512i all_sizes = bounds;
 #pragma GCC unroll 8
     for (std::size_t i = 1; i < Degree; ++i) {
@@ -152,7 +152,7 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
                                  : source.template read<Blocks, false>(i * Blocks, count);
         denominators = product_of(denominators, factors.denominator);
         all_denominators = _mm512_or_si512(all_denominators, factors.denominator);
-        const __m512i sizes = size_of(factors);
+        const __m512i sizes = l1_norm(factors);
         bounds = product_of(bounds, sizes);
         all_sizes = _mm512_or_si512(all_sizes, sizes);
         coefficients[i + 1] = product_of(coefficients[i], factors.slope);
@@ -210,6 +210,6 @@ bool multiply(const void* factors, std::size_t count, const Primes& primes, Prod
 
 const Operations avx512_operations{multiply<OfPairs>, multiply<OfWords>};
 
-}  // namespace blossom::factor_lanes
+}  // namespace blossom::factor_products
 
 // NOLINTEND(portability-simd-intrinsics)

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::digit_folds {
+namespace blossom::fold_blocks {
 
 inline constexpr std::size_t digit_bits = 52;
 /// The most factors.
@@ -44,4 +44,4 @@ using Fold = void (*)(const Columns& numbers, const Block* blocks, std::size_t b
 
 void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::int64_t* sum);
 
-}  // namespace blossom::digit_folds
+}  // namespace blossom::fold_blocks

@@ -8,13 +8,13 @@
 #include "eight_sums.hpp"
 #include "load_factors.hpp"
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 namespace {
 
-using lane_factors::Factor;
-using lane_factors::size_of;
-using lane_factors::united;
+using load_factors::Factor;
+using load_factors::l1_norm;
+using load_factors::united;
 
 inline __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
 
@@ -29,14 +29,14 @@ public:
 #pragma GCC unroll 8
         for (std::size_t l = 0; l < lanes; ++l) {
             pairs[l] = _mm512_loadu_si512(static_cast<const std::uint64_t*>(tuples_[l]) +
-                                          lane_factors::pair_words * i);
+                                          load_factors::pair_words * i);
             all_ = _mm512_or_si512(all_, pairs[l]);
         }
-        return lane_factors::factor_of<lanes>(pairs);
+        return load_factors::factor_of<lanes>(pairs);
     }
 
     /// Bits, all of which are 0 if every u that was read is a quotient of words and every m is 0 or 1.
-    __m512i beyond() const { return lane_factors::surplus(all_); }
+    __m512i beyond() const { return load_factors::surplus(all_); }
 
 private:
     const void* const* tuples_;
@@ -103,6 +103,6 @@ private:
 
 }  // namespace
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums
 
 // NOLINTEND(portability-simd-intrinsics)

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::lane_factors {
+namespace blossom::load_factors {
 
 namespace {
 
@@ -20,7 +20,7 @@ struct Factor {
 };
 
 /// |constant| + |slope|
-inline __m512i size_of(const Factor& factor) {
+inline __m512i l1_norm(const Factor& factor) {
     return _mm512_add_epi64(_mm512_abs_epi64(factor.constant), _mm512_abs_epi64(factor.slope));
 }
 
@@ -76,6 +76,6 @@ std::uint64_t united(__m512i words) {
 
 }  // namespace
 
-}  // namespace blossom::lane_factors
+}  // namespace blossom::load_factors
 
 // NOLINTEND(portability-simd-intrinsics)

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::digit_rows {
+namespace blossom::taylor_lanes {
 
 /// A number is sum_i d_i 2^(48 i), where the digits d_i are signed and have room to grow: sums of digits are
 /// taken without carries, and the carries are moved up only now and then.
@@ -32,4 +32,4 @@ extern const Operations portable_operations;
 extern const Operations avx2_operations;
 extern const Operations avx512_operations;
 
-}  // namespace blossom::digit_rows
+}  // namespace blossom::taylor_lanes

@@ -16,7 +16,7 @@ struct Level {
 };
 
 constexpr Table portable_table{.residues = &residues::portable_operations,
-                               .taylor = &digit_rows::portable_operations,
+                               .taylor = &taylor_lanes::portable_operations,
                                .eight_sums = nullptr,
                                .eight_wide_sums = nullptr,
                                .factor_products = nullptr,
@@ -30,7 +30,7 @@ const Table* avx2_table() {
     static constexpr Table table = [] {
         Table result = portable_table;
         result.residues = &residues::avx2_operations;
-        result.taylor = &digit_rows::avx2_operations;
+        result.taylor = &taylor_lanes::avx2_operations;
         return result;
     }();
     if (__builtin_cpu_supports("avx2")) return &table;
@@ -41,11 +41,11 @@ const Table* avx2_table() {
 const Table* avx512_table() {
 #if defined(BLOSSOM_VECTORS_AVX512)
     static constexpr Table table{.residues = &residues::avx512_operations,
-                                 .taylor = &digit_rows::avx512_operations,
-                                 .eight_sums = &word_lanes::avx512_operations,
-                                 .eight_wide_sums = &word_lanes::wide_avx512_operations,
-                                 .factor_products = &factor_lanes::avx512_operations,
-                                 .fold_blocks = digit_folds::avx512_fold,
+                                 .taylor = &taylor_lanes::avx512_operations,
+                                 .eight_sums = &eight_sums::avx512_operations,
+                                 .eight_wide_sums = &eight_sums::wide_avx512_operations,
+                                 .factor_products = &factor_products::avx512_operations,
+                                 .fold_blocks = fold_blocks::avx512_fold,
                                  .prime_divisors = prime_lanes::avx512_divisors,
                                  .gcds = &gcd_lanes::avx512_operations,
                                  .integers_of_residues = residues::avx512_integers_of_residues};

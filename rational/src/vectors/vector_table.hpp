@@ -16,12 +16,12 @@ namespace blossom::vectors {
 /// What a level of vector instructions offers. Null pointers stand for what it has not: the callers then go
 /// another way.
 struct Table {
-    const residues::Operations* residues;  ///< on every level
-    const digit_rows::Operations* taylor;  ///< on every level
-    const word_lanes::Operations* eight_sums;
-    const word_lanes::WideOperations* eight_wide_sums;
-    const factor_lanes::Operations* factor_products;
-    digit_folds::Fold fold_blocks;
+    const residues::Operations* residues;    ///< on every level
+    const taylor_lanes::Operations* taylor;  ///< on every level
+    const eight_sums::Operations* eight_sums;
+    const eight_sums::WideOperations* eight_wide_sums;
+    const factor_products::Operations* factor_products;
+    fold_blocks::Fold fold_blocks;
     prime_lanes::Divisors prime_divisors;
     const gcd_lanes::Operations* gcds;
     residues::IntegersOfResidues integers_of_residues;

@@ -58,13 +58,13 @@ std::span<const SumKernelRule> sum_kernel_rules();
 ///
 /// Which kernel runs follows from the bound max |c_jk| * prod (|constant_i| + |slope_i|) on the numerators of
 /// the sums, taken in integers. Copies share what was prepared.
-class LinearFactorSums {
+class BlossomSums {
 public:
     /// How much may be spent on what pays only when many sums follow.
     enum class Use { many, once };
 
     /// `numbers` are `rows` rows of equal length, one after the other.
-    LinearFactorSums(RationalVector numbers, std::size_t rows, Use use = Use::many);
+    BlossomSums(RationalVector numbers, std::size_t rows, Use use = Use::many);
 
     std::size_t rows() const;
     /// n
@@ -107,10 +107,10 @@ public:
                                                  std::span<const std::uint64_t> denominators,
                                                  std::span<const WordFactor> factors);
 
-    struct Prepared;  ///< the rows in the forms that the kernels read, defined in the private sources
+    struct PreparedRows;  ///< the rows in the forms that the kernels read, defined in the private sources
 
 private:
-    std::shared_ptr<const Prepared> prepared_;
+    std::shared_ptr<const PreparedRows> prepared_;
 };
 
 }  // namespace blossom

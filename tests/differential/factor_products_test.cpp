@@ -73,8 +73,8 @@ Integer smooth_number(Random& random, std::size_t bits) {
 
 }  // namespace
 
-TEST_CASE("factor lanes: blocks that end at 51 bits, sums at digits and words", "[differential]") {
-    each_case("factor lanes", [](Random& random) {
+TEST_CASE("factor products: blocks that end at 51 bits, sums at digits and words", "[differential]") {
+    each_case("factor products", [](Random& random) {
         const BlockShape shape = random_shape(random);
         const Signs signs = any_signs(random);
         std::vector<WordFactor> factors;
@@ -85,9 +85,9 @@ TEST_CASE("factor lanes: blocks that end at 51 bits, sums at digits and words", 
     });
 }
 
-TEST_CASE("factor lanes: pairs of numbers", "[differential]") {
+TEST_CASE("factor products: pairs of numbers", "[differential]") {
     std::size_t computed = 0;
-    each_case("factor lanes of pairs", [&](Random& random) {
+    each_case("factor products of pairs", [&](Random& random) {
         const BlockShape shape = random_shape(random);
         std::vector<Pair> pairs;
         std::vector<WordFactor> factors;
