@@ -60,12 +60,13 @@ void shift_by_one(const ShiftTables& tables, std::size_t count, ResidueVector* n
 }
 
 /// numbers[k] *= first * ratio^k
-void scale_by_powers(const Moduli& group, const ResidueVector& first, ResidueVector ratio, std::size_t count,
-                     ResidueVector* numbers, ResidueVector* room) {
+void scale_by_powers(const Moduli& group, const ResidueVector& first, const ResidueVector& ratio,
+                     std::size_t count, ResidueVector* numbers, ResidueVector* room) {
+    ResidueVector power = ratio;
     room[0] = first;
     for (std::size_t done = 1; done < count; done *= 2) {
-        operations().scale(group, room, ratio, std::min(done, count - done), room + done);
-        operations().scale(group, &ratio, ratio, 1, &ratio);
+        operations().scale(group, room, power, std::min(done, count - done), room + done);
+        operations().scale(group, &power, power, 1, &power);
     }
     operations().multiply_each(group, numbers, room, count, numbers);
 }
@@ -86,11 +87,12 @@ ResidueVector product(const Moduli& group, const ResidueVector& a, const Residue
 }
 
 /// base^exponent, times the radix like the base.
-ResidueVector power(const Moduli& group, ResidueVector base, std::size_t exponent) {
+ResidueVector power(const Moduli& group, const ResidueVector& base, std::size_t exponent) {
     ResidueVector result = group.radix;
+    ResidueVector square = base;
     for (; exponent != 0; exponent >>= 1) {
-        if ((exponent & 1) != 0) result = product(group, result, base);
-        base = product(group, base, base);
+        if ((exponent & 1) != 0) result = product(group, result, square);
+        square = product(group, square, square);
     }
     return result;
 }

@@ -130,13 +130,13 @@ Numbers<Digits> remainders(const std::uint64_t* number, std::size_t count, const
 template <std::size_t Digits>
 void gcds(const std::uint64_t* number, std::size_t count, Factors& given) {
     Numbers<Digits> odd;
-    for (std::size_t i = 0; i < Digits; ++i) odd.digits[i] = _mm512_load_si512(given.digits[i]);
+    for (std::size_t i = 0; i < Digits; ++i) odd.digits[i] = _mm512_loadu_si512(given.digits[i]);
     if constexpr (Digits > 1) {
         if (is_zero(odd.digits[Digits - 1])) return gcds<Digits - 1>(number, count, given);
     }
-    Numbers<Digits> rest = remainders(number, count, odd, _mm512_load_si512(given.negative_inverses));
+    Numbers<Digits> rest = remainders(number, count, odd, _mm512_loadu_si512(given.negative_inverses));
     run(odd, rest);
-    for (std::size_t i = 0; i < Digits; ++i) _mm512_store_si512(given.digits[i], odd.digits[i]);
+    for (std::size_t i = 0; i < Digits; ++i) _mm512_storeu_si512(given.digits[i], odd.digits[i]);
 }
 
 // Two vectors in turns, because each step waits for the one before.

@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t step = BatchTables::digits_at_once;
 constexpr std::size_t digit_bits = BatchTables::digit_bits;
 
-__m512i load(const ResidueVector& from) { return _mm512_load_si512(&from); }
-void store(ResidueVector& to, __m512i value) { _mm512_store_si512(&to, value); }
+__m512i load(const ResidueVector& from) { return _mm512_loadu_si512(&from); }
+void store(ResidueVector& to, __m512i value) { _mm512_storeu_si512(&to, value); }
 __m512i broadcast(std::uint64_t value) { return _mm512_set1_epi64(static_cast<long long>(value)); }
 
 /// Rows and columns of eight residue vectors change places.
