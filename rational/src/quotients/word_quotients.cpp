@@ -1,11 +1,10 @@
 #include "word_quotients.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <array>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "quotient_reduction.hpp"
-#include "vectors/vector_table.hpp"
 #include "word_gcds.hpp"
 
 namespace blossom {
@@ -74,26 +73,8 @@ constexpr auto prime_groups = [] {
     return groups;
 }();
 
-constexpr auto prime_lane_table = [] {
-    constexpr std::uint64_t mask = (std::uint64_t{1} << prime_lanes::digit_bits) - 1;
-    static_assert(prime_lanes::lanes * prime_lanes::primes_a_lane == small_primes::count);
-    prime_lanes::Table table{};
-    for (std::size_t i = 0; i < small_primes::count; ++i) {
-        const std::size_t lane = i % prime_lanes::lanes;
-        const small_primes::Prime& prime = small_primes::table.primes[i];
-        std::uint64_t& product = table.products[lane];
-        product = i < prime_lanes::lanes ? prime.prime : product * prime.prime;
-        table.inverses_of_products[lane] = inverse_of_odd(product) & mask;
-        table.inverses[i / prime_lanes::lanes][lane] = prime.inverse & mask;
-        table.most[i / prime_lanes::lanes][lane] = mask / prime.prime;
-    }
-    return table;
-}();
-
 /// The primes of a set that divide the number.
 small_primes::Set divisors(const Words& number, small_primes::Set set) {
-    if (const prime_lanes::Divisors in_lanes = vectors::table().prime_divisors)
-        return in_lanes(prime_lane_table, number.words, number.size) & set;
     small_primes::Set result = 0;
     for (const PrimeGroup& group : prime_groups) {
         if ((set & group.primes) == 0) continue;
@@ -114,54 +95,7 @@ Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
     return result;
 }
 
-/// Modulo 2^128, as small_primes::Prime.
-struct WideInverse {
-    UInt128 inverse = 0;
-    UInt128 most = 0;
-};
-constexpr auto wide_inverses = [] {
-    std::array<WideInverse, small_primes::count> result{};
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const small_primes::Prime& prime = small_primes::table.primes[i];
-        result[i] = {UInt128{prime.inverse} * (2 - UInt128{prime.prime} * prime.inverse),
-                     ~UInt128{0} / prime.prime};
-    }
-    return result;
-}();
-
-int trailing_zeros(UInt128 value) {
-    const auto low = static_cast<std::uint64_t>(value);
-    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
-}
-
-/// For a numerator > 0 and a denominator of two words each, by dividing what is common out of both.
-void assign_quotient_of_pairs(Rational& value, const Words& numerator, bool negative,
-                              const DenominatorWords& denominator) {
-    small_primes::Set common = divisors(numerator, denominator.primes());
-    const std::span<const std::uint64_t> factors = denominator.words();
-    UInt128 top = numerator.size == 1 ? 0 : UInt128{numerator.words[1]} << 64;
-    top |= numerator.words[0];
-    UInt128 bottom = factors.size() == 1 ? UInt128{factors[0]} : UInt128{factors[0]} * factors[1];
-    const int twos = std::min(trailing_zeros(top), trailing_zeros(bottom));
-    top >>= twos;
-    bottom >>= twos;
-    for (; common != 0; common &= common - 1) {
-        const WideInverse& prime = wide_inverses[static_cast<std::size_t>(std::countr_zero(common))];
-        for (;;) {
-            const UInt128 less = bottom * prime.inverse;
-            const UInt128 quotient = top * prime.inverse;
-            if (less > prime.most || quotient > prime.most) break;
-            bottom = less;
-            top = quotient;
-        }
-    }
-    const auto words_of = [](UInt128 number) {
-        return std::array{static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(number >> 64)};
-    };
-    RationalAccess::set_lowest_terms(value, words_of(top), negative, words_of(bottom));
-}
-
-/// The same of any number of words, the denominator factor by factor.
+/// For a numerator > 0, by dividing what is common out of both, the denominator factor by factor.
 void assign_quotient_by_primes(Rational& value, const Words& top, bool negative,
                                const DenominatorWords& denominator) {
     std::uint64_t left[most_words];
@@ -228,8 +162,7 @@ void assign_quotient(Rational& value, std::span<std::uint64_t> numerator, bool n
     } else if (is_short && factors.empty()) {
         value = IntegerAccess::from_magnitude(top.span(), negative);
     } else if (is_short && denominator.primes() != small_primes::any_primes) {
-        const bool is_pair = top.size <= 2 && factors.size() <= 2;
-        (is_pair ? assign_quotient_of_pairs : assign_quotient_by_primes)(value, top, negative, denominator);
+        assign_quotient_by_primes(value, top, negative, denominator);
     } else if (!is_short || !assign_quotient_in_place(value, top, negative, factors)) {
         value = reduced_quotient(top.span(), negative, factors, further);
     }

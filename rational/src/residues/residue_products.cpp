@@ -13,12 +13,6 @@ namespace {
 constexpr std::size_t basecase = 64;
 static_assert(basecase <= most_product_terms);
 
-/// Vectors in the largest buffer that is kept.
-constexpr std::size_t most_kept_vectors = std::size_t{1} << 16;
-
-// A buffer that is given back takes the place of a smaller one.
-thread_local Buffer::Memory kept_buffers[4];
-
 /// a[0..m) in pieces of n terms, for m > n.
 void multiply_in_pieces(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
                         std::size_t n, ResidueVector* product, ResidueVector* scratch) {
@@ -55,23 +49,6 @@ void multiply(const Moduli& moduli, const ResidueVector* a, std::size_t m, const
     run.subtract(moduli, middle, product, 2 * half - 1, middle);
     run.subtract(moduli, middle, product + 2 * half, m + n - 2 * half - 1, middle);
     run.add(moduli, product + half, middle, std::min(2 * half - 1, m + n - 1 - half), product + half);
-}
-
-Buffer::Buffer(std::size_t size) {
-    for (Memory& kept : kept_buffers) {
-        if (kept.size >= size && (!memory_.vectors || kept.size < memory_.size)) std::swap(memory_, kept);
-    }
-    if (memory_.size >= size) return;
-    // A little more serves the next that is a little longer.
-    memory_.size = size + size / 8;
-    memory_.vectors = std::make_unique_for_overwrite<ResidueVector[]>(memory_.size);
-}
-
-Buffer::~Buffer() {
-    if (memory_.size > most_kept_vectors) return;
-    for (Memory& kept : kept_buffers) {
-        if (kept.size < memory_.size) std::swap(kept, memory_);
-    }
 }
 
 ProductTree::ProductTree(std::vector<std::size_t> sizes)

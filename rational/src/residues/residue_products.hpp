@@ -10,26 +10,14 @@
 
 namespace blossom::residues {
 
-/// Memory for residue vectors, with what its last user left in it. Each thread keeps a few buffers that are
-/// given back for the next.
+/// Memory for residue vectors, which is not cleared.
 class Buffer {
 public:
-    explicit Buffer(std::size_t size);
-    Buffer(const Buffer&) = delete;
-    Buffer(Buffer&&) = delete;
-    Buffer& operator=(const Buffer&) = delete;
-    Buffer& operator=(Buffer&&) = delete;
-    ~Buffer();
-    ResidueVector* data() const { return memory_.vectors.get(); }
-
-    struct Memory {
-        std::unique_ptr<ResidueVector[]>
-            vectors;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
-        std::size_t size = 0;
-    };
+    explicit Buffer(std::size_t size) : vectors_(std::make_unique_for_overwrite<ResidueVector[]>(size)) {}
+    ResidueVector* data() const { return vectors_.get(); }
 
 private:
-    Memory memory_;
+    std::unique_ptr<ResidueVector[]> vectors_;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
 };
 
 /// The product of polynomials that lie one after the other, by a balanced tree.

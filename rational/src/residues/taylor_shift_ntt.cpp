@@ -8,16 +8,17 @@
 
 namespace blossom::residues {
 
-ResidueVector inverse(const Moduli& moduli, ResidueVector x) {
+ResidueVector inverse(const Moduli& moduli, const ResidueVector& x) {
     const Operations& run = operations();
+    ResidueVector square = x;
     ResidueVector result = moduli.radix;
     // x^(p - 2), by squares.
     for (std::size_t bit = 0; bit < run.prime_bits; ++bit) {
         ResidueVector next{};
-        run.scale(moduli, &result, x, 1, &next);
+        run.scale(moduli, &result, square, 1, &next);
         for (std::size_t i = 0; i < lanes; ++i)
             if (((moduli.prime.lane[i] - 2) >> bit & 1) != 0) result.lane[i] = next.lane[i];
-        run.scale(moduli, &x, x, 1, &x);
+        run.scale(moduli, &square, square, 1, &square);
     }
     return result;
 }
@@ -53,10 +54,8 @@ ShiftTables::ShiftTables(const Moduli& moduli, std::size_t size)
       factorials_(size / 2),
       inverse_factorials_(size / 2),
       exponential_(size),
-      roots_(size) {
+      roots_(moduli, size) {
     const Operations& run = operations();
-    // No buffer: what a thread keeps of them may be gone before these tables are.
-    std::copy_n(Roots(moduli, size).data(), size, roots_.data());
     ResidueVector k{};  // times the radix
     factorials_[0] = moduli.radix;
     for (std::size_t i = 1; i < factorials_.size(); ++i) {

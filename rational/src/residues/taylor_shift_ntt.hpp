@@ -10,7 +10,7 @@
 namespace blossom::residues {
 
 /// 1/x for numbers x that no prime divides, both times the radix.
-ResidueVector inverse(const Moduli& moduli, ResidueVector x);
+ResidueVector inverse(const Moduli& moduli, const ResidueVector& x);
 
 /// What shifts of at most size / 2 coefficients take modulo the primes of one group.
 class ShiftTables {
@@ -37,7 +37,7 @@ private:
     std::vector<ResidueVector> factorials_;
     std::vector<ResidueVector> inverse_factorials_;
     std::vector<ResidueVector> exponential_;  ///< its values
-    std::vector<ResidueVector> roots_;
+    Roots roots_;
 };
 
 }  // namespace blossom::residues

@@ -20,7 +20,7 @@ using taylor_lanes::levels;
 constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
 /// Below, what is written for the vectors takes longer than they save.
 constexpr std::size_t least_coefficients = 12;
-/// Up to so many, words and pairs of words are faster where they suffice.
+/// Up to so many, pairs of words are faster where they suffice.
 constexpr std::size_t most_coefficients_in_words = 64;
 /// From so many on, transforms are faster where results have at most so many bits a coefficient.
 constexpr std::size_t least_coefficients_in_residues = 513;
@@ -182,13 +182,11 @@ private:
     DigitRow carries_;
 };
 
-/// On machine words, which must have room for 2^(n - 1) times the greatest of n coefficients.
-template <class Word>
-std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
-    constexpr std::size_t size = sizeof(Word) / sizeof(std::uint64_t);
-    std::uint64_t words[size];
-    Word in_place[most_coefficients_in_words];
-    const std::span<Word> row = std::span(in_place).first(coefficients.size());
+/// In 128 bits, which must have room for 2^(n - 1) times the greatest of n coefficients.
+std::vector<Integer> shifted_in_pairs_of_words(std::span<const Integer> coefficients) {
+    std::uint64_t words[2];
+    Int128 in_place[most_coefficients_in_words];
+    const std::span<Int128> row = std::span(in_place).first(coefficients.size());
     for (std::size_t k = 0; k < row.size(); ++k) {
         IntegerAccess::to_twos_complement(coefficients[k], words);
         std::memcpy(&row[k], words, sizeof words);
@@ -196,7 +194,7 @@ std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
     row_recurrences::shift_by_one(row);
     std::vector<Integer> result;
     result.reserve(row.size());
-    for (const Word& value : row) {
+    for (const Int128& value : row) {
         std::memcpy(words, &value, sizeof words);
         result.push_back(IntegerAccess::from_twos_complement(words));
     }
@@ -208,10 +206,8 @@ std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
 std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients) {
     if (coefficients.empty()) return {};
     const std::size_t bits = greatest_bit_length(coefficients) + coefficients.size() - 1;
-    if (coefficients.size() <= most_coefficients_in_words && bits < 64)
-        return shifted_in<std::int64_t>(coefficients);
     if (coefficients.size() <= most_coefficients_in_words && bits < 128)
-        return shifted_in<Int128>(coefficients);
+        return shifted_in_pairs_of_words(coefficients);
     if (coefficients.size() < least_coefficients)
         return row_recurrences::shifted_by_one<Integer>(coefficients);
     if (coefficients.size() >= least_coefficients_in_residues &&

@@ -18,8 +18,7 @@ using eight_sums::lanes;
 constexpr auto small_divisors = [] {
     std::array<eight_sums::Divisor, small_primes::count> divisors{};
     for (std::size_t i = 0; i < divisors.size(); ++i)
-        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most,
-                       small_primes::table.primes[i].most >> 12};
+        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most};
     return divisors;
 }();
 constexpr auto wide_divisors = [] {

@@ -37,7 +37,6 @@ SumKernel kernel_without_limbs(const PreparedRows& rows, std::span<const LinearF
 SumKernel kernel_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
                               const Bounds& bits) {
     const bool on_stack = factors.size() <= word_sums::most_factors;
-    if (on_stack && !rows.words.empty() && bits.sum < 128) return SumKernel::wide;
     if (rows.digits.suffice(factors, bits.sum)) return SumKernel::limbs;
     if (!on_stack) return kernel_without_limbs(rows, factors);
     if (!rows.limbs.empty() && bits.sum / 64 < most_sum_limbs) return SumKernel::limbs;
@@ -76,17 +75,6 @@ bool evaluate_words(const PreparedRows& rows, std::span<const WordFactor> factor
         return evaluate_fixed(rows, std::span<const WordFactor, count>(factors.data(), factors.size()),
                               first_row, sums);
     });
-}
-
-void evaluate_wide(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
-                   std::span<Rational> sums) {
-    const word_sums::WideFactorProduct product(factors);
-    const DenominatorWords denominator =
-        word_sums::denominator_words(rows.denominator.words, rows.primes, factors);
-    for (std::size_t j = 0; j < sums.size(); ++j) {
-        word_sums::assign_quotient(sums[j], product.sum_of_products(rows.words_of(first_row + j).words),
-                                   denominator);
-    }
 }
 
 fixed_width::LimbRow multiplied_out(std::span<const WordFactor> factors, std::size_t bits) {
@@ -144,7 +132,7 @@ void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>
                        std::size_t first_row, std::span<Rational> sums) {
     const std::vector<Integer> numerators =
         residue_sums(rows.numbers, rows.use == BlossomSums::Use::many ? &rows.residues : nullptr,
-                     blocks_of(factors), closer_sum_bits(rows, factors), first_row, sums.size());
+                     blocks_of(factors), sum_bits(rows, factors), first_row, sums.size());
     const auto [denominators, negative] = denominator_factors(rows, factors);
     std::vector<std::uint64_t> numerator;
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -216,12 +204,11 @@ bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::
     return true;
 }
 
-/// Whether vector lanes suffice; `multiply(blocks)` multiplies the factors out.
-template <class Multiply>
-bool evaluate_lanes(const PreparedRows& rows, std::size_t first_row, std::span<Rational> sums,
-                    const Multiply& multiply) {
+/// Whether vector lanes suffice.
+[[gnu::noinline]] bool evaluate_lanes(const PreparedRows& rows, std::span<const WordFactor> factors,
+                                      std::size_t first_row, std::span<Rational> sums) {
     LaneBlocks blocks;
-    if (!multiply(blocks)) return false;
+    if (!blocks.multiply(rows.digits, factors)) return false;
     if (set_sums_in_words(rows, blocks, first_row, sums)) return true;
     DenominatorWords denominator;
     for (const std::uint64_t factor : rows.denominator.words) denominator.multiply(factor, rows.primes);
@@ -235,27 +222,12 @@ bool evaluate_lanes(const PreparedRows& rows, std::size_t first_row, std::span<R
     return true;
 }
 
-[[gnu::noinline]] bool evaluate_lanes(const PreparedRows& rows, std::span<const WordFactor> factors,
-                                      std::size_t first_row, std::span<Rational> sums) {
-    return evaluate_lanes(rows, first_row, sums,
-                          [&](LaneBlocks& blocks) { return blocks.multiply(rows.digits, factors); });
-}
-
-[[gnu::noinline]] bool evaluate_lanes_of_pairs(const PreparedRows& rows, const Rational* pairs,
-                                               std::size_t first_row, std::span<Rational> sums) {
-    return evaluate_lanes(rows, first_row, sums, [&](LaneBlocks& blocks) {
-        return blocks.multiply_pairs(rows.digits, pairs, rows.size - 1);
-    });
-}
-
 /// Kept apart from the kernel `word`, which needs neither its registers nor its memory.
 [[gnu::noinline]] void evaluate_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
                                              std::size_t first_row, std::span<Rational> sums) {
     const Bounds bits = bounds(rows, factors);
     switch (kernel_beyond_words(rows, factors, bits)) {
         case SumKernel::word:
-        case SumKernel::wide:
-            return evaluate_wide(rows, factors, first_row, sums);
         case SumKernel::limbs:
             return evaluate_limbs(rows, factors, bits, first_row, sums);
         case SumKernel::residues:
@@ -268,8 +240,6 @@ bool evaluate_lanes(const PreparedRows& rows, std::size_t first_row, std::span<R
 constexpr SumKernelRule rules[] = {
     {SumKernel::word, "word",
      "at most 64 factors of words; numerators and denominators of the sums below 2^63"},
-    {SumKernel::wide, "wide",
-     "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
     {SumKernel::limbs, "limbs",
      "at most 64 factors of words; numerators of the sums below 2^511; "
      "with AVX-512 IFMA up to 128 factors below 2^51 and numerators below 2^831"},
@@ -315,8 +285,7 @@ void BlossomSums::evaluate(std::span<const WordFactor> factors, std::size_t firs
 bool BlossomSums::evaluate_pairs(const Rational* pairs, std::size_t first_row,
                                  std::span<Rational> sums) const {
     const PreparedRows& rows = *prepared_;
-    return (!rows.words.empty() && evaluate_pairs_in_words(rows, pairs, first_row, sums)) ||
-           evaluate_lanes_of_pairs(rows, pairs, first_row, sums);
+    return !rows.words.empty() && evaluate_pairs_in_words(rows, pairs, first_row, sums);
 }
 
 void BlossomSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,

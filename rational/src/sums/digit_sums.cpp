@@ -94,15 +94,8 @@ DigitBlocks::DigitBlocks(const SumDigits& rows, std::span<const WordFactor> fact
 
 bool LaneBlocks::multiply(const SumDigits& rows, std::span<const WordFactor> factors) {
     return !rows.empty() &&
-           vectors::table().factor_products->multiply(factors.data(), factors.size(), factor_primes,
-                                                      product_) &&
+           vectors::table().factor_products(factors.data(), factors.size(), factor_primes, product_) &&
            set_folds(rows, factors.size());
-}
-
-bool LaneBlocks::multiply_pairs(const SumDigits& rows, const Rational* pairs, std::size_t count) {
-    return !rows.empty() &&
-           vectors::table().factor_products->multiply_pairs(pairs, count, factor_primes, product_) &&
-           set_folds(rows, count);
 }
 
 bool LaneBlocks::set_folds(const SumDigits& rows, std::size_t count) {

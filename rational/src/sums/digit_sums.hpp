@@ -80,8 +80,6 @@ class LaneBlocks {
 public:
     /// False, and nothing else may be asked, if the processor has no lanes, or if they do not suffice.
     bool multiply(const SumDigits& rows, std::span<const WordFactor> factors);
-    /// The same for factors m + u X; see BlossomSums::evaluate_pairs.
-    bool multiply_pairs(const SumDigits& rows, const Rational* pairs, std::size_t count);
 
     const DigitFolds& folds() const { return folds_; }
     /// Of the sums.

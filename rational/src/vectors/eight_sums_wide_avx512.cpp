@@ -98,8 +98,8 @@ void divide_by_common_primes(const WideDivisor* divisors, std::uint32_t set, Lim
 
 void store(LimbPair number, std::uint64_t (&words)[2][lanes]) {
     const __m512i high = limb_of(number.high);
-    _mm512_store_si512(words[0], _mm512_or_si512(number.low, _mm512_slli_epi64(high, limb_bits)));
-    _mm512_store_si512(words[1], _mm512_srli_epi64(high, 64 - limb_bits));
+    _mm512_storeu_si512(words[0], _mm512_or_si512(number.low, _mm512_slli_epi64(high, limb_bits)));
+    _mm512_storeu_si512(words[1], _mm512_srli_epi64(high, 64 - limb_bits));
 }
 
 /// Bits of a number > 0.

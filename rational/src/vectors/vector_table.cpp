@@ -21,7 +21,6 @@ constexpr Table portable_table{.residues = &residues::portable_operations,
                                .eight_wide_sums = nullptr,
                                .factor_products = nullptr,
                                .fold_blocks = nullptr,
-                               .prime_divisors = nullptr,
                                .gcds = nullptr,
                                .integers_of_residues = nullptr};
 
@@ -44,9 +43,8 @@ const Table* avx512_table() {
                                  .taylor = &taylor_lanes::avx512_operations,
                                  .eight_sums = &eight_sums::avx512_operations,
                                  .eight_wide_sums = &eight_sums::wide_avx512_operations,
-                                 .factor_products = &factor_products::avx512_operations,
+                                 .factor_products = factor_products::avx512_multiply,
                                  .fold_blocks = fold_blocks::avx512_fold,
-                                 .prime_divisors = prime_lanes::avx512_divisors,
                                  .gcds = &gcd_lanes::avx512_operations,
                                  .integers_of_residues = residues::avx512_integers_of_residues};
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&

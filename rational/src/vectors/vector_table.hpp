@@ -6,7 +6,6 @@
 #include "factor_products.hpp"
 #include "fold_blocks.hpp"
 #include "gcd_lanes.hpp"
-#include "prime_lanes.hpp"
 #include "residue_batches.hpp"
 #include "residue_lanes.hpp"
 #include "taylor_lanes.hpp"
@@ -20,9 +19,8 @@ struct Table {
     const taylor_lanes::Operations* taylor;  ///< on every level
     const eight_sums::Operations* eight_sums;
     const eight_sums::WideOperations* eight_wide_sums;
-    const factor_products::Operations* factor_products;
+    factor_products::Multiply factor_products;
     fold_blocks::Fold fold_blocks;
-    prime_lanes::Divisors prime_divisors;
     const gcd_lanes::Operations* gcds;
     residues::IntegersOfResidues integers_of_residues;
 };

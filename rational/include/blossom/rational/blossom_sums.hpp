@@ -38,7 +38,7 @@ using IntegerFactor = LinearFactor<Integer>;
 }
 
 /// The ways to compute the sums below; the first that provably suffices is taken.
-enum class SumKernel { word, wide, limbs, residues, integers };
+enum class SumKernel { word, limbs, residues, integers };
 
 /// A kernel and when it is taken.
 struct SumKernelRule {
@@ -78,9 +78,8 @@ public:
                   std::span<Rational> sums) const;
 
     /// The same for factors m + u X: `pairs` points to the u of the first one, its m follows, then the
-    /// others. False, and nothing is done, unless every u is a quotient of words, every m is 0 or 1, and
-    /// there are few factors and the kernel `word` suffices, or the factors are small enough for vector lanes
-    /// and this processor has them.
+    /// others. False, and nothing is done, unless every u is a quotient of words, every m is 0 or 1, there
+    /// are few factors and the kernel `word` suffices.
     bool evaluate_pairs(const Rational* pairs, std::size_t first_row, std::span<Rational> sums) const;
 
     /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: factors m + u
@@ -97,8 +96,9 @@ public:
     SumKernel kernel(std::span<const WordFactor> factors) const;
     SumKernel kernel(std::span<const IntegerFactor> factors) const;
 
-    /// The sum of one row of numbers row[k] / prod denominators, if the kernels `word` and `wide` suffice for
-    /// it; there is nothing to prepare then. `row` does not contain the least value of 64 bits.
+    /// The sum of one row of numbers row[k] / prod denominators, if its numerator is below 2^127 and there
+    /// are at most 64 factors; there is nothing to prepare then. `row` does not contain the least value of 64
+    /// bits.
     static std::optional<Rational> sum_in_words(std::span<const std::int64_t> row,
                                                 std::span<const std::uint64_t> denominators,
                                                 std::span<const WordFactor> factors);
