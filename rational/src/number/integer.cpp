@@ -2,9 +2,7 @@
 #include <blossom/rational/integer.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
-#include <mutex>
 #include <vector>
 
 #include "backend.hpp"
@@ -28,42 +26,7 @@ constexpr std::size_t most_words_of_free_list = std::size_t{1} << 13;
 thread_local FreeList free_list{};
 thread_local bool free_list_is_closed = false;  ///< when the thread ends
 
-/// Lists of free_list that were too many for one thread, for those that have none: results are mostly given
-/// back by another thread than the one that computed them. Whether it is full or empty is seen without the
-/// lock, for which threads would wait at every number otherwise.
-class SharedFreeList {
-public:
-    /// Whether there was room.
-    bool put(const FreeList& list) {
-        if (words_.load(std::memory_order_relaxed) + list.words > most_words) return false;
-        const std::lock_guard lock(mutex_);
-        const std::size_t words = words_.load(std::memory_order_relaxed) + list.words;
-        if (words > most_words || size_ == most_lists) return false;
-        lists_[size_++] = list;
-        words_.store(words, std::memory_order_relaxed);
-        return true;
-    }
-    FreeList take() {
-        if (words_.load(std::memory_order_relaxed) == 0) return {};
-        const std::lock_guard lock(mutex_);
-        if (size_ == 0) return {};
-        const FreeList& list = lists_[--size_];
-        words_.store(words_.load(std::memory_order_relaxed) - list.words, std::memory_order_relaxed);
-        return list;
-    }
-
-private:
-    static constexpr std::size_t most_words = 32 * most_words_of_free_list;
-    static constexpr std::size_t most_lists = 128;
-
-    std::mutex mutex_;
-    std::size_t size_ = 0;
-    std::atomic<std::size_t> words_ = 0;  ///< of all lists; changed by who holds the lock
-    FreeList lists_[most_lists] = {};
-};
-constinit SharedFreeList shared_free_list;
-
-/// Leaves them to others when the thread ends.
+/// Deletes them when the thread ends.
 struct FreeListOfThread {
     FreeListOfThread() = default;
     FreeListOfThread(const FreeListOfThread&) = delete;
@@ -72,7 +35,6 @@ struct FreeListOfThread {
     FreeListOfThread& operator=(FreeListOfThread&&) = delete;
     ~FreeListOfThread() {
         free_list_is_closed = true;
-        if (free_list.first && shared_free_list.put(free_list)) free_list = {};
         while (free_list.first) delete std::exchange(free_list.first, free_list.first->next);
     }
     void start() const {}
@@ -81,12 +43,7 @@ thread_local const FreeListOfThread free_list_of_thread;
 
 /// A number of any value.
 Integer::Large* take_large() {
-    if (!free_list.first) {
-        if (free_list_is_closed) return new Integer::Large;
-        free_list = shared_free_list.take();
-        if (!free_list.first) return new Integer::Large;
-        free_list_of_thread.start();
-    }
+    if (!free_list.first) return new Integer::Large;
     Integer::Large* const number = std::exchange(free_list.first, free_list.first->next);
     free_list.words -= backend::words_held(number->value);
     return number;
@@ -94,16 +51,10 @@ Integer::Large* take_large() {
 
 void give_back(Integer::Large* number) noexcept {
     const std::size_t words = backend::words_held(number->value);
-    if (free_list_is_closed || words > most_words_of_number) {
+    if (free_list_is_closed || words > most_words_of_number ||
+        free_list.words + words > most_words_of_free_list) {
         delete number;
         return;
-    }
-    if (free_list.words + words > most_words_of_free_list) {
-        if (!shared_free_list.put(free_list)) {
-            delete number;
-            return;
-        }
-        free_list = {};
     }
     if (!free_list.first) free_list_of_thread.start();
     number->next = std::exchange(free_list.first, number);

@@ -37,7 +37,7 @@ void set_remainders(std::span<const std::uint64_t> number, const std::uint64_t* 
 
 void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std::uint64_t> factors,
                      std::uint64_t* common) {
-    const gcd_lanes::Operations* const gcds = vectors::table().gcds;
+    const gcd_lanes::Gcds gcds = vectors::table().gcds;
     if (factors.size() < least_words_for_lanes || gcds == nullptr) {
         for (std::size_t i = 0; i < factors.size(); ++i) {
             common[i] = gcd_of_words(limbs::remainder(number.data(), number.size(), factors[i]), factors[i]);
@@ -52,7 +52,7 @@ void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std:
         std::fill_n(odd, word_pairs, std::uint64_t{1});
         for (std::size_t i = 0; i < some.size(); ++i) odd[i] = some[i] >> std::countr_zero(some[i]);
         for (std::size_t i = 0; i < some.size(); i += 4) set_remainders<4>(number, odd + i, rests + i);
-        gcds->words(odd, rests);
+        gcds(odd, rests);
         for (std::size_t i = 0; i < some.size(); ++i) {
             const auto own = static_cast<std::size_t>(std::countr_zero(some[i]));
             *common++ = odd[i] << std::min(twos, own);

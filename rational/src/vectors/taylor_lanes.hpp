@@ -29,7 +29,6 @@ struct Operations {
 };
 
 extern const Operations portable_operations;
-extern const Operations avx2_operations;
 extern const Operations avx512_operations;
 
 }  // namespace blossom::taylor_lanes

@@ -29,7 +29,6 @@ const Table* avx2_table() {
     static constexpr Table table = [] {
         Table result = portable_table;
         result.residues = &residues::avx2_operations;
-        result.taylor = &taylor_lanes::avx2_operations;
         return result;
     }();
     if (__builtin_cpu_supports("avx2")) return &table;
@@ -45,7 +44,7 @@ const Table* avx512_table() {
                                  .eight_wide_sums = &eight_sums::wide_avx512_operations,
                                  .factor_products = factor_products::avx512_multiply,
                                  .fold_blocks = fold_blocks::avx512_fold,
-                                 .gcds = &gcd_lanes::avx512_operations,
+                                 .gcds = gcd_lanes::avx512_gcds,
                                  .integers_of_residues = residues::avx512_integers_of_residues};
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512ifma"))
