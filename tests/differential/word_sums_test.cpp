@@ -1,4 +1,4 @@
-// Sums in words, in two words and in rows of limbs, at the bits where each ends and one beyond.
+// Sums in words, in 128 bits and in rows of limbs, at the bits where each ends and one beyond.
 
 #include "sum_cases.hpp"
 
@@ -55,8 +55,8 @@ TEST_CASE("words: sums that end at 63 bits", "[differential]") {
     check_near("words", 63, 22, SumKernel::word);
 }
 
-TEST_CASE("two words: sums that end at 127 bits", "[differential]") {
-    check_near("two words", 127, 40, SumKernel::limbs);
+TEST_CASE("wide: sums that end at 127 bits", "[differential]") {
+    check_near("wide", 127, 40, SumKernel::wide);
 }
 
 TEST_CASE("limbs: sums that end at 511 bits", "[differential]") {

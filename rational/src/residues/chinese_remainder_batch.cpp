@@ -1,8 +1,6 @@
 #include "chinese_remainder_batch.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <mutex>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "prime_field.hpp"
@@ -26,25 +24,14 @@ std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
 
 }  // namespace
 
-std::shared_ptr<const ChineseRemainderBatch> ChineseRemainderBatch::for_bits(std::size_t bits) {
+std::optional<ChineseRemainderBatch> ChineseRemainderBatch::for_bits(std::size_t bits) {
     constexpr std::size_t most_groups = BatchTables::most_primes / lanes;
-    constexpr std::size_t most_kept = 16;
     // The Chinese remainder theorem takes a product twice as large as for one number.
-    if (vectors::table().integers_of_residues == nullptr || bits > most_groups * lanes * 50) return nullptr;
+    if (vectors::table().integers_of_residues == nullptr || bits > most_groups * lanes * 50)
+        return std::nullopt;
     const std::size_t groups = groups_for(bits + 1);
-    if (groups > most_groups) return nullptr;
-    static std::mutex mutex;
-    static std::deque<std::shared_ptr<const ChineseRemainderBatch>> kept;
-    {
-        const std::lock_guard lock(mutex);
-        for (const auto& combination : kept)
-            if (combination->groups() == groups) return combination;
-    }
-    auto made = std::make_shared<const ChineseRemainderBatch>(groups);
-    const std::lock_guard lock(mutex);
-    kept.push_back(made);
-    if (kept.size() > most_kept) kept.pop_front();
-    return made;
+    if (groups > most_groups) return std::nullopt;
+    return ChineseRemainderBatch(groups);
 }
 
 ChineseRemainderBatch::ChineseRemainderBatch(std::size_t groups) {

@@ -4,7 +4,7 @@
 
 #include <blossom/rational/integer.hpp>
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "residue_products.hpp"
@@ -15,9 +15,9 @@ namespace blossom::residues {
 /// The Chinese remainder theorem for integers below a fourth of the product of the first groups of primes.
 class ChineseRemainderBatch {
 public:
-    /// As few groups as suffice for integers of at most `bits` bits; null where integers are better combined
-    /// one by one. Kept for the numbers of groups met last.
-    static std::shared_ptr<const ChineseRemainderBatch> for_bits(std::size_t bits);
+    /// As few groups as suffice for integers of at most `bits` bits; nothing where integers are better
+    /// combined one by one.
+    static std::optional<ChineseRemainderBatch> for_bits(std::size_t bits);
 
     explicit ChineseRemainderBatch(std::size_t groups);
 

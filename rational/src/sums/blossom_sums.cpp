@@ -37,6 +37,7 @@ SumKernel kernel_without_limbs(const PreparedRows& rows, std::span<const LinearF
 SumKernel kernel_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
                               const Bounds& bits) {
     const bool on_stack = factors.size() <= word_sums::most_factors;
+    if (on_stack && !rows.words.empty() && bits.sum < 128) return SumKernel::wide;
     if (rows.digits.suffice(factors, bits.sum)) return SumKernel::limbs;
     if (!on_stack) return kernel_without_limbs(rows, factors);
     if (!rows.limbs.empty() && bits.sum / 64 < most_sum_limbs) return SumKernel::limbs;
@@ -75,6 +76,17 @@ bool evaluate_words(const PreparedRows& rows, std::span<const WordFactor> factor
         return evaluate_fixed(rows, std::span<const WordFactor, count>(factors.data(), factors.size()),
                               first_row, sums);
     });
+}
+
+void evaluate_wide(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
+                   std::span<Rational> sums) {
+    const word_sums::WideFactorProduct product(factors);
+    const DenominatorWords denominator =
+        word_sums::denominator_words(rows.denominator.words, rows.primes, factors);
+    for (std::size_t j = 0; j < sums.size(); ++j) {
+        word_sums::assign_quotient(sums[j], product.sum_of_products(rows.words_of(first_row + j).words),
+                                   denominator);
+    }
 }
 
 fixed_width::LimbRow multiplied_out(std::span<const WordFactor> factors, std::size_t bits) {
@@ -228,6 +240,8 @@ bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::
     const Bounds bits = bounds(rows, factors);
     switch (kernel_beyond_words(rows, factors, bits)) {
         case SumKernel::word:
+        case SumKernel::wide:
+            return evaluate_wide(rows, factors, first_row, sums);
         case SumKernel::limbs:
             return evaluate_limbs(rows, factors, bits, first_row, sums);
         case SumKernel::residues:
@@ -240,6 +254,8 @@ bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::
 constexpr SumKernelRule rules[] = {
     {SumKernel::word, "word",
      "at most 64 factors of words; numerators and denominators of the sums below 2^63"},
+    {SumKernel::wide, "wide",
+     "at most 64 factors of words; prepared numerators below 2^63, those of the sums below 2^127"},
     {SumKernel::limbs, "limbs",
      "at most 64 factors of words; numerators of the sums below 2^511; "
      "with AVX-512 IFMA up to 128 factors below 2^51 and numerators below 2^831"},

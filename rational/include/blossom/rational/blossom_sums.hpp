@@ -38,7 +38,7 @@ using IntegerFactor = LinearFactor<Integer>;
 }
 
 /// The ways to compute the sums below; the first that provably suffices is taken.
-enum class SumKernel { word, limbs, residues, integers };
+enum class SumKernel { word, wide, limbs, residues, integers };
 
 /// A kernel and when it is taken.
 struct SumKernelRule {
@@ -96,9 +96,8 @@ public:
     SumKernel kernel(std::span<const WordFactor> factors) const;
     SumKernel kernel(std::span<const IntegerFactor> factors) const;
 
-    /// The sum of one row of numbers row[k] / prod denominators, if its numerator is below 2^127 and there
-    /// are at most 64 factors; there is nothing to prepare then. `row` does not contain the least value of 64
-    /// bits.
+    /// The sum of one row of numbers row[k] / prod denominators, if the kernels `word` and `wide` suffice for
+    /// it; there is nothing to prepare then. `row` does not contain the least value of 64 bits.
     static std::optional<Rational> sum_in_words(std::span<const std::int64_t> row,
                                                 std::span<const std::uint64_t> denominators,
                                                 std::span<const WordFactor> factors);
