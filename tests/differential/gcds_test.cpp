@@ -17,7 +17,7 @@ TEST_CASE("word gcds: denominators of up to fifty words", "[differential]") {
     });
 }
 
-TEST_CASE("long gcds: denominators of numbers of a few limbs", "[differential]") {
+TEST_CASE("long gcds: denominators of numbers around the most limbs taken together", "[differential]") {
     each_case("long gcds", [](Random& random) {
         const std::size_t n = random.below(random.one_in(8) ? 20 : 6);
         const std::size_t bits = 64 * (1 + random.below(6)) - 1 + random.below(3);

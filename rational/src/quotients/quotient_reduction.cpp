@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "limbs/limb_arithmetic.hpp"
+#include "long_gcds.hpp"
 #include "number/rational_access.hpp"
 #include "word_gcds.hpp"
 
@@ -73,7 +74,8 @@ Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
     return common;
 }
 
-/// The factors of a denominator at the leaves, words in groups, and above them the products of neighbours.
+/// The factors of a denominator at the leaves, words and numbers of a few limbs in groups, and above them the
+/// products of neighbours.
 class FactorTree {
 public:
     FactorTree(std::span<const std::uint64_t> words, std::span<const Integer> longer) {
@@ -82,20 +84,28 @@ public:
         const std::size_t most_leaves = words.size() / most_words + longer.size() + 1;
         limbs_.resize((all + 1) * static_cast<std::size_t>(std::bit_width(most_leaves) + 2));
         nodes_.reserve(2 * most_leaves);
+        short_factors_.reserve(longer.size());
         Limb* next = limbs_.data();
         for (; !words.empty(); words = words.subspan(nodes_.back().words.size()))
             next = add_leaf(words.first(std::min(words.size(), most_words)), next);
         for (const Integer& factor : longer) {
             const std::size_t size = limbs::size_of(factor);
             limbs::write_magnitude(factor, next, size);
-            nodes_.push_back({{next, size}, {}, {}});
+            if (size <= LongGcds::most_limbs && LongGcds::are_quick()) {
+                short_factors_.emplace_back(next, size);
+            } else {
+                nodes_.push_back({{next, size}, {}, {}, {}});
+            }
             next += size;
         }
+        for (std::span<const Factor> left = short_factors_; !left.empty();
+             left = left.subspan(nodes_.back().factors.size()))
+            next = add_leaf(left.first(std::min(left.size(), LongGcds::most_factors)), next);
         for (std::size_t i = 0; i + 1 < nodes_.size(); i += 2) {
             const Factor a = nodes_[i].product;
             const Factor b = nodes_[i + 1].product;
             limbs::multiply_any(next, a, b);
-            nodes_.push_back({{next, limbs::used(next, a.size() + b.size())}, {}, i});
+            nodes_.push_back({{next, limbs::used(next, a.size() + b.size())}, {}, {}, i});
             next += nodes_.back().product.size();
         }
     }
@@ -117,6 +127,7 @@ private:
     struct Node {
         Factor product;
         std::span<const std::uint64_t> words;  ///< of a leaf that has words
+        std::span<const Factor> factors;       ///< of a leaf that has longer factors
         std::optional<std::size_t> below;      ///< the first of two nodes, unless this is a leaf
     };
 
@@ -127,8 +138,18 @@ private:
     Limb* add_leaf(std::span<const std::uint64_t> words, Limb* next) {
         std::size_t size = 0;
         for (const std::uint64_t word : words) limbs::multiply_by_word(next, size, word);
-        nodes_.push_back({{next, size}, words, {}});
+        nodes_.push_back({{next, size}, words, {}, {}});
         return next + size;
+    }
+    Limb* add_leaf(std::span<const Factor> factors, Limb* next) {
+        std::vector<Limb> product(factors[0].begin(), factors[0].end());
+        for (const Factor& factor : factors.subspan(1)) {
+            limbs::multiply_any(next, product, factor);
+            product.assign(next, next + limbs::used(next, product.size() + factor.size()));
+        }
+        std::ranges::copy(product, next);
+        nodes_.push_back({{next, product.size()}, {}, factors, {}});
+        return next + product.size();
     }
 
     void gather(std::span<const Limb> number, const Node& node, Limb* room, Natural& result) {
@@ -149,6 +170,8 @@ private:
             Limb common[most_words];
             gcds_with_words(number, node.words, common);
             for (const Limb& factor : std::span(common).first(node.words.size())) multiply({&factor, 1});
+        } else if (!node.factors.empty()) {
+            LongGcds(number, node.factors).visit(multiply);
         } else if (const Natural common = gcd(number, node.product); !common.is_one()) {
             result.multiply(common.span());
         }
@@ -156,6 +179,7 @@ private:
 
     std::vector<Limb> limbs_;
     std::vector<Limb> room_;
+    std::vector<Factor> short_factors_;
     std::vector<Node> nodes_;
 };
 

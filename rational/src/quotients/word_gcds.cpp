@@ -20,7 +20,7 @@ constexpr std::size_t least_words_for_lanes = 3;
 
 void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std::uint64_t> factors,
                      std::uint64_t* common) {
-    const gcd_lanes::Gcds gcds = vectors::table().gcds;
+    const gcd_lanes::Operations* const gcds = vectors::table().gcds;
     if (factors.size() < least_words_for_lanes || gcds == nullptr) {
         for (std::size_t i = 0; i < factors.size(); ++i) {
             common[i] = gcd_of_words(limbs::remainder(number.data(), number.size(), factors[i]), factors[i]);
@@ -37,7 +37,7 @@ void gcds_with_words(std::span<const std::uint64_t> number, std::span<const std:
             odd[i] = some[i] >> std::countr_zero(some[i]);
             rests[i] = limbs::remainder(number.data(), number.size(), odd[i]);
         }
-        gcds(odd, rests);
+        gcds->words(odd, rests);
         for (std::size_t i = 0; i < some.size(); ++i) {
             const auto own = static_cast<std::size_t>(std::countr_zero(some[i]));
             *common++ = odd[i] << std::min(twos, own);

@@ -1,6 +1,7 @@
 #include "word_quotients.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "quotient_reduction.hpp"
@@ -52,6 +53,40 @@ struct Words {
     }
 };
 
+/// Neighbouring primes whose product is a word.
+struct PrimeGroup {
+    small_primes::Set primes = 0;
+    std::uint64_t product = 1;
+    std::uint64_t inverse = 1;
+};
+
+constexpr auto prime_groups = [] {
+    std::array<PrimeGroup, 3> groups{};
+    std::size_t last = 0;
+    for (std::size_t i = 0; i < small_primes::count; ++i) {
+        const std::uint64_t prime = small_primes::table.primes[i].prime;
+        if (groups[last].product > ~std::uint64_t{0} / prime) ++last;
+        groups[last].product *= prime;
+        groups[last].primes |= small_primes::Set{1} << i;
+    }
+    for (PrimeGroup& group : groups) group.inverse = inverse_of_odd(group.product);
+    return groups;
+}();
+
+/// The primes of a set that divide the number.
+small_primes::Set divisors(const Words& number, small_primes::Set set) {
+    small_primes::Set result = 0;
+    for (const PrimeGroup& group : prime_groups) {
+        if ((set & group.primes) == 0) continue;
+        const std::uint64_t rest = number.divide_from_below(group.product, group.inverse, [](auto, auto) {});
+        for (small_primes::Set left = set & group.primes; left != 0; left &= left - 1) {
+            const bool divides = small_primes::table.primes[std::countr_zero(left)].divides(rest);
+            result |= divides ? left & (0 - left) : 0;
+        }
+    }
+    return result;
+}
+
 /// The product of the factors in `words`, which has room for it.
 Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
     words[0] = 1;
@@ -75,7 +110,7 @@ void assign_quotient_by_primes(Rational& value, const Words& top, bool negative,
         shared_twos += shift;
     }
     if (shared_twos != 0) limbs::shift_right(top.words, top.size, shared_twos);
-    small_primes::for_each(denominator.primes(), [&](const small_primes::Prime& prime) {
+    small_primes::for_each(divisors(top, denominator.primes()), [&](const small_primes::Prime& prime) {
         for (std::uint64_t& factor : factors) {
             while (prime.divides(factor)) {
                 if (!top.divide_by(prime)) return;

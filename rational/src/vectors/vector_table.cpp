@@ -44,7 +44,7 @@ const Table* avx512_table() {
                                  .eight_wide_sums = &eight_sums::wide_avx512_operations,
                                  .factor_products = factor_products::avx512_multiply,
                                  .fold_blocks = fold_blocks::avx512_fold,
-                                 .gcds = gcd_lanes::avx512_gcds,
+                                 .gcds = &gcd_lanes::avx512_operations,
                                  .integers_of_residues = residues::avx512_integers_of_residues};
     if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512ifma"))

@@ -21,7 +21,7 @@ struct Table {
     const eight_sums::WideOperations* eight_wide_sums;
     factor_products::Multiply factor_products;
     fold_blocks::Fold fold_blocks;
-    gcd_lanes::Gcds gcds;
+    const gcd_lanes::Operations* gcds;
     residues::IntegersOfResidues integers_of_residues;
 };
 
