@@ -22,7 +22,7 @@ struct FreeList {
 };
 /// What one of them may hold, and all of a thread.
 constexpr std::size_t most_words_of_number = 32;
-constexpr std::size_t most_words_of_free_list = std::size_t{1} << 13;
+constexpr std::size_t most_words_of_free_list = std::size_t{1} << 17;
 thread_local FreeList free_list{};
 thread_local bool free_list_is_closed = false;  ///< when the thread ends
 
