@@ -4,7 +4,6 @@
 #include <bit>
 
 #include "limbs/limb_arithmetic.hpp"
-#include "small_primes.hpp"
 #include "vectors/vector_table.hpp"
 
 namespace blossom {

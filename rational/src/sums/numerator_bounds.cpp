@@ -1,8 +1,5 @@
 #include "numerator_bounds.hpp"
 
-#include <algorithm>
-#include <bit>
-
 #include "fixed_width_rows.hpp"
 #include "large_sums.hpp"
 
