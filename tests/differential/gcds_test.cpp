@@ -1,7 +1,7 @@
 // Quotients whose numerators share primes with denominators of many words, and of numbers of a few limbs.
 
 #include "each_case.hpp"
-#include "rational/linear_factor_cases.hpp"
+#include "rational/blossom_sums_cases.hpp"
 #include "support/smooth_numbers.hpp"
 
 using namespace blossom;

@@ -155,8 +155,8 @@ TEST_CASE("Bernstein coefficients: rows that end where words do", "[differential
     });
 }
 
-TEST_CASE("form values: values that end where words and rows of words do", "[differential]") {
-    each_case("form values", [&](Random& random) {
+TEST_CASE("prepared polynomials: values that end where words and rows of words do", "[differential]") {
+    each_case("prepared polynomials", [&](Random& random) {
         const std::size_t limits[] = {63, 64, 127, 128, 191, 256, 511, 512, 1024, 4096};
         const std::size_t limit = limits[random.below(std::size(limits))];
         const std::size_t n = random.below(limit < 130 ? 12 : 40);
@@ -170,7 +170,7 @@ TEST_CASE("form values: values that end where words and rows of words do", "[dif
         Integer denominator = 1;
         if (random.one_in(2)) denominator = abs(number_near(random, random.below(limit))) + 1;
         if (random.one_in(4)) denominator *= pow(Integer(2 + random.below(9)), random.below(20));
-        const FormValues forms(RationalVector(numerators, denominator), rows);
+        const PreparedPolynomial forms(RationalVector(numerators, denominator), rows);
         // More often than there are coefficients, so that what pays only then is prepared too.
         for (std::size_t i = 0; i < (random.one_in(4) ? n + 3 : 3); ++i) {
             const Rational t(number_near(random, t_bits), abs(number_near(random, t_bits)) + 1);

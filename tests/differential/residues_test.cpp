@@ -153,7 +153,7 @@ TEST_CASE("residues: factors beyond words and negative denominators", "[differen
         for (std::size_t k = 0; k <= n; ++k) numerators.push_back(number_near(random, bits));
         const Integer denominator = abs(number_near(random, 1 + random.below(200))) + 1;
         Rational value;
-        LinearFactorSums(RationalVector(numerators, denominator), 1).evaluate(factors, 0, {&value, 1});
+        BlossomSums(RationalVector(numerators, denominator), 1).evaluate(factors, 0, {&value, 1});
         CHECK(value == evident_values(numerators, denominator, factors)[0]);
     });
 }
@@ -185,8 +185,8 @@ TEST_CASE("residues: small fractions over one large denominator", "[differential
             factors_near(random, n, 1 + random.below(62), 1 + random.below(62), Signs::any);
         const std::vector<IntegerFactor> integers = beyond_words(factors);
         Rational value;
-        const auto use = random.one_in(2) ? LinearFactorSums::Use::many : LinearFactorSums::Use::once;
-        LinearFactorSums(RationalVector(numerators, denominator), 1, use).evaluate(integers, 0, {&value, 1});
+        const auto use = random.one_in(2) ? BlossomSums::Use::many : BlossomSums::Use::once;
+        BlossomSums(RationalVector(numerators, denominator), 1, use).evaluate(integers, 0, {&value, 1});
         CHECK(value == evident_values(numerators, denominator, integers)[0]);
     });
 }

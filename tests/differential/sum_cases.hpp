@@ -19,7 +19,7 @@ struct SumCase {
     std::vector<WordFactor> factors;
 
     std::size_t rows() const { return numerators.size() / (factors.size() + 1); }
-    LinearFactorSums sums(LinearFactorSums::Use use = LinearFactorSums::Use::many) const {
+    BlossomSums sums(BlossomSums::Use use = BlossomSums::Use::many) const {
         return {RationalVector(numerators, denominator), rows(), use};
     }
 };
@@ -158,8 +158,8 @@ using KernelsMet = std::map<SumKernel, std::size_t>;
 
 /// All doors to the same sums.
 inline void check_sums(const SumCase& given, const std::vector<Rational>& expected, KernelsMet& met) {
-    const LinearFactorSums prepared = given.sums();
-    const LinearFactorSums once = given.sums(LinearFactorSums::Use::once);
+    const BlossomSums prepared = given.sums();
+    const BlossomSums once = given.sums(BlossomSums::Use::once);
     const std::vector<IntegerFactor> integers = beyond_words(given.factors);
     std::vector<Rational> values(given.rows());
     prepared.evaluate(given.factors, 0, values);

@@ -1,7 +1,7 @@
 // Sums whose numerators share long and short factors with denominators of many words, against the evident
 // formula.
 
-#include "linear_factor_cases.hpp"
+#include "blossom_sums_cases.hpp"
 #include "support/smooth_numbers.hpp"
 
 using namespace blossom;

@@ -23,13 +23,13 @@ namespace blossom {
 namespace {
 
 /// Normalised coefficients, or the control points.
-LinearFactorSums prepared(const PolynomialMap& map, LinearFactorSums::Use use) {
+BlossomSums prepared(const PolynomialMap& map, BlossomSums::Use use) {
     if (const auto* bezier = std::get_if<BezierCurve>(&map))
         return {bezier->control_points().numbers(), bezier->dimension(), use};
     const PointArray& coefficients = std::get<PolynomialCurve>(map).coefficients();
     const auto weights = binomial_weights(coefficients.size() - 1);
     RationalVector numbers = coefficients.numbers().weighted(weights->numerators, weights->denominator);
-    if (use == LinearFactorSums::Use::many) numbers.make_canonical();
+    if (use == BlossomSums::Use::many) numbers.make_canonical();
     return {std::move(numbers), coefficients.dimension(), use};
 }
 
@@ -46,7 +46,7 @@ static_assert(std::is_standard_layout_v<Argument> && offsetof(Argument, u) == 0 
               offsetof(Argument, mass) == sizeof(Rational) && sizeof(Argument) == 2 * sizeof(Rational));
 
 struct Blossom::Kernel {
-    Kernel(const PolynomialMap& map, const Limits& given, LinearFactorSums::Use use)
+    Kernel(const PolynomialMap& map, const Limits& given, BlossomSums::Use use)
         : limits(given),
           sums(prepared(map, use)),
           bits(numerator_bits(map) + degree_of(map) * frame_bits(map)) {
@@ -107,7 +107,7 @@ struct Blossom::Kernel {
     }
 
     Limits limits;
-    LinearFactorSums sums;
+    BlossomSums sums;
     std::size_t bits;  ///< bounds those of a value, but for the arguments
     std::optional<ClearedInterval> interval;
     WordFrame frame;
@@ -127,7 +127,7 @@ struct Blossom::Shared {
         if (known || asked.fetch_add(count, std::memory_order_relaxed) + count <= values_without)
             return known;
         std::call_once(once, [&] {
-            kernel.emplace(map, limits, LinearFactorSums::Use::many);
+            kernel.emplace(map, limits, BlossomSums::Use::many);
             ready.store(&*kernel, std::memory_order_release);
         });
         return &*kernel;
@@ -143,7 +143,7 @@ struct Blossom::Shared {
                       value->begin() + static_cast<std::ptrdiff_t>(first + coordinates.size()),
                       coordinates.begin());
         } else {
-            Kernel(map, limits, LinearFactorSums::Use::once).evaluate(arguments, first, coordinates);
+            Kernel(map, limits, BlossomSums::Use::once).evaluate(arguments, first, coordinates);
         }
     }
 

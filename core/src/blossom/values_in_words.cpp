@@ -58,7 +58,7 @@ bool read(std::span<const Integer> numbers, std::span<const std::int64_t> weight
     return true;
 }
 
-/// `value` is LinearFactorSums::sum_in_words or its apex_in_words.
+/// `value` is BlossomSums::sum_in_words or its apex_in_words.
 template <class Value>
 std::optional<Coordinates> values(const PointArray& numbers, std::span<const std::int64_t> weights,
                                   const Factors& factors, const Value& value) {
@@ -90,11 +90,11 @@ std::optional<Coordinates> value_in_words(const PolynomialMap& map, std::span<co
     if (construction == Construction::symmetric && curve) {
         if (!read(WordFrame(), arguments, factors)) return std::nullopt;
         return values(curve->coefficients(), binomial_weights(arguments.size()), factors,
-                      LinearFactorSums::sum_in_words);
+                      BlossomSums::sum_in_words);
     }
     if (construction == Construction::casteljau && bezier) {
         if (!read(WordFrame(cleared(bezier->interval())), arguments, factors)) return std::nullopt;
-        return values(bezier->control_points(), {}, factors, LinearFactorSums::apex_in_words);
+        return values(bezier->control_points(), {}, factors, BlossomSums::apex_in_words);
     }
     return std::nullopt;
 }

@@ -46,7 +46,7 @@ private:
         forms_.evaluate(t, values);
     }
 
-    FormValues forms_;
+    PreparedPolynomial forms_;
     Limits limits_;
     bool words_are_within_;
 };

@@ -21,7 +21,7 @@ Integer coprime_part(Integer number, const Integer& other) {
 }  // namespace
 
 /// u^(2^i), and the powers of v by which the lower halves are multiplied.
-struct FormHalves::Powers {
+struct EvaluationByHalves::Powers {
     Powers(const Integer& u, const Integer& v, std::size_t count) {
         std::size_t size = 1;
         of_u.push_back(u);
@@ -46,7 +46,8 @@ struct FormHalves::Powers {
     std::vector<Integer> of_v;
 };
 
-FormHalves::FormHalves(std::span<const Integer> coefficients, const Integer& denominator, bool prepared) {
+EvaluationByHalves::EvaluationByHalves(std::span<const Integer> coefficients, const Integer& denominator,
+                                       bool prepared) {
     std::vector<Rational> reduced;
     reduced.reserve(coefficients.size());
     // Without preparation every part stands over the one denominator there is.
@@ -72,8 +73,8 @@ FormHalves::FormHalves(std::span<const Integer> coefficients, const Integer& den
     separate_denominator(over_one);
 }
 
-std::size_t FormHalves::add_node(std::span<const Rational> coefficients, std::size_t begin, std::size_t end,
-                                 Integer& denominator) {
+std::size_t EvaluationByHalves::add_node(std::span<const Rational> coefficients, std::size_t begin,
+                                         std::size_t end, Integer& denominator) {
     if (end - begin == 1) {
         denominator = coefficients[begin].denominator();
         return begin;  // a leaf; never asked for as a node
@@ -97,7 +98,7 @@ std::size_t FormHalves::add_node(std::span<const Rational> coefficients, std::si
 
 /// Each prime of D leaves some coefficients whole: those that it does not divide. It is known if there is
 /// one.
-void FormHalves::separate_denominator(std::span<const Integer> coefficients) {
+void EvaluationByHalves::separate_denominator(std::span<const Integer> coefficients) {
     Integer once = 1;
     Integer often = 1;
     for (const Integer& coefficient : coefficients) {
@@ -111,7 +112,7 @@ void FormHalves::separate_denominator(std::span<const Integer> coefficients) {
     unknown_ = divide_exactly(denominator_, known_);
 }
 
-Integer FormHalves::sum(const Node& node, const Powers& powers) const {
+Integer EvaluationByHalves::sum(const Node& node, const Powers& powers) const {
     const std::size_t middle = node.begin + std::bit_floor(node.end - node.begin - 1);
     const auto half = [&](std::size_t begin, std::size_t end, std::size_t index, const Integer& factor,
                           const Integer& power) {
@@ -123,7 +124,7 @@ Integer FormHalves::sum(const Node& node, const Powers& powers) const {
     return result;
 }
 
-Rational FormHalves::value(const Integer& u, const Integer& v) const {
+Rational EvaluationByHalves::value(const Integer& u, const Integer& v) const {
     const std::size_t count = leaves_.size();
     const Powers powers(u, v, count);
     Integer numerator = nodes_.empty() ? leaves_[0] : sum(nodes_[0], powers);

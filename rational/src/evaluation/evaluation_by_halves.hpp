@@ -11,10 +11,10 @@ namespace blossom {
 
 /// sum_k C_k u^k v^(n-k) / (D v^n). Halves of the coefficients stand over their own denominators, so that
 /// what is multiplied is small for long; and what the sum shares with D is known but for a few primes.
-class FormHalves {
+class EvaluationByHalves {
 public:
     /// `prepared` spends gcds of numbers of the size of D, n of them.
-    FormHalves(std::span<const Integer> coefficients, const Integer& denominator, bool prepared);
+    EvaluationByHalves(std::span<const Integer> coefficients, const Integer& denominator, bool prepared);
 
     Rational value(const Integer& u, const Integer& v) const;
 

@@ -21,7 +21,7 @@ void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> fr
     std::uint64_t carry = 0;
     if (subtract) {
         for (std::size_t i = 0; i < size; ++i) {
-            const Wide product = Wide{from[i]} * factor + carry;
+            const UInt128 product = UInt128{from[i]} * factor + carry;
             const auto low = static_cast<std::uint64_t>(product);
             carry = static_cast<std::uint64_t>(product >> 64) + static_cast<std::uint64_t>(to[i] < low);
             to[i] -= low;
@@ -34,7 +34,7 @@ void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> fr
         return;
     }
     for (std::size_t i = 0; i < size; ++i) {
-        const Wide sum = Wide{from[i]} * factor + to[i] + carry;
+        const UInt128 sum = UInt128{from[i]} * factor + to[i] + carry;
         to[i] = static_cast<std::uint64_t>(sum);
         carry = static_cast<std::uint64_t>(sum >> 64);
     }
@@ -45,17 +45,17 @@ void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> fr
 }
 
 void multiply(std::span<std::uint64_t> number, std::uint64_t factor) {
-    Wide carry = 0;
+    UInt128 carry = 0;
     for (std::uint64_t& word : number) {
-        carry += Wide{word} * factor;
+        carry += UInt128{word} * factor;
         word = static_cast<std::uint64_t>(carry);
         carry >>= 64;
     }
 }
 
-constexpr unsigned digit_bits = 62;
-constexpr std::uint64_t digit_mask = (std::uint64_t{1} << digit_bits) - 1;
-constexpr std::size_t most_digits = 64 * FormLimbs::most_coefficient_words / digit_bits + 1;
+constexpr unsigned part_bits = 62;
+constexpr std::uint64_t part_mask = (std::uint64_t{1} << part_bits) - 1;
+constexpr std::size_t most_parts = 64 * FormLimbs::most_coefficient_words / part_bits + 1;
 /// The bits of the products of powers that are summed up, and how many of them.
 constexpr std::size_t most_weight_bits = 58;
 constexpr std::size_t most_block = 16;
@@ -66,35 +66,35 @@ void set_powers(std::uint64_t (&powers)[most_block + 1], std::uint64_t base, std
     for (std::size_t i = 0; i < count; ++i) powers[i + 1] = powers[i] * base;
 }
 
-/// sums[i] = sum_k digits[k width + i] weights[k]
+/// sums[i] = sum_k parts[k width + i] weights[k]
 template <std::size_t width>
-void add_digits(const std::int64_t* digits, std::span<const std::int64_t> weights, SignedWide* sums) {
-    SignedWide here[width] = {};
+void add_parts(const std::int64_t* parts, std::span<const std::int64_t> weights, Int128* sums) {
+    Int128 here[width] = {};
     for (const std::int64_t weight : weights) {
-        for (std::size_t i = 0; i < width; ++i) here[i] += SignedWide{digits[i]} * weight;
-        digits += width;
+        for (std::size_t i = 0; i < width; ++i) here[i] += Int128{parts[i]} * weight;
+        parts += width;
     }
     std::copy_n(here, width, sums);
 }
 
 /// For each width from 1.
-constexpr auto add_digits_of_width = []<std::size_t... i>(std::index_sequence<i...>) {
-    return std::array{&add_digits<i + 1>...};
-}(std::make_index_sequence<most_digits>());
+constexpr auto add_parts_of_width = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::array{&add_parts<i + 1>...};
+}(std::make_index_sequence<most_parts>());
 
-/// The two's complement of a sum of digits, which it has room for.
-void gather(std::span<const SignedWide> digits, std::span<std::uint64_t> words) {
-    SignedWide carry = 0;
-    Wide gathered = 0;
+/// The two's complement of a sum of parts, which it has room for.
+void gather(std::span<const Int128> parts, std::span<std::uint64_t> words) {
+    Int128 carry = 0;
+    UInt128 gathered = 0;
     unsigned filled = 0;
     std::size_t next = 0;
     for (std::uint64_t& word : words) {
         while (filled < 64) {
-            carry += next < digits.size() ? digits[next] : 0;
+            carry += next < parts.size() ? parts[next] : 0;
             ++next;
-            gathered |= Wide{static_cast<std::uint64_t>(carry) & digit_mask} << filled;
-            carry >>= digit_bits;
-            filled += digit_bits;
+            gathered |= UInt128{static_cast<std::uint64_t>(carry) & part_mask} << filled;
+            carry >>= part_bits;
+            filled += part_bits;
         }
         word = static_cast<std::uint64_t>(gathered);
         gathered >>= 64;
@@ -105,24 +105,24 @@ void gather(std::span<const SignedWide> digits, std::span<std::uint64_t> words) 
 }  // namespace
 
 FormLimbs::FormLimbs(std::span<const Integer> coefficients)
-    : bits_(greatest_bit_length(coefficients)), width_(bits_ / digit_bits + 1) {
-    digits_.reserve(width_ * coefficients.size());
+    : bits_(greatest_bit_length(coefficients)), width_(bits_ / part_bits + 1) {
+    parts_.reserve(width_ * coefficients.size());
     std::vector<std::uint64_t> words(bits_ / 64 + 2);
     for (const Integer& coefficient : coefficients) {
         IntegerAccess::to_twos_complement(abs(coefficient), words);
         for (std::size_t i = 0; i < width_; ++i) {
-            const std::size_t bit = i * digit_bits;
-            const Wide pair =
-                Wide{bit / 64 + 1 < words.size() ? words[bit / 64 + 1] : 0} << 64 | words[bit / 64];
-            const auto digit =
-                static_cast<std::int64_t>(static_cast<std::uint64_t>(pair >> (bit % 64)) & digit_mask);
-            digits_.push_back(coefficient.sign() < 0 ? -digit : digit);
+            const std::size_t bit = i * part_bits;
+            const UInt128 pair =
+                UInt128{bit / 64 + 1 < words.size() ? words[bit / 64 + 1] : 0} << 64 | words[bit / 64];
+            const auto part =
+                static_cast<std::int64_t>(static_cast<std::uint64_t>(pair >> (bit % 64)) & part_mask);
+            parts_.push_back(coefficient.sign() < 0 ? -part : part);
         }
     }
 }
 
 bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t> value) const {
-    const std::size_t count = digits_.size() / width_;
+    const std::size_t count = parts_.size() / width_;
     const std::uint64_t top = magnitude(u);
     const auto bottom = static_cast<std::uint64_t>(v);
     const auto bits = static_cast<std::size_t>(std::bit_width(top | bottom));
@@ -147,13 +147,13 @@ bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t
                 static_cast<std::int64_t>(powers_of_top[k - begin] * powers_of_bottom[end - 1 - k]);
             weights[k - begin] = u < 0 && k % 2 == 1 ? -weight : weight;
         }
-        SignedWide digit_sums[most_digits];
-        add_digits_of_width[width_ - 1](digits_.data() + begin * width_, std::span(weights).first(size),
-                                        digit_sums);
+        Int128 part_sums[most_parts];
+        add_parts_of_width[width_ - 1](parts_.data() + begin * width_, std::span(weights).first(size),
+                                       part_sums);
         const std::size_t sum_bits =
             bits_ + bits * (size - 1) + static_cast<std::size_t>(std::bit_width(size));
         const std::span<std::uint64_t> sum = std::span(sum_words).first(sum_bits / 64 + 1);
-        gather(std::span(digit_sums).first(width_), sum);
+        gather(std::span(part_sums).first(width_), sum);
 
         const std::size_t value_bits =
             bits_ + bits * (count - begin - 1) + static_cast<std::size_t>(std::bit_width(count - begin));

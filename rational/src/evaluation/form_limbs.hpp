@@ -21,15 +21,15 @@ public:
     /// Only for coefficients of at most 64 most_coefficient_words bits.
     explicit FormLimbs(std::span<const Integer> coefficients);
 
-    bool empty() const { return digits_.empty(); }
+    bool empty() const { return parts_.empty(); }
     /// The magnitude of the value into `value`, whose length is enough for it and its sign; whether it is
     /// negative. Neither u nor v is the least value of 64 bits, and v > 0.
     bool evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t> value) const;
 
 private:
-    std::size_t bits_ = 0;              ///< of the greatest magnitude
-    std::size_t width_ = 0;             ///< digits a coefficient
-    std::vector<std::int64_t> digits_;  ///< of 62 bits with the sign of the coefficient: sums of products fit
+    std::size_t bits_ = 0;             ///< of the greatest magnitude
+    std::size_t width_ = 0;            ///< parts a coefficient
+    std::vector<std::int64_t> parts_;  ///< of 62 bits with the sign of the coefficient: sums of products fit
 };
 
 }  // namespace blossom

@@ -1,6 +1,6 @@
 #pragma once
 
-// What FormValues keeps of its rows.
+// What PreparedPolynomial keeps of its rows.
 
 #include <blossom/rational/prepared_polynomial.hpp>
 
@@ -26,7 +26,7 @@ struct PrimeParts {
     std::uint64_t rest_word = 1;  ///< 0 if it is none
 
     /// Whether the rest and a word v > 0 have a prime in common.
-    bool rest_meets(std::uint64_t v) const {
+    bool shares_prime_with(std::uint64_t v) const {
         if (rest_word == 1 || v < 2 + small_primes::table.primes[small_primes::count - 1].prime) return false;
         if (rest_word != 0) return gcd_of_words(rest_word % v, v) != 1;
         return !gcd(rest, Integer(v)).is_one();
@@ -52,12 +52,12 @@ private:
     mutable std::atomic<std::size_t> asked_ = 0;
     mutable std::once_flag once_plain_;
     mutable std::once_flag once_prepared_;
-    mutable std::optional<FormHalves> plain_;
-    mutable std::optional<FormHalves> prepared_;
+    mutable std::optional<EvaluationByHalves> plain_;
+    mutable std::optional<EvaluationByHalves> prepared_;
 };
 
-struct FormValues::Prepared {
-    Prepared(RationalVector numbers, std::size_t row_count);
+struct PreparedPolynomial::Forms {
+    Forms(RationalVector numbers, std::size_t row_count);
 
     RationalVector numbers;
     std::size_t degree;

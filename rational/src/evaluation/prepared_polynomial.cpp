@@ -35,9 +35,9 @@ Word form_in(std::span<const std::int64_t> coefficients, const WordParameter& t,
     return sum;
 }
 
-using PreparedForms = FormValues::Prepared;
+using Forms = PreparedPolynomial::Forms;
 
-bool set_in_word(const PreparedForms& form, const FormRow& row, const WordParameter& t, Rational& value) {
+bool set_in_word(const Forms& form, const FormRow& row, const WordParameter& t, Rational& value) {
     const std::size_t n = form.degree;
     if (row.words.empty() || form.word_denominator == 0 || form.sum_bits + n * t.bits > 63) return false;
     std::uint64_t denominator = 0;
@@ -46,14 +46,14 @@ bool set_in_word(const PreparedForms& form, const FormRow& row, const WordParame
         return false;
     const small_primes::Set primes =
         form.denominator_primes | (row.greatest.primes & small_primes::primes_of(t.v));
-    set_reduced(value, static_cast<std::int64_t>(sum), denominator,
-                row.greatest.rest_meets(t.v) ? small_primes::any_primes : primes);
+    assign_quotient(value, static_cast<std::int64_t>(sum), denominator,
+                    row.greatest.shares_prime_with(t.v) ? small_primes::any_primes : primes);
     return true;
 }
 
 /// The part of v whose primes may divide N: those of the greatest coefficient.
 std::uint64_t suspected_part(std::uint64_t v, const PrimeParts& greatest) {
-    if (greatest.primes == small_primes::any_primes || greatest.rest_meets(v)) return v;
+    if (greatest.primes == small_primes::any_primes || greatest.shares_prime_with(v)) return v;
     std::uint64_t rest = v >> std::countr_zero(v);
     small_primes::for_each(greatest.primes, [&](const small_primes::Prime& prime) {
         while (prime.divides(rest)) rest *= prime.inverse;
@@ -62,13 +62,13 @@ std::uint64_t suspected_part(std::uint64_t v, const PrimeParts& greatest) {
 }
 
 /// The denominators of a value that may share primes with its numerator; the other part of v^n comes back.
-std::uint64_t set_denominators(const PreparedForms& form, const FormRow& row, const WordParameter& t,
+std::uint64_t set_denominators(const Forms& form, const FormRow& row, const WordParameter& t,
                                DenominatorWords& denominators) {
     for (const std::uint64_t factor : form.denominators)
         denominators.multiply(factor, form.denominator_primes);
     const std::uint64_t suspected = suspected_part(t.v, row.greatest);
     if (suspected != 1) {
-        const bool all = row.greatest.rest_meets(t.v);
+        const bool all = row.greatest.shares_prime_with(t.v);
         const small_primes::Set primes = all ? small_primes::any_primes : row.greatest.primes;
         for (std::size_t left = form.degree; left > 0;) {
             std::uint64_t power = 1;
@@ -81,43 +81,43 @@ std::uint64_t set_denominators(const PreparedForms& form, const FormRow& row, co
 }
 
 /// Words of denominators beyond which the general way is taken.
-bool has_room(const PreparedForms& form, const WordParameter& t) {
+bool has_room(const Forms& form, const WordParameter& t) {
     const std::size_t words_of_power = form.degree * static_cast<std::size_t>(std::bit_width(t.v)) / 32 + 1;
     return form.denominators.size() + words_of_power <= DenominatorWords::most_words;
 }
 
-void set_reduced(const PreparedForms& form, const FormRow& row, const WordParameter& t,
-                 std::span<std::uint64_t> magnitude, bool negative, Rational& value) {
+void assign_quotient(const Forms& form, const FormRow& row, const WordParameter& t,
+                     std::span<std::uint64_t> magnitude, bool negative, Rational& value) {
     DenominatorWords denominators;
     const std::uint64_t rest = set_denominators(form, row, t, denominators);
     std::size_t used = magnitude.size();
     while (used > 1 && magnitude[used - 1] == 0) --used;
-    set_reduced(value, magnitude.first(used), negative, denominators, {});
+    assign_quotient(value, magnitude.first(used), negative, denominators, {});
     if (rest != 1 && !value.is_zero())
         RationalAccess::multiply_denominator(value, pow(Integer(rest), form.degree));
 }
 
-bool set_in_limbs(const PreparedForms& form, const FormRow& row, const WordParameter& t, Rational& value) {
+bool set_in_limbs(const Forms& form, const FormRow& row, const WordParameter& t, Rational& value) {
     const std::size_t bits = form.sum_bits + form.degree * t.bits + 1;
     if (form.denominators.empty() || !has_room(form, t)) return false;
     if (!row.words.empty() && bits < 128) {
-        Wide power = 0;
-        const auto sum = static_cast<SignedWide>(form_in(row.words, t, power));
-        const Wide size = magnitude(sum);
+        UInt128 power = 0;
+        const auto sum = static_cast<Int128>(form_in(row.words, t, power));
+        const UInt128 size = magnitude(sum);
         std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-        set_reduced(form, row, t, words, sum < 0, value);
+        assign_quotient(form, row, t, words, sum < 0, value);
         return true;
     }
     if (row.limbs.empty() || bits > 64 * FormLimbs::most_words) return false;
     std::uint64_t words[FormLimbs::most_words];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits / 64 + 1);
     const bool negative = row.limbs.evaluate(t.u, static_cast<std::int64_t>(t.v), numerator);
-    set_reduced(form, row, t, numerator, negative, value);
+    assign_quotient(form, row, t, numerator, negative, value);
     return true;
 }
 
 /// Kept apart from what few words need.
-[[gnu::noinline]] void set_beyond_words(const PreparedForms& form, const FormRow& row, const WordParameter& t,
+[[gnu::noinline]] void set_beyond_words(const Forms& form, const FormRow& row, const WordParameter& t,
                                         Rational& value) {
     if (!set_in_limbs(form, row, t, value)) value = row.value_by_halves(t.u, t.v);
 }
@@ -159,7 +159,7 @@ Rational FormRow::value_by_halves(const Integer& u, const Integer& v) const {
     return prepared_->value(u, v);
 }
 
-FormValues::Prepared::Prepared(RationalVector given, std::size_t row_count)
+PreparedPolynomial::Forms::Forms(RationalVector given, std::size_t row_count)
     : numbers(std::move(given)), degree(numbers.size() / row_count - 1) {
     const std::size_t size = degree + 1;
     const std::size_t bits = greatest_bit_length(numbers.numerators());
@@ -184,20 +184,20 @@ FormValues::Prepared::Prepared(RationalVector given, std::size_t row_count)
     }
 }
 
-FormValues::FormValues(RationalVector numbers, std::size_t rows)
-    : prepared_(std::make_shared<const Prepared>(std::move(numbers), rows)) {}
+PreparedPolynomial::PreparedPolynomial(RationalVector numbers, std::size_t rows)
+    : prepared_(std::make_shared<const Forms>(std::move(numbers), rows)) {}
 
-std::size_t FormValues::rows() const { return prepared_->rows.size(); }
+std::size_t PreparedPolynomial::rows() const { return prepared_->rows.size(); }
 
-std::size_t FormValues::degree() const { return prepared_->degree; }
+std::size_t PreparedPolynomial::degree() const { return prepared_->degree; }
 
-std::size_t FormValues::value_bits(std::size_t bits_of_t) const {
+std::size_t PreparedPolynomial::value_bits(std::size_t bits_of_t) const {
     return std::max(prepared_->sum_bits, prepared_->numbers.denominator().bit_length()) +
            degree() * bits_of_t;
 }
 
-void FormValues::evaluate(std::int64_t numerator, std::int64_t denominator,
-                          std::span<Rational> values) const {
+void PreparedPolynomial::evaluate(std::int64_t numerator, std::int64_t denominator,
+                                  std::span<Rational> values) const {
     const WordParameter t(numerator, static_cast<std::uint64_t>(denominator));
     auto row = prepared_->rows.begin();
     for (Rational& value : values) {
@@ -206,7 +206,7 @@ void FormValues::evaluate(std::int64_t numerator, std::int64_t denominator,
     }
 }
 
-void FormValues::evaluate(const Rational& t, std::span<Rational> values) const {
+void PreparedPolynomial::evaluate(const Rational& t, std::span<Rational> values) const {
     const auto u = t.numerator().to_int64();
     const auto v = t.denominator().to_int64();
     if (u && v && *u != std::numeric_limits<std::int64_t>::min()) return evaluate(*u, *v, values);

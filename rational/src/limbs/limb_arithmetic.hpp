@@ -56,9 +56,9 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
 #else
 
 inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
-    Wide carry = 0;
+    UInt128 carry = 0;
     for (std::size_t i = 0; i < size; ++i) {
-        carry += Wide{a[i]} + b[i];
+        carry += UInt128{a[i]} + b[i];
         sum[i] = static_cast<Limb>(carry);
         carry >>= 64;
     }
@@ -67,7 +67,7 @@ inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
 inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t size) {
     Limb borrow = 0;
     for (std::size_t i = 0; i < size; ++i) {
-        const Wide rest = Wide{a[i]} - b[i] - borrow;
+        const UInt128 rest = UInt128{a[i]} - b[i] - borrow;
         difference[i] = static_cast<Limb>(rest);
         borrow = static_cast<Limb>(rest >> 64) & 1;
     }
@@ -76,9 +76,9 @@ inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t
 inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b, std::size_t n) {
     std::fill(product, product + m + n, Limb{0});
     for (std::size_t j = 0; j < n; ++j) {
-        Wide carry = 0;
+        UInt128 carry = 0;
         for (std::size_t i = 0; i < m; ++i) {
-            carry += Wide{a[i]} * b[j] + product[i + j];
+            carry += UInt128{a[i]} * b[j] + product[i + j];
             product[i + j] = static_cast<Limb>(carry);
             carry >>= 64;
         }
@@ -103,7 +103,7 @@ inline void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t m
 }
 inline Limb remainder(const Limb* a, std::size_t size, Limb divisor) {
     Limb rest = 0;
-    for (std::size_t i = size; i-- > 0;) rest = static_cast<Limb>((Wide{rest} << 64 | a[i]) % divisor);
+    for (std::size_t i = size; i-- > 0;) rest = static_cast<Limb>((UInt128{rest} << 64 | a[i]) % divisor);
     return rest;
 }
 inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, std::size_t n) {
@@ -116,7 +116,7 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
 /// The 64 bits of a number from `bit` on; beyond its limbs there are zeros.
 inline Limb bits_from(std::span<const Limb> number, std::size_t bit) {
     const auto limb = [&](std::size_t i) { return i < number.size() ? number[i] : 0; };
-    const Wide pair = Wide{limb(bit / 64 + 1)} << 64 | limb(bit / 64);
+    const UInt128 pair = UInt128{limb(bit / 64 + 1)} << 64 | limb(bit / 64);
     return static_cast<Limb>(pair >> (bit % 64));
 }
 
@@ -128,9 +128,9 @@ inline void multiply_any(Limb* product, std::span<const Limb> a, std::span<const
 
 /// number[0..size) *= factor, where a size of 0 stands for 1; the size grows with the number.
 inline void multiply_by_word(Limb* number, std::size_t& size, Limb factor) {
-    Wide carry = size == 0 ? Wide{factor} : Wide{0};
+    UInt128 carry = size == 0 ? UInt128{factor} : UInt128{0};
     for (std::size_t i = 0; i < size; ++i) {
-        carry += Wide{number[i]} * factor;
+        carry += UInt128{number[i]} * factor;
         number[i] = static_cast<Limb>(carry);
         carry >>= 64;
     }

@@ -26,10 +26,10 @@ void dot(LimbView a, LimbView b, std::size_t count, std::uint64_t* result) {
         load(b.words + k * b.stride, b.width, y);
 #pragma GCC unroll 8
         for (std::size_t i = 0; i < Width; ++i) {
-            Wide carry = 0;
+            UInt128 carry = 0;
 #pragma GCC unroll 8
             for (std::size_t j = 0; i + j < Width; ++j) {
-                carry += Wide{x[i]} * y[j] + sum[i + j];
+                carry += UInt128{x[i]} * y[j] + sum[i + j];
                 sum[i + j] = static_cast<std::uint64_t>(carry);
                 carry >>= 64;
             }

@@ -2,9 +2,7 @@
 #include <blossom/rational/integer.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <bit>
-#include <mutex>
 #include <vector>
 
 #include "backend.hpp"
@@ -18,96 +16,49 @@ namespace {
 
 /// The numbers that this thread gave back last, with the memory that they hold: what is computed next needs
 /// about as much. Nothing here has a destructor, so that integers of any lifetime may give back.
-struct Spares {
+struct FreeList {
     Integer::Large* first;
     std::size_t words;  ///< that all of them hold
 };
 /// What one of them may hold, and all of a thread.
-constexpr std::size_t most_words_of_spare = 32;
-constexpr std::size_t most_words_of_spares = std::size_t{1} << 13;
-thread_local Spares spares{};
-thread_local bool spares_are_closed = false;  ///< when the thread ends
+constexpr std::size_t most_words_of_number = 32;
+constexpr std::size_t most_words_of_free_list = std::size_t{1} << 17;
+thread_local FreeList free_list{};
+thread_local bool free_list_is_closed = false;  ///< when the thread ends
 
-/// Lists of spares that were too many for one thread, for those that have none: results are mostly given back
-/// by another thread than the one that computed them. Whether it is full or empty is seen without the lock,
-/// for which threads would wait at every number otherwise.
-class Depot {
-public:
-    /// Whether there was room.
-    bool put(const Spares& list) {
-        if (words_.load(std::memory_order_relaxed) + list.words > most_words) return false;
-        const std::lock_guard lock(mutex_);
-        const std::size_t words = words_.load(std::memory_order_relaxed) + list.words;
-        if (words > most_words || size_ == most_lists) return false;
-        lists_[size_++] = list;
-        words_.store(words, std::memory_order_relaxed);
-        return true;
-    }
-    Spares take() {
-        if (words_.load(std::memory_order_relaxed) == 0) return {};
-        const std::lock_guard lock(mutex_);
-        if (size_ == 0) return {};
-        const Spares& list = lists_[--size_];
-        words_.store(words_.load(std::memory_order_relaxed) - list.words, std::memory_order_relaxed);
-        return list;
-    }
-
-private:
-    static constexpr std::size_t most_words = 32 * most_words_of_spares;
-    static constexpr std::size_t most_lists = 128;
-
-    std::mutex mutex_;
-    std::size_t size_ = 0;
-    std::atomic<std::size_t> words_ = 0;  ///< of all lists; changed by who holds the lock
-    Spares lists_[most_lists] = {};
-};
-constinit Depot depot;
-
-/// Leaves them to others when the thread ends.
-struct SparesOfThread {
-    SparesOfThread() = default;
-    SparesOfThread(const SparesOfThread&) = delete;
-    SparesOfThread(SparesOfThread&&) = delete;
-    SparesOfThread& operator=(const SparesOfThread&) = delete;
-    SparesOfThread& operator=(SparesOfThread&&) = delete;
-    ~SparesOfThread() {
-        spares_are_closed = true;
-        if (spares.first && depot.put(spares)) spares = {};
-        while (spares.first) delete std::exchange(spares.first, spares.first->next);
+/// Deletes them when the thread ends.
+struct FreeListOfThread {
+    FreeListOfThread() = default;
+    FreeListOfThread(const FreeListOfThread&) = delete;
+    FreeListOfThread(FreeListOfThread&&) = delete;
+    FreeListOfThread& operator=(const FreeListOfThread&) = delete;
+    FreeListOfThread& operator=(FreeListOfThread&&) = delete;
+    ~FreeListOfThread() {
+        free_list_is_closed = true;
+        while (free_list.first) delete std::exchange(free_list.first, free_list.first->next);
     }
     void start() const {}
 };
-thread_local const SparesOfThread spares_of_thread;
+thread_local const FreeListOfThread free_list_of_thread;
 
 /// A number of any value.
 Integer::Large* take_large() {
-    if (!spares.first) {
-        if (spares_are_closed) return new Integer::Large;
-        spares = depot.take();
-        if (!spares.first) return new Integer::Large;
-        spares_of_thread.start();
-    }
-    Integer::Large* const number = std::exchange(spares.first, spares.first->next);
-    spares.words -= backend::words_held(number->value);
+    if (!free_list.first) return new Integer::Large;
+    Integer::Large* const number = std::exchange(free_list.first, free_list.first->next);
+    free_list.words -= backend::words_held(number->value);
     return number;
 }
 
 void give_back(Integer::Large* number) noexcept {
     const std::size_t words = backend::words_held(number->value);
-    if (spares_are_closed || words > most_words_of_spare) {
+    if (free_list_is_closed || words > most_words_of_number ||
+        free_list.words + words > most_words_of_free_list) {
         delete number;
         return;
     }
-    if (spares.words + words > most_words_of_spares) {
-        if (!depot.put(spares)) {
-            delete number;
-            return;
-        }
-        spares = {};
-    }
-    if (!spares.first) spares_of_thread.start();
-    number->next = std::exchange(spares.first, number);
-    spares.words += words;
+    if (!free_list.first) free_list_of_thread.start();
+    number->next = std::exchange(free_list.first, number);
+    free_list.words += words;
 }
 
 void require_divisor(const Integer& divisor) {

@@ -8,16 +8,16 @@
 
 namespace blossom {
 
-__extension__ using Wide = unsigned __int128;
-__extension__ using SignedWide = __int128;
+__extension__ using UInt128 = unsigned __int128;
+__extension__ using Int128 = __int128;
 
 inline std::uint64_t magnitude(std::int64_t value) {
     const auto bits = static_cast<std::uint64_t>(value);
     return value < 0 ? 0 - bits : bits;
 }
 
-inline Wide magnitude(SignedWide value) {
-    const auto bits = static_cast<Wide>(value);
+inline UInt128 magnitude(Int128 value) {
+    const auto bits = static_cast<UInt128>(value);
     return value < 0 ? 0 - bits : bits;
 }
 

@@ -7,12 +7,12 @@ namespace {
 using residues::lanes;
 using residues::Moduli;
 using residues::moduli;
-using residues::Octet;
 using residues::operations;
+using residues::ResidueVector;
 using subset_sums::group_residue;
 using subset_sums::Groups;
 using subset_sums::number_of_arguments;
-using subset_sums::octet_of;
+using subset_sums::residue_vector_of;
 using subset_sums::result_bits;
 using subset_sums::Rows;
 
@@ -24,8 +24,8 @@ class PowerSums {
 public:
     PowerSums(const Moduli& moduli, std::size_t n)
         : moduli_(moduli), size_(n + 1), sums_(size_ * size_), powers_(size_), inverse_(size_) {
-        std::ranges::fill(sums_, octet_of(0));
-        sums_[0] = octet_of(1);
+        std::ranges::fill(sums_, residue_vector_of(0));
+        sums_[0] = residue_vector_of(1);
         for (std::size_t l = 0; l < lanes; ++l) {
             const PrimeField field(moduli.prime.lane[l]);
             for (std::size_t j = 1; j < size_; ++j)
@@ -34,22 +34,22 @@ public:
     }
 
     /// One more argument: sets without it change sign, and e^((u + x) t) = e^(u t) e^(x t) for those with it.
-    void append(const Octet& parameter, bool point) {
+    void append(const ResidueVector& parameter, bool point) {
         // x^j / j! behind all others, highest j first, times the radix.
-        Octet factor{};
+        ResidueVector factor{};
         powers_[size_ - 1] = moduli_.radix;
         for (std::size_t j = 1; j < size_; ++j) {
             operations().scale(moduli_, &parameter, inverse_[j], 1, &factor);
             operations().scale(moduli_, &powers_[size_ - j], factor, 1, &powers_[size_ - 1 - j]);
         }
         points_ += point ? 1 : 0;
-        const Octet zero = octet_of(0);
+        const ResidueVector zero = residue_vector_of(0);
         for (std::size_t points = points_ + 1; points-- > 0;) {
-            Octet* row = sums_.data() + points * size_;
+            ResidueVector* row = sums_.data() + points * size_;
             const bool grows = !point || points > 0;
-            const Octet* smaller = point && grows ? row - size_ : row;
+            const ResidueVector* smaller = point && grows ? row - size_ : row;
             for (std::size_t k = size_; k-- > 0;) {
-                const Octet larger =
+                const ResidueVector larger =
                     grows ? operations().dot(moduli_, smaller, &powers_[size_ - 1 - k], k + 1) : zero;
                 operations().subtract(moduli_, &larger, &row[k], 1, &row[k]);
             }
@@ -57,15 +57,15 @@ public:
     }
 
     /// sum_N N^(n-k) a_Nk for each k.
-    std::vector<Octet> weighted_by_points() const {
-        std::vector<Octet> result(size_, octet_of(0));
+    std::vector<ResidueVector> weighted_by_points() const {
+        std::vector<ResidueVector> result(size_, residue_vector_of(0));
         for (std::size_t points = 0; points <= points_; ++points) {
-            Octet number{};
+            ResidueVector number{};
             for (std::size_t l = 0; l < lanes; ++l)
                 number.lane[l] = PrimeField(moduli_.prime.lane[l]).product(points, moduli_.radix.lane[l]);
-            Octet power = moduli_.radix;
+            ResidueVector power = moduli_.radix;
             for (std::size_t k = size_; k-- > 0;) {
-                Octet term{};
+                ResidueVector term{};
                 operations().scale(moduli_, &sums_[points * size_ + k], power, 1, &term);
                 operations().add(moduli_, &result[k], &term, 1, &result[k]);
                 operations().scale(moduli_, &power, number, 1, &power);
@@ -78,9 +78,9 @@ private:
     const Moduli& moduli_;
     std::size_t size_;
     std::size_t points_ = 0;
-    std::vector<Octet> sums_;  ///< row after row, one for each number of points
-    std::vector<Octet> powers_;
-    std::vector<Octet> inverse_;  ///< 1/j times the square of the radix
+    std::vector<ResidueVector> sums_;  ///< row after row, one for each number of points
+    std::vector<ResidueVector> powers_;
+    std::vector<ResidueVector> inverse_;  ///< 1/j times the square of the radix
 };
 
 }  // namespace
@@ -89,14 +89,14 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
     const std::size_t n = number_of_arguments(groups);
     const std::size_t bits = result_bits(rows, groups);
     if (bits > most_regrouped_bits || n >= residues::most_terms) return std::nullopt;
-    std::vector<std::vector<Octet>> residues_of_sums(rows.size());
+    std::vector<std::vector<ResidueVector>> residues_of_sums(rows.size());
     const std::size_t prime_groups = residues::groups_for(bits);
     for (std::size_t g = 0; g < prime_groups; ++g) {
         const Moduli& primes = moduli(g);
         PowerSums sums(primes, n);
-        Octet masses = octet_of(1);
+        ResidueVector masses = residue_vector_of(1);
         for (const SubsetGroup& group : groups) {
-            Octet parameter{};
+            ResidueVector parameter{};
             for (std::size_t l = 0; l < lanes; ++l) {
                 const PrimeField field(primes.prime.lane[l]);
                 const auto residue = group_residue(field, group);
@@ -108,9 +108,9 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
             for (std::size_t i = 0; i < group.multiplicity; ++i)
                 sums.append(parameter, !group.mass.is_zero());
         }
-        const std::vector<Octet> weighted = sums.weighted_by_points();
+        const std::vector<ResidueVector> weighted = sums.weighted_by_points();
         for (std::size_t j = 0; j < rows.size(); ++j) {
-            Octet total = octet_of(0);
+            ResidueVector total = residue_vector_of(0);
             for (std::size_t l = 0; l < lanes; ++l) {
                 const PrimeField field(primes.prime.lane[l]);
                 std::uint64_t factor = masses.lane[l];  // times k!

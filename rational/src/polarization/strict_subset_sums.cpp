@@ -9,11 +9,11 @@ namespace {
 using residues::lanes;
 using residues::Moduli;
 using residues::moduli;
-using residues::Octet;
 using residues::operations;
+using residues::ResidueVector;
 using subset_sums::group_residue;
 using subset_sums::Groups;
-using subset_sums::octet_of;
+using subset_sums::residue_vector_of;
 using subset_sums::result_bits;
 using subset_sums::Rows;
 
@@ -58,7 +58,7 @@ struct StrictPlan {
             size *= groups[--in_front].multiplicity + 1;
         front.emplace(groups.first(in_front));
         behind.emplace(groups.subspan(in_front));
-        // In octets of entries with the same number of points; a place for none has the last index and one.
+        // In vectors of entries with the same number of points; a place for none has the last index and one.
         std::size_t most_points = 0;
         for (const auto& entry : behind->entries) most_points = std::max(most_points, entry.points);
         for (std::size_t points = 0; points <= most_points; ++points) {
@@ -66,7 +66,7 @@ struct StrictPlan {
             for (std::size_t i = 0; i < behind->entries.size(); ++i)
                 if (behind->entries[i].points == points) places.push_back(i);
             while (places.size() % lanes != 0) places.push_back(behind->entries.size());
-            points_of_octet.resize(points_of_octet.size() + (places.size() - begin) / lanes, points);
+            points_of_vector.resize(points_of_vector.size() + (places.size() - begin) / lanes, points);
         }
     }
 
@@ -75,15 +75,15 @@ struct StrictPlan {
     std::optional<SubsetList> front;
     std::optional<SubsetList> behind;
     std::vector<std::size_t> places;
-    std::vector<std::size_t> points_of_octet;
+    std::vector<std::size_t> points_of_vector;
 };
 
 /// One lane of a group of primes, in all lanes.
 Moduli broadcast(const Moduli& group, std::size_t lane) {
     Moduli result = group;
-    for (Octet Moduli::* octet :
+    for (ResidueVector Moduli::* vector :
          {&Moduli::prime, &Moduli::delta, &Moduli::inverse, &Moduli::radix, &Moduli::square, &Moduli::root})
-        std::ranges::fill((result.*octet).lane, (group.*octet).lane[lane]);
+        std::ranges::fill((result.*vector).lane, (group.*vector).lane[lane]);
     return result;
 }
 
@@ -106,7 +106,7 @@ public:
         const std::span<const std::uint64_t> all = parameters;
         const std::vector<std::uint64_t> front = parameters_of(*plan_.front, all.first(plan_.in_front));
         const std::vector<std::uint64_t> behind = parameters_of(*plan_.behind, all.subspan(plan_.in_front));
-        std::vector<Octet> offsets(plan_.points_of_octet.size());
+        std::vector<ResidueVector> offsets(plan_.points_of_vector.size());
         for (std::size_t i = 0; i < plan_.places.size(); ++i) {
             const std::size_t place = plan_.places[i];
             offsets[i / lanes].lane[i % lanes] = place < behind.size() ? behind[place] : 0;
@@ -147,18 +147,18 @@ private:
     }
 
     std::uint64_t sum(std::span<const Integer> row, std::span<const std::uint64_t> front,
-                      std::span<const Octet> offsets) const {
+                      std::span<const ResidueVector> offsets) const {
         const std::vector<std::uint64_t> table = coefficients(row);
         std::vector<const std::uint64_t*> rows(offsets.size());
-        std::vector<Octet> sums(offsets.size());
-        std::ranges::fill(sums, octet_of(0));
+        std::vector<ResidueVector> sums(offsets.size());
+        std::ranges::fill(sums, residue_vector_of(0));
         for (std::size_t i = 0; i < front.size(); ++i) {
             const SubsetList::Entry& entry = plan_.front->entries[i];
             for (std::size_t o = 0; o < offsets.size(); ++o)
-                rows[o] = table.data() + (entry.points + plan_.points_of_octet[o]) * row.size();
+                rows[o] = table.data() + (entry.points + plan_.points_of_vector[o]) * row.size();
             const std::uint64_t weight = in_montgomery_form(field_.of(entry.weight));
-            operations().add_values(moduli_, rows.data(), row.size(), octet_of(front[i]), offsets.data(),
-                                    octet_of(weight), offsets.size(), sums.data());
+            operations().add_values(moduli_, rows.data(), row.size(), residue_vector_of(front[i]),
+                                    offsets.data(), residue_vector_of(weight), offsets.size(), sums.data());
         }
         std::uint64_t total = 0;
         for (std::size_t i = 0; i < plan_.places.size(); ++i) {

@@ -46,8 +46,8 @@ inline std::optional<GroupResidue> group_residue(const PrimeField& field, const 
     return GroupResidue{field.product(u, field.inverse(mass)), mass};
 }
 
-inline residues::Octet octet_of(std::uint64_t value) {
-    residues::Octet result{};
+inline residues::ResidueVector residue_vector_of(std::uint64_t value) {
+    residues::ResidueVector result{};
     std::ranges::fill(result.lane, value);
     return result;
 }

@@ -38,7 +38,7 @@ LongGcds::LongGcds(std::span<const std::uint64_t> number,
         for (std::size_t i = 0; i < most_digits; ++i) gcds_.digits[i][lane] = digit(odd, i);
         gcds_.negative_inverses[lane] = (0 - inverse_of_odd(odd[0])) & digit_mask;
     }
-    gcd_lanes::chosen().longer(digits.data(), digits.size(), gcds_);
+    vectors::table().gcds->longer(digits.data(), digits.size(), gcds_);
 }
 
 std::span<const std::uint64_t> LongGcds::value(std::size_t lane, std::uint64_t* room) const {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "vectors/gcd_lanes.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
@@ -17,7 +17,7 @@ public:
     static constexpr std::size_t most_factors = gcd_lanes::factor_count;
 
     /// Whether this processor has the lanes; otherwise there is nothing to construct.
-    static bool are_quick() { return gcd_lanes::chosen().longer != nullptr; }
+    static bool are_quick() { return vectors::table().gcds != nullptr; }
 
     /// gcd(number, factors[i]) for a number > 0 and at most 8 factors > 0 of at most 5 limbs, all without
     /// zeros at the top.

@@ -1,13 +1,10 @@
 #include "word_quotients.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <array>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "quotient_reduction.hpp"
-#include "residues/residue_system.hpp"
-#include "vectors/prime_lanes.hpp"
-#include "vectors/vector_level.hpp"
 #include "word_gcds.hpp"
 
 namespace blossom {
@@ -25,7 +22,7 @@ struct Words {
 
     void multiply(std::uint64_t factor) { limbs::multiply_by_word(words, size, factor); }
     void divide(std::uint64_t divisor) const {
-        Wide rest = 0;
+        UInt128 rest = 0;
         for (std::size_t i = size; i-- > 0;) {
             rest = rest << 64 | words[i];
             words[i] = static_cast<std::uint64_t>(rest / divisor);
@@ -40,10 +37,10 @@ struct Words {
         std::uint64_t carry = 0;
         for (std::size_t i = 0; i < size; ++i) {
             const bool borrow = words[i] < carry;
-            const std::uint64_t digit = (words[i] - carry) * inverse;
-            keep(i, digit);
-            carry =
-                static_cast<std::uint64_t>(Wide{digit} * divisor >> 64) + static_cast<std::uint64_t>(borrow);
+            const std::uint64_t quotient = (words[i] - carry) * inverse;
+            keep(i, quotient);
+            carry = static_cast<std::uint64_t>(UInt128{quotient} * divisor >> 64) +
+                    static_cast<std::uint64_t>(borrow);
         }
         return carry;
     }
@@ -51,7 +48,7 @@ struct Words {
     bool divide_by(const small_primes::Prime& prime) const {
         if (divide_from_below(prime.prime, prime.inverse, [](auto, auto) {}) != 0) return false;
         divide_from_below(prime.prime, prime.inverse,
-                          [&](std::size_t i, std::uint64_t digit) { words[i] = digit; });
+                          [&](std::size_t i, std::uint64_t quotient) { words[i] = quotient; });
         return true;
     }
 };
@@ -76,38 +73,8 @@ constexpr auto prime_groups = [] {
     return groups;
 }();
 
-constexpr auto prime_lane_table = [] {
-    constexpr std::uint64_t mask = (std::uint64_t{1} << prime_lanes::digit_bits) - 1;
-    static_assert(prime_lanes::lanes * prime_lanes::primes_a_lane == small_primes::count);
-    prime_lanes::Table table{};
-    for (std::size_t i = 0; i < small_primes::count; ++i) {
-        const std::size_t lane = i % prime_lanes::lanes;
-        const small_primes::Prime& prime = small_primes::table.primes[i];
-        std::uint64_t& product = table.products[lane];
-        product = i < prime_lanes::lanes ? prime.prime : product * prime.prime;
-        table.inverses_of_products[lane] = inverse_of_odd(product) & mask;
-        table.inverses[i / prime_lanes::lanes][lane] = prime.inverse & mask;
-        table.most[i / prime_lanes::lanes][lane] = mask / prime.prime;
-    }
-    return table;
-}();
-
-prime_lanes::Divisors chosen_divisors() {
-    static const prime_lanes::Divisors chosen = []() -> prime_lanes::Divisors {
-#if defined(BLOSSOM_AVX512_IFMA)
-        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return prime_lanes::avx512_divisors;
-#endif
-        return nullptr;
-    }();
-    return chosen;
-}
-
 /// The primes of a set that divide the number.
 small_primes::Set divisors(const Words& number, small_primes::Set set) {
-    if (const prime_lanes::Divisors in_lanes = chosen_divisors())
-        return in_lanes(prime_lane_table, number.words, number.size) & set;
     small_primes::Set result = 0;
     for (const PrimeGroup& group : prime_groups) {
         if ((set & group.primes) == 0) continue;
@@ -128,55 +95,9 @@ Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
     return result;
 }
 
-/// Modulo 2^128, as small_primes::Prime.
-struct WideInverse {
-    Wide inverse = 0;
-    Wide most = 0;
-};
-constexpr auto wide_inverses = [] {
-    std::array<WideInverse, small_primes::count> result{};
-    for (std::size_t i = 0; i < result.size(); ++i) {
-        const small_primes::Prime& prime = small_primes::table.primes[i];
-        result[i] = {Wide{prime.inverse} * (2 - Wide{prime.prime} * prime.inverse), ~Wide{0} / prime.prime};
-    }
-    return result;
-}();
-
-int trailing_zeros(Wide value) {
-    const auto low = static_cast<std::uint64_t>(value);
-    return low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(static_cast<std::uint64_t>(value >> 64));
-}
-
-/// For a numerator > 0 and a denominator of two words each, by dividing what is common out of both.
-void set_reduced_pair(Rational& value, const Words& numerator, bool negative,
-                      const DenominatorWords& denominator) {
-    small_primes::Set common = divisors(numerator, denominator.primes());
-    const std::span<const std::uint64_t> factors = denominator.words();
-    Wide top = numerator.size == 1 ? 0 : Wide{numerator.words[1]} << 64;
-    top |= numerator.words[0];
-    Wide bottom = factors.size() == 1 ? Wide{factors[0]} : Wide{factors[0]} * factors[1];
-    const int twos = std::min(trailing_zeros(top), trailing_zeros(bottom));
-    top >>= twos;
-    bottom >>= twos;
-    for (; common != 0; common &= common - 1) {
-        const WideInverse& prime = wide_inverses[static_cast<std::size_t>(std::countr_zero(common))];
-        for (;;) {
-            const Wide less = bottom * prime.inverse;
-            const Wide quotient = top * prime.inverse;
-            if (less > prime.most || quotient > prime.most) break;
-            bottom = less;
-            top = quotient;
-        }
-    }
-    const auto words_of = [](Wide number) {
-        return std::array{static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(number >> 64)};
-    };
-    RationalAccess::set_lowest_terms(value, words_of(top), negative, words_of(bottom));
-}
-
-/// The same of any number of words, the denominator factor by factor.
-void set_reduced_by_primes(Rational& value, const Words& top, bool negative,
-                           const DenominatorWords& denominator) {
+/// For a numerator > 0, by dividing what is common out of both, the denominator factor by factor.
+void assign_quotient_by_primes(Rational& value, const Words& top, bool negative,
+                               const DenominatorWords& denominator) {
     std::uint64_t left[most_words];
     const std::span<std::uint64_t> factors = std::span(left).first(denominator.words().size());
     const std::size_t twos = limbs::trailing_zeros(top.words);
@@ -202,8 +123,8 @@ void set_reduced_by_primes(Rational& value, const Words& top, bool negative,
 }
 
 /// The same in general; false, and nothing is done, if what is common to both is longer than a word.
-bool set_reduced_in_place(Rational& value, const Words& top, bool negative,
-                          std::span<const std::uint64_t> factors) {
+bool assign_quotient_in_place(Rational& value, const Words& top, bool negative,
+                              std::span<const std::uint64_t> factors) {
     std::uint64_t common[most_words];
     gcds_with_words(top.span(), factors, common);
     std::uint64_t shared = 1;
@@ -223,7 +144,7 @@ bool set_reduced_in_place(Rational& value, const Words& top, bool negative,
 
 }  // namespace
 
-void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
+void assign_quotient_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator) {
     const std::uint64_t size = magnitude(numerator);
     const std::uint64_t common = gcd_of_words(size % denominator, denominator);
     const auto top = static_cast<std::int64_t>(common == 1 ? size : size / common);
@@ -231,8 +152,8 @@ void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t d
                               static_cast<std::int64_t>(common == 1 ? denominator : denominator / common));
 }
 
-void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negative,
-                 const DenominatorWords& denominator, std::span<const Integer> further) {
+void assign_quotient(Rational& value, std::span<std::uint64_t> numerator, bool negative,
+                     const DenominatorWords& denominator, std::span<const Integer> further) {
     const std::span<const std::uint64_t> factors = denominator.words();
     const Words top{numerator.data(), limbs::used(numerator.data(), numerator.size())};
     const bool is_short = further.empty();
@@ -241,9 +162,8 @@ void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negat
     } else if (is_short && factors.empty()) {
         value = IntegerAccess::from_magnitude(top.span(), negative);
     } else if (is_short && denominator.primes() != small_primes::any_primes) {
-        const bool is_pair = top.size <= 2 && factors.size() <= 2;
-        (is_pair ? set_reduced_pair : set_reduced_by_primes)(value, top, negative, denominator);
-    } else if (!is_short || !set_reduced_in_place(value, top, negative, factors)) {
+        assign_quotient_by_primes(value, top, negative, denominator);
+    } else if (!is_short || !assign_quotient_in_place(value, top, negative, factors)) {
         value = reduced_quotient(top.span(), negative, factors, further);
     }
 }

@@ -39,13 +39,13 @@ private:
 };
 
 /// numerator / denominator in lowest terms, the denominator positive and below 2^63.
-void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator);
+void assign_quotient_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator);
 
 /// The same for a denominator with these odd primes.
-[[gnu::always_inline]] inline void set_reduced(Rational& value, std::int64_t numerator,
-                                               std::uint64_t denominator, small_primes::Set primes) {
+[[gnu::always_inline]] inline void assign_quotient(Rational& value, std::int64_t numerator,
+                                                   std::uint64_t denominator, small_primes::Set primes) {
     if (numerator == 0 || primes == small_primes::any_primes)
-        return set_reduced_by_gcd(value, numerator, denominator);
+        return assign_quotient_by_gcd(value, numerator, denominator);
     std::uint64_t size = magnitude(numerator);
     const int twos = std::countr_zero(size | denominator);
     size >>= twos;
@@ -66,7 +66,7 @@ void set_reduced_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t d
 
 /// sign * numerator / (denominator * prod further), where `numerator` is in words, least significant first,
 /// which are used up.
-void set_reduced(Rational& value, std::span<std::uint64_t> numerator, bool negative,
-                 const DenominatorWords& denominator, std::span<const Integer> further);
+void assign_quotient(Rational& value, std::span<std::uint64_t> numerator, bool negative,
+                     const DenominatorWords& denominator, std::span<const Integer> further);
 
 }  // namespace blossom

@@ -20,14 +20,14 @@ using modular::product;
 struct Tables {
     explicit Tables(std::size_t groups);
 
-    Integer combined(std::span<const Octet> residues) const;
+    Integer combined(std::span<const ResidueVector> residues) const;
 
     /// sum over the primes p of one group of residue_p * (product of the group / p), which has
     /// cofactor_words + 1 limbs.
-    void group_sum(const Octet& residues, std::size_t group, limbs::Limb* sum) const;
+    void group_sum(const ResidueVector& residues, std::size_t group, limbs::Limb* sum) const;
 
-    std::size_t cofactor_words;   ///< of a product of seven primes
-    std::vector<Octet> inverses;  ///< of (product of all) / p, times the radix
+    std::size_t cofactor_words;           ///< of a product of seven primes
+    std::vector<ResidueVector> inverses;  ///< of (product of all) / p, times the radix
     std::vector<std::uint64_t> cofactors;
     std::vector<std::vector<std::vector<limbs::Limb>>> levels;  ///< products of 1, 2, 4, ... groups
     std::vector<limbs::Limb> half;
@@ -70,11 +70,11 @@ Tables::Tables(std::size_t groups) : cofactor_words((7 * operations().prime_bits
         products.push_back(group_product);
         levels[0].push_back(limbs_of(group_product));
     }
-    std::vector<Octet> others(groups);
+    std::vector<ResidueVector> others(groups);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
         products.residues(group, montgomery_powers(group, products.most_digits()).data(), others.data());
-        Octet inverse = group.radix;
+        ResidueVector inverse = group.radix;
         for (std::size_t h = 0; h < groups; ++h)
             if (h != g) operations().scale(group, &inverse, others[h], 1, &inverse);
         for (std::size_t i = 0; i < lanes; ++i) {
@@ -99,13 +99,13 @@ Tables::Tables(std::size_t groups) : cofactor_words((7 * operations().prime_bits
     limbs::shift_right(half.data(), half.size(), 1);
 }
 
-void Tables::group_sum(const Octet& residues, std::size_t group, limbs::Limb* sum) const {
+void Tables::group_sum(const ResidueVector& residues, std::size_t group, limbs::Limb* sum) const {
     std::fill(sum, sum + cofactor_words + 1, 0);
     const std::uint64_t* cofactor = cofactors.data() + group * lanes * cofactor_words;
     for (std::size_t i = 0; i < lanes; ++i, cofactor += cofactor_words) {
-        Wide carry = 0;
+        UInt128 carry = 0;
         for (std::size_t w = 0; w < cofactor_words; ++w) {
-            carry += Wide{cofactor[w]} * residues.lane[i] + sum[w];
+            carry += UInt128{cofactor[w]} * residues.lane[i] + sum[w];
             sum[w] = static_cast<std::uint64_t>(carry);
             carry >>= 64;
         }
@@ -115,7 +115,7 @@ void Tables::group_sum(const Octet& residues, std::size_t group, limbs::Limb* su
 
 /// A sum has one limb more than the product of its groups: it is less than this product times twice the
 /// number of primes.
-Integer Tables::combined(std::span<const Octet> residues) const {
+Integer Tables::combined(std::span<const ResidueVector> residues) const {
     const std::vector<limbs::Limb>& all = levels.back()[0];
     // Each sum lies where the first of its groups has its place; the places fill one half, products the
     // other.
@@ -173,6 +173,8 @@ std::shared_ptr<const Tables> tables(std::size_t groups) {
 
 }  // namespace
 
-Integer integer_with(std::span<const Octet> residues) { return tables(residues.size())->combined(residues); }
+Integer integer_with(std::span<const ResidueVector> residues) {
+    return tables(residues.size())->combined(residues);
+}
 
 }  // namespace blossom::residues

@@ -1,8 +1,6 @@
 #include "chinese_remainder_batch.hpp"
 
 #include <algorithm>
-#include <deque>
-#include <mutex>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "prime_field.hpp"
@@ -26,28 +24,17 @@ std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
 
 }  // namespace
 
-std::shared_ptr<const BatchCombination> BatchCombination::for_bits(std::size_t bits) {
+std::optional<ChineseRemainderBatch> ChineseRemainderBatch::for_bits(std::size_t bits) {
     constexpr std::size_t most_groups = BatchTables::most_primes / lanes;
-    constexpr std::size_t most_kept = 16;
     // The Chinese remainder theorem takes a product twice as large as for one number.
-    if (operations().radix_bits != BatchTables::digit_bits || bits > most_groups * lanes * 50) return nullptr;
+    if (vectors::table().integers_of_residues == nullptr || bits > most_groups * lanes * 50)
+        return std::nullopt;
     const std::size_t groups = groups_for(bits + 1);
-    if (groups > most_groups) return nullptr;
-    static std::mutex mutex;
-    static std::deque<std::shared_ptr<const BatchCombination>> kept;
-    {
-        const std::lock_guard lock(mutex);
-        for (const auto& combination : kept)
-            if (combination->groups() == groups) return combination;
-    }
-    auto made = std::make_shared<const BatchCombination>(groups);
-    const std::lock_guard lock(mutex);
-    kept.push_back(made);
-    if (kept.size() > most_kept) kept.pop_front();
-    return made;
+    if (groups > most_groups) return std::nullopt;
+    return ChineseRemainderBatch(groups);
 }
 
-BatchCombination::BatchCombination(std::size_t groups) {
+ChineseRemainderBatch::ChineseRemainderBatch(std::size_t groups) {
     constexpr std::size_t step = BatchTables::digits_at_once;
     Integer product = 1;
     for (std::size_t g = 0; g < groups; ++g)
@@ -59,7 +46,7 @@ BatchCombination::BatchCombination(std::size_t groups) {
     cofactors_.resize(held * primes);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
-        Octet& factor = factors_.emplace_back();
+        ResidueVector& factor = factors_.emplace_back();
         for (std::size_t i = 0; i < lanes; ++i) {
             const PrimeField field(group.prime.lane[i]);
             const Integer cofactor = divide_exactly(product, field.prime());
@@ -67,39 +54,37 @@ BatchCombination::BatchCombination(std::size_t groups) {
             const std::vector<std::uint64_t> digits = digits_of(cofactor, held);
             for (std::size_t d = 0; d < held; ++d)
                 cofactors_[(d / step * primes + g * lanes + i) * step + d % step] = digits[d];
-            reciprocals_.push_back(static_cast<std::uint64_t>((Wide{1} << 101) / field.prime()));
+            reciprocals_.push_back(static_cast<std::uint64_t>((UInt128{1} << 101) / field.prime()));
         }
     }
 }
 
-BatchTables BatchCombination::tables() const {
+BatchTables ChineseRemainderBatch::tables() const {
     return {groups() * lanes,  digits_,         (digits_ * BatchTables::digit_bits + 63) / 64,
             cofactors_.data(), product_.data(), reciprocals_.data()};
 }
 
-std::vector<Integer> BatchCombination::integers(Octet* residues, std::size_t stride,
-                                                std::size_t count) const {
+std::vector<Integer> ChineseRemainderBatch::integers(ResidueVector* residues, std::size_t stride,
+                                                     std::size_t count) const {
     for (std::size_t g = 0; g < groups(); ++g) {
-        Octet* const row = residues + g * stride;
-        std::fill(row + count, row + stride, Octet{});
+        ResidueVector* const row = residues + g * stride;
+        std::fill(row + count, row + stride, ResidueVector{});
         operations().scale(moduli(g), row, factors_[g], count, row);
         operations().reduce(moduli(g), row, count);
     }
     std::vector<Integer> numbers;
     numbers.reserve(count);
-#if defined(BLOSSOM_AVX512_IFMA)
     const BatchTables tables = this->tables();
     const Buffer room(tables.primes + product_.size() + 2);
     const Buffer words(tables.words);
     std::vector<std::uint64_t> number(tables.words);
     for (std::size_t begin = 0; begin < count; begin += lanes) {
-        ifma_batch(tables, residues + begin, stride, room.data(), words.data());
+        vectors::table().integers_of_residues(tables, residues + begin, stride, room.data(), words.data());
         for (std::size_t i = 0; i < lanes && begin + i < count; ++i) {
             for (std::size_t w = 0; w < number.size(); ++w) number[w] = words.data()[w].lane[i];
             numbers.push_back(IntegerAccess::from_twos_complement(number));
         }
     }
-#endif
     return numbers;
 }
 

@@ -4,7 +4,7 @@
 
 #include <blossom/rational/integer.hpp>
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "residue_products.hpp"
@@ -13,24 +13,24 @@
 namespace blossom::residues {
 
 /// The Chinese remainder theorem for integers below a fourth of the product of the first groups of primes.
-class BatchCombination {
+class ChineseRemainderBatch {
 public:
-    /// As few groups as suffice for integers of at most `bits` bits; null where integers are better combined
-    /// one by one. Kept for the numbers of groups met last.
-    static std::shared_ptr<const BatchCombination> for_bits(std::size_t bits);
+    /// As few groups as suffice for integers of at most `bits` bits; nothing where integers are better
+    /// combined one by one.
+    static std::optional<ChineseRemainderBatch> for_bits(std::size_t bits);
 
-    explicit BatchCombination(std::size_t groups);
+    explicit ChineseRemainderBatch(std::size_t groups);
 
     std::size_t groups() const { return factors_.size(); }
 
     /// Number k < count from residues[g * stride + k] for all groups g; destroys the residues. The stride is
     /// a multiple of 8.
-    std::vector<Integer> integers(Octet* residues, std::size_t stride, std::size_t count) const;
+    std::vector<Integer> integers(ResidueVector* residues, std::size_t stride, std::size_t count) const;
 
 private:
     BatchTables tables() const;
 
-    std::vector<Octet> factors_;  ///< 1 / (M / p), times the radix
+    std::vector<ResidueVector> factors_;  ///< 1 / (M / p), times the radix
     std::size_t digits_;
     std::vector<std::uint64_t> cofactors_;
     std::vector<std::uint64_t> product_;

@@ -9,7 +9,7 @@
 namespace blossom::modular {
 
 inline std::uint64_t product(std::uint64_t a, std::uint64_t b, std::uint64_t prime) {
-    return static_cast<std::uint64_t>(Wide{a} * b % prime);
+    return static_cast<std::uint64_t>(UInt128{a} * b % prime);
 }
 
 inline std::uint64_t power(std::uint64_t base, std::uint64_t exponent, std::uint64_t prime) {

@@ -23,7 +23,7 @@ constexpr std::size_t digits_of_fraction = 40;
 
 /// 1/values[k] for values times the radix, which they keep; false if one is 0. Three products a value: each
 /// pair is inverted by its product. `scratch` has 3 count + 64 places.
-bool invert_each(const Moduli& moduli, Octet* values, std::size_t count, Octet* scratch) {
+bool invert_each(const Moduli& moduli, ResidueVector* values, std::size_t count, ResidueVector* scratch) {
     const Operations& run = operations();
     if (count == 1) {
         run.reduce(moduli, values, 1);
@@ -38,7 +38,7 @@ bool invert_each(const Moduli& moduli, Octet* values, std::size_t count, Octet* 
     }
     const std::size_t half = count / 2;
     const std::size_t products = count - half;
-    Octet* const rest = scratch + products;
+    ResidueVector* const rest = scratch + products;
     run.multiply_each(moduli, values, values + half, half, scratch);
     if (products > half) scratch[half] = values[count - 1];
     if (!invert_each(moduli, scratch, products, rest)) return false;
@@ -67,7 +67,7 @@ Numbers::Numbers(std::span<const Integer> numerators, const Integer& denominator
     digits_ = digits_of(numerators);
 }
 
-void Numbers::residues(const Moduli& moduli, Octet* residues) const {
+void Numbers::residues(const Moduli& moduli, ResidueVector* residues) const {
     if (bottoms_.size() == 0)
         return digits_.residues(moduli, plain_powers(moduli, digits_.most_digits()).data(), residues);
     if (residues_of_fractions(moduli, residues)) return;
@@ -75,21 +75,21 @@ void Numbers::residues(const Moduli& moduli, Octet* residues) const {
     digits.residues(moduli, plain_powers(moduli, digits.most_digits()).data(), residues);
 }
 
-bool Numbers::residues_of_fractions(const Moduli& moduli, Octet* residues) const {
+bool Numbers::residues_of_fractions(const Moduli& moduli, ResidueVector* residues) const {
     const std::size_t count = size();
     const Operations& run = operations();
     const std::size_t most_digits =
         std::max({digits_.most_digits(), bottoms_.most_digits(), denominator_.most_digits()});
-    const std::vector<Octet> powers = montgomery_powers(moduli, most_digits);
+    const std::vector<ResidueVector> powers = montgomery_powers(moduli, most_digits);
     const Buffer inverses(count);
     const Buffer scratch(3 * count + 64);
     bottoms_.residues(moduli, powers.data(), inverses.data());
     if (!invert_each(moduli, inverses.data(), count, scratch.data())) return false;
-    Octet denominator{};
+    ResidueVector denominator{};
     denominator_.residues(moduli, powers.data(), &denominator);
     // Without the radix, which the powers of the tops bring.
-    const Octet one = [] {
-        Octet result{};
+    const ResidueVector one = [] {
+        ResidueVector result{};
         std::ranges::fill(result.lane, 1);
         return result;
     }();

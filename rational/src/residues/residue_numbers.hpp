@@ -18,11 +18,11 @@ public:
     Numbers(std::span<const Integer> numerators, const Integer& denominator, std::size_t groups);
 
     std::size_t size() const { return numerators_.size(); }
-    void residues(const Moduli& moduli, Octet* residues) const;
+    void residues(const Moduli& moduli, ResidueVector* residues) const;
 
 private:
     /// False if a prime of the group divides the bottom of a fraction.
-    bool residues_of_fractions(const Moduli& moduli, Octet* residues) const;
+    bool residues_of_fractions(const Moduli& moduli, ResidueVector* residues) const;
 
     std::span<const Integer> numerators_;
     Digits digits_;  ///< of the numerators; or of the tops, of the bottoms and of the denominator

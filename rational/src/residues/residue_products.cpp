@@ -13,19 +13,13 @@ namespace {
 constexpr std::size_t basecase = 64;
 static_assert(basecase <= most_product_terms);
 
-/// Octets in the largest buffer that is kept.
-constexpr std::size_t most_kept_octets = std::size_t{1} << 16;
-
-// A buffer that is given back takes the place of a smaller one.
-thread_local Buffer::Memory kept_buffers[4];
-
 /// a[0..m) in pieces of n terms, for m > n.
-void multiply_in_pieces(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
-                        Octet* product, Octet* scratch) {
-    std::fill(product, product + m + n - 1, Octet{});
+void multiply_in_pieces(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
+                        std::size_t n, ResidueVector* product, ResidueVector* scratch) {
+    std::fill(product, product + m + n - 1, ResidueVector{});
     for (std::size_t begin = 0; begin < m; begin += n) {
         const std::size_t size = std::min(n, m - begin);
-        Octet* piece = scratch;
+        ResidueVector* piece = scratch;
         multiply(moduli, b, n, a + begin, size, piece, scratch + 2 * n);
         operations().add(moduli, product + begin, piece, size + n - 1, product + begin);
     }
@@ -33,19 +27,19 @@ void multiply_in_pieces(const Moduli& moduli, const Octet* a, std::size_t m, con
 
 }  // namespace
 
-void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
-              Octet* product, Octet* scratch) {
+void multiply(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
+              std::size_t n, ResidueVector* product, ResidueVector* scratch) {
     const Operations& run = operations();
     if (m <= basecase) return run.multiply(moduli, a, m, b, n, product);
     const std::size_t half = (m + 1) / 2;
     if (n <= half) return multiply_in_pieces(moduli, a, m, b, n, product, scratch);
     multiply(moduli, a, half, b, half, product, scratch);
-    product[2 * half - 1] = Octet{};
+    product[2 * half - 1] = ResidueVector{};
     multiply(moduli, a + half, m - half, b + half, n - half, product + 2 * half, scratch);
-    Octet* const sum_a = scratch;
-    Octet* const sum_b = sum_a + half;
-    Octet* const middle = sum_b + half;
-    const auto add_halves = [&](const Octet* from, std::size_t size, Octet* sum) {
+    ResidueVector* const sum_a = scratch;
+    ResidueVector* const sum_b = sum_a + half;
+    ResidueVector* const middle = sum_b + half;
+    const auto add_halves = [&](const ResidueVector* from, std::size_t size, ResidueVector* sum) {
         run.add(moduli, from, from + half, size - half, sum);
         std::copy(from + (size - half), from + half, sum + (size - half));
     };
@@ -55,23 +49,6 @@ void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* 
     run.subtract(moduli, middle, product, 2 * half - 1, middle);
     run.subtract(moduli, middle, product + 2 * half, m + n - 2 * half - 1, middle);
     run.add(moduli, product + half, middle, std::min(2 * half - 1, m + n - 1 - half), product + half);
-}
-
-Buffer::Buffer(std::size_t size) {
-    for (Memory& kept : kept_buffers) {
-        if (kept.size >= size && (!memory_.octets || kept.size < memory_.size)) std::swap(memory_, kept);
-    }
-    if (memory_.size >= size) return;
-    // A little more serves the next that is a little longer.
-    memory_.size = size + size / 8;
-    memory_.octets = std::make_unique_for_overwrite<Octet[]>(memory_.size);
-}
-
-Buffer::~Buffer() {
-    if (memory_.size > most_kept_octets) return;
-    for (Memory& kept : kept_buffers) {
-        if (kept.size < memory_.size) std::swap(kept, memory_);
-    }
 }
 
 ProductTree::ProductTree(std::vector<std::size_t> sizes)
@@ -86,13 +63,13 @@ std::vector<std::size_t> ProductTree::begins_of(std::vector<std::size_t> sizes) 
     return sizes;
 }
 
-const Octet* ProductTree::product(const Moduli& moduli, const Octet* polynomials) {
+const ResidueVector* ProductTree::product(const Moduli& moduli, const ResidueVector* polynomials) {
     multiply(moduli, polynomials, 0, begins_.size() - 1, result_.data(), scratch_.data());
     return result_.data();
 }
 
-void ProductTree::multiply(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
-                           Octet* to, Octet* scratch) const {
+void ProductTree::multiply(const Moduli& moduli, const ResidueVector* polynomials, std::size_t begin,
+                           std::size_t end, ResidueVector* to, ResidueVector* scratch) const {
     if (end - begin == 1) {
         std::copy(polynomials + begins_[begin], polynomials + begins_[end], to);
         return;
@@ -100,9 +77,9 @@ void ProductTree::multiply(const Moduli& moduli, const Octet* polynomials, std::
     const std::size_t middle = begin + (end - begin + 1) / 2;
     const std::size_t m = product_size(begin, middle);
     const std::size_t n = product_size(middle, end);
-    const Octet* left = polynomials + begins_[begin];
-    const Octet* right = polynomials + begins_[middle];
-    Octet* rest = scratch;
+    const ResidueVector* left = polynomials + begins_[begin];
+    const ResidueVector* right = polynomials + begins_[middle];
+    ResidueVector* rest = scratch;
     if (middle - begin > 1) {
         multiply(moduli, polynomials, begin, middle, rest, rest + m);
         left = rest;

@@ -10,25 +10,14 @@
 
 namespace blossom::residues {
 
-/// Memory for octets, with what its last user left in it. Each thread keeps a few buffers that are given back
-/// for the next.
+/// Memory for residue vectors, which is not cleared.
 class Buffer {
 public:
-    explicit Buffer(std::size_t size);
-    Buffer(const Buffer&) = delete;
-    Buffer(Buffer&&) = delete;
-    Buffer& operator=(const Buffer&) = delete;
-    Buffer& operator=(Buffer&&) = delete;
-    ~Buffer();
-    Octet* data() const { return memory_.octets.get(); }
-
-    struct Memory {
-        std::unique_ptr<Octet[]> octets;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
-        std::size_t size = 0;
-    };
+    explicit Buffer(std::size_t size) : vectors_(std::make_unique_for_overwrite<ResidueVector[]>(size)) {}
+    ResidueVector* data() const { return vectors_.get(); }
 
 private:
-    Memory memory_;
+    std::unique_ptr<ResidueVector[]> vectors_;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
 };
 
 /// The product of polynomials that lie one after the other, by a balanced tree.
@@ -45,17 +34,17 @@ public:
 
     /// The coefficients of the product, where those of the factors and of the product stand for themselves
     /// times the radix. Valid until the next call.
-    const Octet* product(const Moduli& moduli, const Octet* polynomials);
+    const ResidueVector* product(const Moduli& moduli, const ResidueVector* polynomials);
     /// Those of polynomials [begin, end) alone, to `to`.
-    void product(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
-                 Octet* to) const {
+    void product(const Moduli& moduli, const ResidueVector* polynomials, std::size_t begin, std::size_t end,
+                 ResidueVector* to) const {
         multiply(moduli, polynomials, begin, end, to, scratch_.data());
     }
 
 private:
     /// Of polynomials [begin, end) to `to`.
-    void multiply(const Moduli& moduli, const Octet* polynomials, std::size_t begin, std::size_t end,
-                  Octet* to, Octet* scratch) const;
+    void multiply(const Moduli& moduli, const ResidueVector* polynomials, std::size_t begin, std::size_t end,
+                  ResidueVector* to, ResidueVector* scratch) const;
     static std::vector<std::size_t> begins_of(std::vector<std::size_t> sizes);
 
     std::vector<std::size_t> begins_;
@@ -65,8 +54,8 @@ private:
 
 /// The coefficients of the product of a[0..m) and b[0..n), divided by the radix; m >= n >= 1. Cost: n^1.58 by
 /// Karatsuba's method for m = n beyond a basecase. `scratch` has `scratch_size(m)` places.
-void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
-              Octet* product, Octet* scratch);
+void multiply(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
+              std::size_t n, ResidueVector* product, ResidueVector* scratch);
 constexpr std::size_t scratch_size(std::size_t m) { return 6 * m + 256; }
 
 }  // namespace blossom::residues

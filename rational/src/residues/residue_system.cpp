@@ -5,13 +5,11 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
-#include <string_view>
 
 #include "limbs/limb_arithmetic.hpp"
 #include "modular_words.hpp"
 #include "number/backend.hpp"
 #include "number/uint128.hpp"
-#include "vectors/vector_level.hpp"
 
 namespace blossom::residues {
 
@@ -117,11 +115,11 @@ decltype(auto) with_groups(const Use& use) {
 }
 
 /// power, power * 2^b, power * 2^2b, ...
-std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& first) {
-    std::vector<Octet> result(std::max(count, std::size_t{1}));
+std::vector<ResidueVector> powers(const Moduli& moduli, std::size_t count, const ResidueVector& first) {
+    std::vector<ResidueVector> result(std::max(count, std::size_t{1}));
     result[0] = first;
     // 2^(b done) times the radix
-    Octet step{};
+    ResidueVector step{};
     operations().scale(moduli, &moduli.square, moduli.delta, 1, &step);
     for (std::size_t done = 1; done < result.size(); done *= 2) {
         operations().scale(moduli, result.data(), step, std::min(done, result.size() - done),
@@ -131,24 +129,7 @@ std::vector<Octet> powers(const Moduli& moduli, std::size_t count, const Octet& 
     return result;
 }
 
-const Operations& chosen_operations() {
-    const std::string_view level = vectors::level();
-#if defined(BLOSSOM_AVX512_IFMA)
-    if (level == "ifma" && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"))
-        return ifma_operations;
-#endif
-#if defined(BLOSSOM_AVX2)
-    if (level != "portable" && __builtin_cpu_supports("avx2")) return avx2_operations;
-#endif
-    return portable_operations;
-}
-
 }  // namespace
-
-const Operations& operations() {
-    static const Operations& chosen = chosen_operations();
-    return chosen;
-}
 
 const Moduli& moduli(std::size_t group) {
     return with_groups([&](Groups& groups) -> const Moduli& { return groups.group(group); });
@@ -170,16 +151,16 @@ void Digits::finish(bool negative) {
     negative_.push_back(negative);
 }
 
-void Digits::push_back(SignedWide value) {
+void Digits::push_back(Int128 value) {
     const std::size_t bits = operations().prime_bits;
     const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
-    for (Wide rest = magnitude(value); rest != 0; rest >>= bits)
+    for (UInt128 rest = magnitude(value); rest != 0; rest >>= bits)
         digits_.push_back(static_cast<std::uint64_t>(rest) & mask);
     finish(value < 0);
 }
 
 void Digits::push_back(const Integer& value) {
-    if (const auto word = value.to_int64()) return push_back(SignedWide{*word});
+    if (const auto word = value.to_int64()) return push_back(Int128{*word});
     const std::size_t digit_bits = operations().prime_bits;
     const std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
     const std::size_t bits = value.bit_length();
@@ -187,38 +168,38 @@ void Digits::push_back(const Integer& value) {
     limbs::write_magnitude(value, words_.data(), words_.size());
     for (std::size_t bit = 0; bit < bits; bit += digit_bits) {
         const std::size_t word = bit / 64;
-        const Wide pair = Wide{words_[word + 1]} << 64 | words_[word];
+        const UInt128 pair = UInt128{words_[word + 1]} << 64 | words_[word];
         digits_.push_back(static_cast<std::uint64_t>(pair >> (bit % 64)) & mask);
     }
     finish(value.sign() < 0);
 }
 
-void Digits::residues(const Moduli& moduli, const Octet* powers, Octet* residues) const {
+void Digits::residues(const Moduli& moduli, const ResidueVector* powers, ResidueVector* residues) const {
     const Operations& run = operations();
     if (most_digits_ <= most_terms) {
         run.residues_of_digits(moduli, digits_.data(), begins_.data(), size(), powers, residues);
     } else {
         for (std::size_t i = 0; i < size(); ++i) {
-            residues[i] = Octet{};
+            residues[i] = ResidueVector{};
             for (std::size_t begin = begins_[i]; begin < begins_[i + 1]; begin += most_terms) {
                 const std::size_t piece[] = {begin, std::min(begin + most_terms, begins_[i + 1])};
-                Octet part{};
+                ResidueVector part{};
                 run.residues_of_digits(moduli, digits_.data(), piece, 1, powers + (begin - begins_[i]),
                                        &part);
                 run.add(moduli, &residues[i], &part, 1, &residues[i]);
             }
         }
     }
-    const Octet zero{};
+    const ResidueVector zero{};
     for (std::size_t i = 0; i < size(); ++i)
         if (negative_[i]) run.subtract(moduli, &zero, &residues[i], 1, &residues[i]);
 }
 
-std::vector<Octet> plain_powers(const Moduli& moduli, std::size_t count) {
+std::vector<ResidueVector> plain_powers(const Moduli& moduli, std::size_t count) {
     return powers(moduli, count, moduli.radix);
 }
 
-std::vector<Octet> montgomery_powers(const Moduli& moduli, std::size_t count) {
+std::vector<ResidueVector> montgomery_powers(const Moduli& moduli, std::size_t count) {
     return powers(moduli, count, moduli.square);
 }
 

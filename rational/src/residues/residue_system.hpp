@@ -9,13 +9,11 @@
 #include <vector>
 
 #include "number/uint128.hpp"
-#include "vectors/residue_lanes.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom::residues {
 
-/// The operations for this processor, the first of "ifma", "avx2" and "portable" that it has from the one on
-/// that `vectors::level` names.
-const Operations& operations();
+inline const Operations& operations() { return *vectors::table().residues; }
 
 /// Group i of the primes, the same for the whole life of the program.
 const Moduli& moduli(std::size_t group);
@@ -30,12 +28,12 @@ inline constexpr std::size_t most_bits = 2'000'000;
 class Digits {
 public:
     void reserve(std::size_t values, std::size_t digits_of_one);
-    void push_back(SignedWide value);
+    void push_back(Int128 value);
     void push_back(const Integer& value);
     std::size_t size() const { return negative_.size(); }
     std::size_t most_digits() const { return most_digits_; }
     /// Of all values, modulo the primes: times the radix if the powers are those of `montgomery_powers`.
-    void residues(const Moduli& moduli, const Octet* powers, Octet* residues) const;
+    void residues(const Moduli& moduli, const ResidueVector* powers, ResidueVector* residues) const;
 
 private:
     void finish(bool negative);
@@ -49,11 +47,11 @@ private:
 
 /// 2^(b k) for k < count and primes of b bits, times the radix or, for residues in Montgomery's form, its
 /// square.
-std::vector<Octet> plain_powers(const Moduli& moduli, std::size_t count);
-std::vector<Octet> montgomery_powers(const Moduli& moduli, std::size_t count);
+std::vector<ResidueVector> plain_powers(const Moduli& moduli, std::size_t count);
+std::vector<ResidueVector> montgomery_powers(const Moduli& moduli, std::size_t count);
 
-/// The integer of least magnitude with these residues, one octet a group. Its tables are kept for the numbers
-/// of groups met last.
-Integer integer_with(std::span<const Octet> residues);
+/// The integer of least magnitude with these residues, one vector a group. Its tables are kept for the
+/// numbers of groups met last.
+Integer integer_with(std::span<const ResidueVector> residues);
 
 }  // namespace blossom::residues

@@ -15,8 +15,8 @@ constexpr std::size_t least_factors = 500;
 constexpr std::size_t shortest_leaf = 32;
 
 /// 1 / 2^k times the radix.
-Octet inverse_power_of_two(const Moduli& moduli, std::size_t k) {
-    Octet result{};
+ResidueVector inverse_power_of_two(const Moduli& moduli, std::size_t k) {
+    ResidueVector result{};
     for (std::size_t i = 0; i < lanes; ++i) {
         std::uint64_t value = moduli.radix.lane[i];
         for (std::size_t step = 0; step < k; ++step) {
@@ -45,8 +45,8 @@ TransformPlan transform_plan(std::size_t factors) {
 
 Roots::Roots(const Moduli& moduli, std::size_t size) : powers_(size) {
     const Operations& run = operations();
-    Octet* const powers = powers_.data();
-    Octet root = moduli.root;
+    ResidueVector* const powers = powers_.data();
+    ResidueVector root = moduli.root;
     for (std::size_t order = std::size_t{1} << moduli.root_order; order > size; order /= 2)
         run.scale(moduli, &root, root, 1, &root);
     const std::size_t half = size / 2;
@@ -59,36 +59,36 @@ Roots::Roots(const Moduli& moduli, std::size_t size) : powers_(size) {
     for (std::size_t i = half; i-- > 1;) powers[i] = powers[2 * i];
 }
 
-void transform_numbers(const Moduli& moduli, const Roots& roots, const Octet* numbers, std::size_t count,
-                       std::size_t size, Octet* values) {
+void transform_numbers(const Moduli& moduli, const Roots& roots, const ResidueVector* numbers,
+                       std::size_t count, std::size_t size, ResidueVector* values) {
     // The transform with the inverse roots is that of the numbers in the opposite order.
     values[0] = numbers[0];
-    std::fill(values + 1, values + (size - count + 1), Octet{});
+    std::fill(values + 1, values + (size - count + 1), ResidueVector{});
     std::reverse_copy(numbers + 1, numbers + count, values + (size - count + 1));
     operations().transform(moduli, roots.data(), values, size);
     const auto k = static_cast<std::size_t>(std::countr_zero(size));
     operations().scale(moduli, values, inverse_power_of_two(moduli, k), size, values);
 }
 
-void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan, Octet* leaves,
-                    Octet* values) {
+void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan,
+                    ResidueVector* leaves, ResidueVector* values) {
     const Operations& run = operations();
     const Buffer room(plan.size());
     const Buffer twists(plan.size() / 2);
     // Each polynomial has `size` values; twice as many are wanted of a product. The last go to `values`.
     std::size_t size = plan.leaf;
-    Octet* from = leaves;
-    Octet* to = plan.levels % 2 == 1 ? values : room.data();
+    ResidueVector* from = leaves;
+    ResidueVector* to = plan.levels % 2 == 1 ? values : room.data();
     for (std::size_t count = plan.leaves(); count > 1; count /= 2, size *= 2) {
         const bool are_coefficients = size == plan.leaf;
         const auto k = static_cast<std::size_t>(std::countr_zero(size));
-        const Octet factor = are_coefficients ? moduli.radix : inverse_power_of_two(moduli, k);
+        const ResidueVector factor = are_coefficients ? moduli.radix : inverse_power_of_two(moduli, k);
         run.scale(moduli, roots.data() + size, factor, size, twists.data());
         for (std::size_t i = 0; i < count; i += 2) {
-            Octet* const left = from + i * size;
-            Octet* const right = left + size;
-            Octet* const first = to + i * size;
-            Octet* const second = first + size;
+            ResidueVector* const left = from + i * size;
+            ResidueVector* const right = left + size;
+            ResidueVector* const first = to + i * size;
+            ResidueVector* const second = first + size;
             if (are_coefficients) {
                 run.multiply_each(moduli, left, twists.data(), size, first);
                 run.multiply_each(moduli, right, twists.data(), size, second);
@@ -100,7 +100,7 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
                 run.multiply_each(moduli, left, right, size, first);
             } else {
                 run.multiply_each(moduli, left, right, size, first);
-                for (Octet* const polynomial : {left, right}) {
+                for (ResidueVector* const polynomial : {left, right}) {
                     run.inverse_transform(moduli, roots.data(), polynomial, size);
                     run.multiply_each(moduli, polynomial, twists.data(), size, polynomial);
                     run.transform(moduli, roots.data(), polynomial, size);

@@ -34,7 +34,7 @@ inline bool has_transform(const Moduli& moduli, std::size_t size) {
 class Roots {
 public:
     Roots(const Moduli& moduli, std::size_t size);
-    const Octet* data() const { return powers_.data(); }
+    const ResidueVector* data() const { return powers_.data(); }
 
 private:
     Buffer powers_;
@@ -42,12 +42,12 @@ private:
 
 /// For numbers c_k, k < count <= size, such that sum_k c_k p_k = sum_j values[j] P_j / radix for every
 /// polynomial p with fewer than `size` coefficients and its values P_j in the order of `product_values`.
-void transform_numbers(const Moduli& moduli, const Roots& roots, const Octet* numbers, std::size_t count,
-                       std::size_t size, Octet* values);
+void transform_numbers(const Moduli& moduli, const Roots& roots, const ResidueVector* numbers,
+                       std::size_t count, std::size_t size, ResidueVector* values);
 
 /// The values of the product of the leaves at the roots of unity of order plan.size(); `leaves` has plan.leaf
 /// coefficients of each, which are used up.
-void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan, Octet* leaves,
-                    Octet* values);
+void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan,
+                    ResidueVector* leaves, ResidueVector* values);
 
 }  // namespace blossom::residues

@@ -88,7 +88,7 @@ private:
         const std::size_t top = limbs::used(first_.data(), first_.size()) - 1;
         const int shift = std::countl_zero(first_[top]);
         const auto leading = [&](const std::vector<Limb>& number) {
-            return static_cast<Limb>((Wide{number[top]} << 64 | number[top - 1]) << shift >> 64);
+            return static_cast<Limb>((UInt128{number[top]} << 64 | number[top - 1]) << shift >> 64);
         };
         Limb a = leading(first_);
         Limb b = leading(second_);
@@ -109,8 +109,8 @@ private:
             odd = !odd;
         }
         if (other == 0) return false;
-        SignedWide carry = 0;
-        SignedWide next_carry = 0;
+        Int128 carry = 0;
+        Int128 next_carry = 0;
         for (std::size_t i = 0; i <= top; ++i) {
             const Limb x = first_[i];
             const Limb y = second_[i];
@@ -121,13 +121,13 @@ private:
             carry >>= 64;
             next_carry >>= 64;
         }
-        Wide sum = 0;
-        Wide next_sum = 0;
+        UInt128 sum = 0;
+        UInt128 next_sum = 0;
         for (std::size_t i = 0; i < first_weight_.size(); ++i) {
             const Limb x = first_weight_[i];
             const Limb y = second_weight_[i];
-            sum += Wide{x} * own + Wide{y} * other;
-            next_sum += Wide{x} * next_own + Wide{y} * next_other;
+            sum += UInt128{x} * own + UInt128{y} * other;
+            next_sum += UInt128{x} * next_own + UInt128{y} * next_other;
             first_weight_[i] = static_cast<Limb>(sum);
             second_weight_[i] = static_cast<Limb>(next_sum);
             sum >>= 64;
@@ -136,8 +136,8 @@ private:
         return true;
     }
     /// x a - y b or its negative, for a and b below 2^33.
-    static SignedWide difference(Limb x, Limb a, Limb y, Limb b, bool negative) {
-        const SignedWide result = static_cast<SignedWide>(Wide{x} * a) - static_cast<SignedWide>(Wide{y} * b);
+    static Int128 difference(Limb x, Limb a, Limb y, Limb b, bool negative) {
+        const Int128 result = static_cast<Int128>(UInt128{x} * a) - static_cast<Int128>(UInt128{y} * b);
         return negative ? -result : result;
     }
 

@@ -8,30 +8,31 @@
 
 namespace blossom::residues {
 
-Octet inverse(const Moduli& moduli, Octet x) {
+ResidueVector inverse(const Moduli& moduli, const ResidueVector& x) {
     const Operations& run = operations();
-    Octet result = moduli.radix;
+    ResidueVector square = x;
+    ResidueVector result = moduli.radix;
     // x^(p - 2), by squares.
     for (std::size_t bit = 0; bit < run.prime_bits; ++bit) {
-        Octet next{};
-        run.scale(moduli, &result, x, 1, &next);
+        ResidueVector next{};
+        run.scale(moduli, &result, square, 1, &next);
         for (std::size_t i = 0; i < lanes; ++i)
             if (((moduli.prime.lane[i] - 2) >> bit & 1) != 0) result.lane[i] = next.lane[i];
-        run.scale(moduli, &x, x, 1, &x);
+        run.scale(moduli, &square, square, 1, &square);
     }
     return result;
 }
 
 std::shared_ptr<const ShiftTables> ShiftTables::of_group(std::size_t group, std::size_t size) {
-    constexpr std::size_t most_octets = std::size_t{1} << 20;
-    constexpr std::size_t octets_a_value = 3;
+    constexpr std::size_t most_vectors = std::size_t{1} << 20;
+    constexpr std::size_t vectors_a_value = 3;
     struct Kept {
         std::size_t group;
         std::shared_ptr<const ShiftTables> tables;
     };
     static std::mutex mutex;
     static std::deque<Kept> kept;
-    static std::size_t octets = 0;
+    static std::size_t vectors_kept = 0;
     {
         const std::lock_guard lock(mutex);
         const auto found = std::ranges::find_if(
@@ -41,8 +42,9 @@ std::shared_ptr<const ShiftTables> ShiftTables::of_group(std::size_t group, std:
     auto made = std::make_shared<const ShiftTables>(residues::moduli(group), size);
     const std::lock_guard lock(mutex);
     kept.push_back({group, made});
-    octets += octets_a_value * size;
-    for (; octets > most_octets; kept.pop_front()) octets -= octets_a_value * kept.front().tables->size();
+    vectors_kept += vectors_a_value * size;
+    for (; vectors_kept > most_vectors; kept.pop_front())
+        vectors_kept -= vectors_a_value * kept.front().tables->size();
     return made;
 }
 
@@ -52,11 +54,9 @@ ShiftTables::ShiftTables(const Moduli& moduli, std::size_t size)
       factorials_(size / 2),
       inverse_factorials_(size / 2),
       exponential_(size),
-      roots_(size) {
+      roots_(moduli, size) {
     const Operations& run = operations();
-    // No buffer: what a thread keeps of them may be gone before these tables are.
-    std::copy_n(Roots(moduli, size).data(), size, roots_.data());
-    Octet k{};  // times the radix
+    ResidueVector k{};  // times the radix
     factorials_[0] = moduli.radix;
     for (std::size_t i = 1; i < factorials_.size(); ++i) {
         run.add(moduli, &k, &moduli.radix, 1, &k);
@@ -67,16 +67,16 @@ ShiftTables::ShiftTables(const Moduli& moduli, std::size_t size)
         run.scale(moduli, &inverse_factorials_[i], k, 1, &inverse_factorials_[i - 1]);
         run.subtract(moduli, &k, &moduli.radix, 1, &k);
     }
-    Octet length{};
+    ResidueVector length{};
     for (std::uint64_t& lane : length.lane) lane = size;
     run.scale(moduli, &length, moduli.square, 1, &length);
     run.scale(moduli, inverse_factorials_.data(), inverse(moduli, length), size / 2, exponential_.data());
     run.transform(moduli, roots_.data(), exponential_.data(), size);
 }
 
-void ShiftTables::multiply_by_exponential(Octet* a, std::size_t count) const {
+void ShiftTables::multiply_by_exponential(ResidueVector* a, std::size_t count) const {
     const Operations& run = operations();
-    std::fill(a + count, a + size_, Octet{});
+    std::fill(a + count, a + size_, ResidueVector{});
     run.transform(moduli_, roots_.data(), a, size_);
     run.multiply_each(moduli_, a, exponential_.data(), size_, a);
     run.inverse_transform(moduli_, roots_.data(), a, size_);

@@ -10,7 +10,7 @@
 namespace blossom::residues {
 
 /// 1/x for numbers x that no prime divides, both times the radix.
-Octet inverse(const Moduli& moduli, Octet x);
+ResidueVector inverse(const Moduli& moduli, const ResidueVector& x);
 
 /// What shifts of at most size / 2 coefficients take modulo the primes of one group.
 class ShiftTables {
@@ -24,20 +24,20 @@ public:
     const Moduli& moduli() const { return moduli_; }
     std::size_t size() const { return size_; }
     /// k! and 1 / k!, times the radix, for k < size / 2.
-    const Octet* factorials() const { return factorials_.data(); }
-    const Octet* inverse_factorials() const { return inverse_factorials_.data(); }
+    const ResidueVector* factorials() const { return factorials_.data(); }
+    const ResidueVector* inverse_factorials() const { return inverse_factorials_.data(); }
 
     /// Multiplies the polynomial of `count` <= size / 2 coefficients in `a`, which has room for `size`, by
     /// the sum of all X^m / m!; the first `count` coefficients are right.
-    void multiply_by_exponential(Octet* a, std::size_t count) const;
+    void multiply_by_exponential(ResidueVector* a, std::size_t count) const;
 
 private:
     const Moduli& moduli_;
     std::size_t size_;
-    std::vector<Octet> factorials_;
-    std::vector<Octet> inverse_factorials_;
-    std::vector<Octet> exponential_;  ///< its values
-    std::vector<Octet> roots_;
+    std::vector<ResidueVector> factorials_;
+    std::vector<ResidueVector> inverse_factorials_;
+    std::vector<ResidueVector> exponential_;  ///< its values
+    Roots roots_;
 };
 
 }  // namespace blossom::residues

@@ -86,17 +86,17 @@ private:
     using Entry = std::array<std::uint64_t, Words>;
 
     static void multiply(Entry& entry, std::uint64_t factor) {
-        Wide carry = 0;
+        UInt128 carry = 0;
         for (std::uint64_t& word : entry) {
-            carry += Wide{word} * factor;
+            carry += UInt128{word} * factor;
             word = static_cast<std::uint64_t>(carry);
             carry >>= 64;
         }
     }
     static void add_product(Entry& sum, const Entry& entry, std::uint64_t factor) {
-        Wide carry = 0;
+        UInt128 carry = 0;
         for (std::size_t i = 0; i < Words; ++i) {
-            carry += Wide{entry[i]} * factor + sum[i];
+            carry += UInt128{entry[i]} * factor + sum[i];
             sum[i] = static_cast<std::uint64_t>(carry);
             carry >>= 64;
         }
@@ -163,7 +163,7 @@ std::optional<std::vector<Integer>> bernstein_in_words(std::span<const Integer> 
                                 static_cast<std::size_t>(std::bit_width(count)));
     const std::uint64_t growth = std::max(magnitude(a.numerator) + magnitude(b.numerator),
                                           magnitude(a.denominator) + magnitude(b.denominator));
-    const Wide growth_of_both = Wide{growth} * magnitude(std::max(rising, falling));
+    const UInt128 growth_of_both = UInt128{growth} * magnitude(std::max(rising, falling));
     for (std::size_t i = 1; i < count; ++i) bound.multiply(growth_of_both);
     const std::size_t words = bound.bits() / 64 + 1;
     if (words > most_words_of_line) return std::nullopt;

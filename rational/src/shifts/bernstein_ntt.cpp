@@ -15,23 +15,23 @@ namespace blossom {
 
 namespace {
 
-using residues::BatchCombination;
 using residues::Buffer;
+using residues::ChineseRemainderBatch;
 using residues::Digits;
 using residues::Moduli;
-using residues::Octet;
 using residues::operations;
+using residues::ResidueVector;
 using residues::ShiftTables;
 
 /// As many numbers as there are coefficients, of at most `bits` bits each: `transform(tables, numbers, room)`
-/// turns the residues of the coefficients into theirs, with room for tables.size() octets.
+/// turns the residues of the coefficients into theirs, with room for tables.size() residue vectors.
 template <class Transform>
 std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coefficients, std::size_t bits,
                                                 const Transform& transform) {
     const std::size_t count = coefficients.size();
     const std::size_t size = std::bit_ceil(2 * count);
     if (size > std::size_t{1} << operations().root_order) return std::nullopt;
-    const auto combination = BatchCombination::for_bits(bits);
+    const auto combination = ChineseRemainderBatch::for_bits(bits);
     if (!combination) return std::nullopt;
     Digits digits;
     digits.reserve(count, 2);
@@ -42,7 +42,7 @@ std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coeffic
     for (std::size_t g = 0; g < combination->groups(); ++g) {
         const Moduli& group = residues::moduli(g);
         if (!has_transform(group, size)) return std::nullopt;
-        Octet* const row = numbers.data() + g * stride;
+        ResidueVector* const row = numbers.data() + g * stride;
         digits.residues(group, plain_powers(group, digits.most_digits()).data(), row);
         transform(*ShiftTables::of_group(g, size), row, room.data());
     }
@@ -50,7 +50,7 @@ std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coeffic
 }
 
 /// m_j with sum_k c_k t^k = sum_j m_j (t - 1)^j, from c_k in `numbers` to `numbers`.
-void shift_by_one(const ShiftTables& tables, std::size_t count, Octet* numbers, Octet* room) {
+void shift_by_one(const ShiftTables& tables, std::size_t count, ResidueVector* numbers, ResidueVector* room) {
     const Moduli& group = tables.moduli();
     operations().multiply_each(group, numbers, tables.factorials(), count, room);
     std::reverse(room, room + count);
@@ -60,37 +60,39 @@ void shift_by_one(const ShiftTables& tables, std::size_t count, Octet* numbers, 
 }
 
 /// numbers[k] *= first * ratio^k
-void scale_by_powers(const Moduli& group, const Octet& first, Octet ratio, std::size_t count, Octet* numbers,
-                     Octet* room) {
+void scale_by_powers(const Moduli& group, const ResidueVector& first, const ResidueVector& ratio,
+                     std::size_t count, ResidueVector* numbers, ResidueVector* room) {
+    ResidueVector power = ratio;
     room[0] = first;
     for (std::size_t done = 1; done < count; done *= 2) {
-        operations().scale(group, room, ratio, std::min(done, count - done), room + done);
-        operations().scale(group, &ratio, ratio, 1, &ratio);
+        operations().scale(group, room, power, std::min(done, count - done), room + done);
+        operations().scale(group, &power, power, 1, &power);
     }
     operations().multiply_each(group, numbers, room, count, numbers);
 }
 
 /// A word below 2^49 in magnitude, times the radix.
-Octet residue_of(const Moduli& group, std::int64_t value) {
-    Octet result{};
+ResidueVector residue_of(const Moduli& group, std::int64_t value) {
+    ResidueVector result{};
     for (std::size_t i = 0; i < residues::lanes; ++i)
         result.lane[i] = static_cast<std::uint64_t>(value) + (value < 0 ? group.prime.lane[i] : 0);
     operations().scale(group, &result, group.square, 1, &result);
     return result;
 }
 
-Octet product(const Moduli& group, const Octet& a, const Octet& b) {
-    Octet result{};
+ResidueVector product(const Moduli& group, const ResidueVector& a, const ResidueVector& b) {
+    ResidueVector result{};
     operations().scale(group, &a, b, 1, &result);
     return result;
 }
 
 /// base^exponent, times the radix like the base.
-Octet power(const Moduli& group, Octet base, std::size_t exponent) {
-    Octet result = group.radix;
+ResidueVector power(const Moduli& group, const ResidueVector& base, std::size_t exponent) {
+    ResidueVector result = group.radix;
+    ResidueVector square = base;
     for (; exponent != 0; exponent >>= 1) {
-        if ((exponent & 1) != 0) result = product(group, result, base);
-        base = product(group, base, base);
+        if ((exponent & 1) != 0) result = product(group, result, square);
+        square = product(group, square, square);
     }
     return result;
 }
@@ -100,17 +102,17 @@ struct LineResidues {
     LineResidues(const Moduli& group, const WordQuotient& a, const WordQuotient& b)
         : denominator_of_a(residue_of(group, a.denominator)) {
         const bool from_zero = a.numerator == 0;
-        const Octet p = residue_of(group, from_zero ? 1 : a.numerator);
-        const Octet& q = denominator_of_a;
-        const Octet r = residue_of(group, b.numerator);
-        const Octet s = residue_of(group, b.denominator);
-        const Octet qs = product(group, q, s);
-        const Octet reciprocal = inverse(group, product(group, p, qs));  // 1/pqs
-        const Octet inverse_of_q = product(group, reciprocal, product(group, p, s));
-        const Octet qr = product(group, q, r);
-        const Octet ps = product(group, p, s);
+        const ResidueVector p = residue_of(group, from_zero ? 1 : a.numerator);
+        const ResidueVector& q = denominator_of_a;
+        const ResidueVector r = residue_of(group, b.numerator);
+        const ResidueVector s = residue_of(group, b.denominator);
+        const ResidueVector qs = product(group, q, s);
+        const ResidueVector reciprocal = inverse(group, product(group, p, qs));  // 1/pqs
+        const ResidueVector inverse_of_q = product(group, reciprocal, product(group, p, s));
+        const ResidueVector qr = product(group, q, r);
+        const ResidueVector ps = product(group, p, s);
         start = product(group, p, inverse_of_q);
-        Octet determinant = qr;
+        ResidueVector determinant = qr;
         if (!from_zero) operations().subtract(group, &qr, &ps, 1, &determinant);
         // (r/s - p/q) / (p/q), or r/s
         slope = product(group, product(group, determinant, q), reciprocal);
@@ -118,10 +120,10 @@ struct LineResidues {
         ratio = product(group, s, inverse_of_q);
     }
 
-    Octet denominator_of_a;
-    Octet start{};  ///< a, or nothing of use if that is 0
-    Octet slope{};  ///< length / a, or length if a is 0
-    Octet ratio{};  ///< the denominator of b by that of a
+    ResidueVector denominator_of_a;
+    ResidueVector start{};  ///< a, or nothing of use if that is 0
+    ResidueVector slope{};  ///< length / a, or length if a is 0
+    ResidueVector ratio{};  ///< the denominator of b by that of a
 };
 
 }  // namespace
@@ -129,9 +131,10 @@ struct LineResidues {
 namespace residues {
 
 std::optional<std::vector<Integer>> shifted_by_one(std::span<const Integer> coefficients, std::size_t bits) {
-    return in_residues(coefficients, bits, [&](const ShiftTables& tables, Octet* numbers, Octet* room) {
-        shift_by_one(tables, coefficients.size(), numbers, room);
-    });
+    return in_residues(coefficients, bits,
+                       [&](const ShiftTables& tables, ResidueVector* numbers, ResidueVector* room) {
+                           shift_by_one(tables, coefficients.size(), numbers, room);
+                       });
 }
 
 }  // namespace residues
@@ -149,7 +152,7 @@ std::optional<std::vector<Integer>> form_on_line(std::span<const Integer> coeffi
                                           magnitude(a.denominator) + magnitude(b.denominator));
     for (std::size_t i = 1; i < count; ++i) bound.multiply(growth);
     return in_residues(coefficients, bound.bits(),
-                       [&](const ShiftTables& tables, Octet* numbers, Octet* room) {
+                       [&](const ShiftTables& tables, ResidueVector* numbers, ResidueVector* room) {
                            const Moduli& group = tables.moduli();
                            const LineResidues line(group, a, b);
                            if (a.numerator != 0) {

@@ -8,35 +8,25 @@
 #include "bernstein_ntt.hpp"
 #include "number/backend.hpp"
 #include "number/uint128.hpp"
-#include "residues/residue_system.hpp"
-#include "vectors/taylor_lanes.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
 namespace {
 
-using digit_rows::digit_bits;
-using digit_rows::levels;
+using taylor_lanes::digit_bits;
+using taylor_lanes::levels;
 
 constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
 /// Below, what is written for the vectors takes longer than they save.
 constexpr std::size_t least_coefficients = 12;
-/// Up to so many, words and pairs of words are faster where they suffice.
+/// Up to so many, pairs of words are faster where they suffice.
 constexpr std::size_t most_coefficients_in_words = 64;
 /// From so many on, transforms are faster where results have at most so many bits a coefficient.
 constexpr std::size_t least_coefficients_in_residues = 513;
 constexpr std::size_t most_bits_a_coefficient = 4;
 
-/// The level that the residues run on.
-const digit_rows::Operations& row_operations() {
-#if defined(BLOSSOM_AVX512_IFMA)
-    if (&residues::operations() == &residues::ifma_operations) return digit_rows::avx512_operations;
-#endif
-#if defined(BLOSSOM_AVX2)
-    if (&residues::operations() == &residues::avx2_operations) return digit_rows::avx2_operations;
-#endif
-    return digit_rows::portable_operations;
-}
+const taylor_lanes::Operations& row_operations() { return *vectors::table().taylor; }
 
 /// Planes for numbers of at most `bits` bits: the greatest digit stays far below a word. They hold whole
 /// groups of four digits.
@@ -192,13 +182,11 @@ private:
     DigitRow carries_;
 };
 
-/// On machine words, which must have room for 2^(n - 1) times the greatest of n coefficients.
-template <class Word>
-std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
-    constexpr std::size_t size = sizeof(Word) / sizeof(std::uint64_t);
-    std::uint64_t words[size];
-    Word in_place[most_coefficients_in_words];
-    const std::span<Word> row = std::span(in_place).first(coefficients.size());
+/// In 128 bits, which must have room for 2^(n - 1) times the greatest of n coefficients.
+std::vector<Integer> shifted_in_pairs_of_words(std::span<const Integer> coefficients) {
+    std::uint64_t words[2];
+    Int128 in_place[most_coefficients_in_words];
+    const std::span<Int128> row = std::span(in_place).first(coefficients.size());
     for (std::size_t k = 0; k < row.size(); ++k) {
         IntegerAccess::to_twos_complement(coefficients[k], words);
         std::memcpy(&row[k], words, sizeof words);
@@ -206,7 +194,7 @@ std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
     row_recurrences::shift_by_one(row);
     std::vector<Integer> result;
     result.reserve(row.size());
-    for (const Word& value : row) {
+    for (const Int128& value : row) {
         std::memcpy(words, &value, sizeof words);
         result.push_back(IntegerAccess::from_twos_complement(words));
     }
@@ -218,10 +206,8 @@ std::vector<Integer> shifted_in(std::span<const Integer> coefficients) {
 std::vector<Integer> shifted_by_one(std::span<const Integer> coefficients) {
     if (coefficients.empty()) return {};
     const std::size_t bits = greatest_bit_length(coefficients) + coefficients.size() - 1;
-    if (coefficients.size() <= most_coefficients_in_words && bits < 64)
-        return shifted_in<std::int64_t>(coefficients);
     if (coefficients.size() <= most_coefficients_in_words && bits < 128)
-        return shifted_in<SignedWide>(coefficients);
+        return shifted_in_pairs_of_words(coefficients);
     if (coefficients.size() < least_coefficients)
         return row_recurrences::shifted_by_one<Integer>(coefficients);
     if (coefficients.size() >= least_coefficients_in_residues &&

@@ -7,53 +7,33 @@
 #include <utility>
 
 #include "prepared_rows.hpp"
-#include "vectors/eight_sums.hpp"
-#include "vectors/vector_level.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
 namespace {
 
-using word_lanes::lanes;
-
-/// What computes eight sums at a time here; nothing on processors without.
-struct WordLanes {
-    const word_lanes::Operations* narrow = nullptr;
-    const word_lanes::WideOperations* wide = nullptr;
-};
-const WordLanes& chosen_word_lanes() {
-    static const WordLanes chosen = []() -> WordLanes {
-#if defined(BLOSSOM_AVX512_WORDS)
-        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512cd") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return {&word_lanes::avx512_operations, &word_lanes::wide_avx512_operations};
-#endif
-        return {};
-    }();
-    return chosen;
-}
+using eight_sums::lanes;
 
 constexpr auto small_divisors = [] {
-    std::array<word_lanes::Divisor, small_primes::count> divisors{};
+    std::array<eight_sums::Divisor, small_primes::count> divisors{};
     for (std::size_t i = 0; i < divisors.size(); ++i)
-        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most,
-                       small_primes::table.primes[i].most >> 12};
+        divisors[i] = {small_primes::table.primes[i].inverse, small_primes::table.primes[i].most};
     return divisors;
 }();
 constexpr auto wide_divisors = [] {
     constexpr std::uint64_t limb_mask = (std::uint64_t{1} << 52) - 1;
-    std::array<word_lanes::WideDivisor, small_primes::count> divisors{};
+    std::array<eight_sums::WideDivisor, small_primes::count> divisors{};
     for (std::size_t i = 0; i < divisors.size(); ++i) {
         const auto& [prime, half_inverse, most] = small_primes::table.primes[i];
-        const Wide inverse = half_inverse * (2 - prime * Wide{half_inverse});
+        const UInt128 inverse = half_inverse * (2 - prime * UInt128{half_inverse});
         divisors[i] = {{static_cast<std::uint64_t>(inverse) & limb_mask,
                         static_cast<std::uint64_t>(inverse >> 52) & limb_mask},
                        limb_mask / prime};
     }
     return divisors;
 }();
-constexpr word_lanes::Divisors lane_divisors{small_primes::table.of, small_primes::greatest_known,
+constexpr eight_sums::Divisors lane_divisors{small_primes::table.of, small_primes::greatest_known,
                                              small_divisors.data(), wide_divisors.data()};
 
 static_assert(RationalAccess::is_four_words);
@@ -64,10 +44,10 @@ bool is_short(const WordLine& line) {
            std::in_range<std::int32_t>(line.q) && std::in_range<std::int32_t>(line.length);
 }
 
-using Prepared = LinearFactorSums::Prepared;
+using PreparedRows = BlossomSums::PreparedRows;
 
 struct Given {
-    word_lanes::Rows rows;
+    eight_sums::Rows rows;
     const void* const* tuples;
     std::size_t count;
     const WordLine* line;
@@ -79,10 +59,10 @@ constexpr std::size_t most_wide_bits = 102;
 /// Whether every product of `count` numbers > 0 and one of the rows may have this many bits.
 bool may_have(const Given& given, std::size_t bits) { return given.rows.bits + given.count <= bits; }
 
-[[gnu::always_inline]] inline bool evaluate_narrow(const word_lanes::Operations& operations,
+[[gnu::always_inline]] inline bool evaluate_narrow(const eight_sums::Operations& operations,
                                                    const Given& given, std::span<Rational> sums) {
-    if (given.count > word_lanes::most_factors || !may_have(given, 63)) return false;
-    word_lanes::Quotients quotients[word_lanes::most_rows];
+    if (given.count > eight_sums::most_factors || !may_have(given, 63)) return false;
+    eight_sums::Quotients quotients[eight_sums::most_rows];
     if (!operations.sums(given.rows, given.tuples, given.count, given.line, lane_divisors, quotients))
         return false;
     const std::size_t stride = given.rows.rows;
@@ -116,12 +96,12 @@ Integer integer(std::uint64_t low, std::uint64_t high, bool negative) {
     return IntegerAccess::from_magnitude(std::span(words).first(high == 0 ? 1 : 2), negative);
 }
 
-[[gnu::noinline]] bool evaluate_wide(const word_lanes::WideOperations& operations, const Given& given,
+[[gnu::noinline]] bool evaluate_wide(const eight_sums::WideOperations& operations, const Given& given,
                                      const Rational* pairs, std::span<Rational> sums) {
-    if (given.count > word_lanes::most_wide_factors || !may_have(given, most_wide_bits) ||
+    if (given.count > eight_sums::most_wide_factors || !may_have(given, most_wide_bits) ||
         !first_may_fit(given, pairs))
         return false;
-    word_lanes::WideQuotients quotients[word_lanes::most_rows];
+    eight_sums::WideQuotients quotients[eight_sums::most_rows];
     if (!operations.sums(given.rows, given.tuples, given.count, given.line, lane_divisors, quotients))
         return false;
     const std::size_t stride = given.rows.rows;
@@ -138,11 +118,11 @@ Integer integer(std::uint64_t low, std::uint64_t high, bool negative) {
 
 }  // namespace
 
-bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tuples,
-                                      std::span<Rational> sums, const WordLine* line) const {
-    const Prepared& rows = *prepared_;
-    const WordLanes& operations = chosen_word_lanes();
-    if (operations.narrow == nullptr || rows.words.empty() || rows.rows > word_lanes::most_rows ||
+bool BlossomSums::evaluate_eight(std::span<const Rational* const, lanes> tuples, std::span<Rational> sums,
+                                 const WordLine* line) const {
+    const PreparedRows& rows = *prepared_;
+    const vectors::Table& table = vectors::table();
+    if (table.eight_sums == nullptr || rows.words.empty() || rows.rows > eight_sums::most_rows ||
         rows.word_denominator == 0 || (line != nullptr && !is_short(*line)))
         return false;
     const auto denominator = static_cast<std::uint64_t>(rows.word_denominator);
@@ -152,8 +132,8 @@ bool LinearFactorSums::evaluate_eight(std::span<const Rational* const, lanes> tu
         reinterpret_cast<const void* const*>(tuples.data()),
         rows.size - 1,
         line};
-    return evaluate_narrow(*operations.narrow, given, sums) ||
-           evaluate_wide(*operations.wide, given, tuples[0], sums);
+    return evaluate_narrow(*table.eight_sums, given, sums) ||
+           evaluate_wide(*table.eight_wide_sums, given, tuples[0], sums);
 }
 
 }  // namespace blossom

@@ -16,7 +16,7 @@ namespace blossom {
 
 namespace {
 
-using Prepared = LinearFactorSums::Prepared;
+using PreparedRows = BlossomSums::PreparedRows;
 
 /// The numbers of factors for which residues are used: by measurement, and by what one sum
 /// may take.
@@ -27,15 +27,16 @@ constexpr std::size_t most_residue_factors = residues::most_terms - 1;
 constexpr std::size_t least_factors_for_lanes = 8;
 
 template <class R>
-SumKernel kernel_without_limbs(const Prepared& rows, std::span<const LinearFactor<R>> factors) {
+SumKernel kernel_without_limbs(const PreparedRows& rows, std::span<const LinearFactor<R>> factors) {
     const bool residues = least_residue_factors <= factors.size() && factors.size() <= most_residue_factors &&
                           sum_bits(rows, factors) <= residues::most_bits;
     return residues ? SumKernel::residues : SumKernel::integers;
 }
 
 /// For sums that are beyond the kernel `word`.
-SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits) {
-    const bool on_stack = factors.size() <= machine_sums::most_factors;
+SumKernel kernel_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
+                              const Bounds& bits) {
+    const bool on_stack = factors.size() <= word_sums::most_factors;
     if (on_stack && !rows.words.empty() && bits.sum < 128) return SumKernel::wide;
     if (rows.digits.suffice(factors, bits.sum)) return SumKernel::limbs;
     if (!on_stack) return kernel_without_limbs(rows, factors);
@@ -44,33 +45,32 @@ SumKernel kernel_beyond_words(const Prepared& rows, std::span<const WordFactor> 
 }
 
 /// A numerator in two's complement, or its negative, over the denominator in lowest terms.
-void set_reduced_signed(Rational& value, std::span<std::uint64_t> numerator, bool negated,
-                        const DenominatorWords& denominator, std::span<const Integer> further) {
+void assign_signed_quotient(Rational& value, std::span<std::uint64_t> numerator, bool negated,
+                            const DenominatorWords& denominator, std::span<const Integer> further) {
     const bool negative = limbs::take_magnitude(numerator);
-    set_reduced(value, numerator, negative != negated, denominator, further);
+    assign_quotient(value, numerator, negative != negated, denominator, further);
 }
 
 /// Whether the kernel `word` sufficed.
 template <std::size_t Count>
-[[gnu::always_inline]] inline bool evaluate_fixed(const Prepared& rows,
+[[gnu::always_inline]] inline bool evaluate_fixed(const PreparedRows& rows,
                                                   std::span<const WordFactor, Count> factors,
                                                   std::size_t first_row, std::span<Rational> sums) {
-    const machine_sums::WordDenominator denominator =
-        machine_sums::word_denominator(rows.words_of(0), factors);
+    const word_sums::WordDenominator denominator = word_sums::word_denominator(rows.words_of(0), factors);
     if (denominator.value == 0) return false;
-    const machine_sums::FactorProduct<Count> product(factors);
+    const word_sums::FactorProduct<Count> product(factors);
     const std::int64_t* row = rows.words.data() + first_row * rows.size;
     for (Rational& value : sums) {
         const std::uint64_t sum = product.sum_of_products({row, rows.size});
-        set_reduced(value, static_cast<std::int64_t>(sum), static_cast<std::uint64_t>(denominator.value),
-                    denominator.primes);
+        assign_quotient(value, static_cast<std::int64_t>(sum), static_cast<std::uint64_t>(denominator.value),
+                        denominator.primes);
         row += rows.size;
     }
     return true;
 }
 
 /// The same; low degrees have code without loops.
-bool evaluate_words(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
+bool evaluate_words(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
                     std::span<Rational> sums) {
     return with_small_constant(factors.size(), [&](auto count) {
         return evaluate_fixed(rows, std::span<const WordFactor, count>(factors.data(), factors.size()),
@@ -78,14 +78,14 @@ bool evaluate_words(const Prepared& rows, std::span<const WordFactor> factors, s
     });
 }
 
-void evaluate_wide(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
+void evaluate_wide(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
                    std::span<Rational> sums) {
-    const machine_sums::WideFactorProduct product(factors);
+    const word_sums::WideFactorProduct product(factors);
     const DenominatorWords denominator =
-        machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
+        word_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     for (std::size_t j = 0; j < sums.size(); ++j) {
-        machine_sums::set_reduced(sums[j], product.sum_of_products(rows.words_of(first_row + j).words),
-                                  denominator);
+        word_sums::assign_quotient(sums[j], product.sum_of_products(rows.words_of(first_row + j).words),
+                                   denominator);
     }
 }
 
@@ -96,38 +96,38 @@ fixed_width::LimbRow multiplied_out(std::span<const WordFactor> factors, std::si
     return product;
 }
 
-void evaluate_digits(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
+void evaluate_digits(const PreparedRows& rows, std::span<const WordFactor> factors, const Bounds& bits,
                      std::size_t first_row, std::span<Rational> sums) {
     const DigitBlocks blocks(rows.digits, factors, bits.sum);
     const DenominatorWords denominator =
-        machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
+        word_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     std::uint64_t words[most_digit_words];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         blocks.folds().sum(rows.digits.row(first_row + j), numerator);
-        set_reduced_signed(sums[j], numerator, false, denominator, rows.denominator.longer);
+        assign_signed_quotient(sums[j], numerator, false, denominator, rows.denominator.longer);
     }
 }
 
-void evaluate_limbs(const Prepared& rows, std::span<const WordFactor> factors, const Bounds& bits,
+void evaluate_limbs(const PreparedRows& rows, std::span<const WordFactor> factors, const Bounds& bits,
                     std::size_t first_row, std::span<Rational> sums) {
     if (rows.digits.suffice(factors, bits.sum)) return evaluate_digits(rows, factors, bits, first_row, sums);
     const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     const DenominatorWords denominator =
-        machine_sums::denominator_words(rows.denominator.words, rows.primes, factors);
+        word_sums::denominator_words(rows.denominator.words, rows.primes, factors);
     std::uint64_t words[most_sum_limbs];
     const std::span<std::uint64_t> numerator = std::span(words).first(bits.sum / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         limb_dot({rows.limbs_of(first_row + j), rows.width, rows.width}, product.limbs(), rows.size,
                  numerator);
-        set_reduced_signed(sums[j], numerator, product.negated(), denominator, rows.denominator.longer);
+        assign_signed_quotient(sums[j], numerator, product.negated(), denominator, rows.denominator.longer);
     }
 }
 
 /// Factors of the denominator of all sums, words gathered as far as they stay words; and whether their
 /// product is the negative of the denominator.
 template <class R>
-std::pair<DenominatorParts, bool> denominator_factors(const Prepared& rows,
+std::pair<DenominatorParts, bool> denominator_factors(const PreparedRows& rows,
                                                       std::span<const LinearFactor<R>> factors) {
     DenominatorParts result = rows.denominator;
     bool negative = false;
@@ -140,11 +140,11 @@ std::pair<DenominatorParts, bool> denominator_factors(const Prepared& rows,
 }
 
 template <class R>
-void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> factors, std::size_t first_row,
-                       std::span<Rational> sums) {
+void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>> factors,
+                       std::size_t first_row, std::span<Rational> sums) {
     const std::vector<Integer> numerators =
-        residue_sums(rows.numbers, rows.use == LinearFactorSums::Use::many ? &rows.residues : nullptr,
-                     blocks_of(factors), closer_sum_bits(rows, factors), first_row, sums.size());
+        residue_sums(rows.numbers, rows.use == BlossomSums::Use::many ? &rows.residues : nullptr,
+                     blocks_of(factors), sum_bits(rows, factors), first_row, sums.size());
     const auto [denominators, negative] = denominator_factors(rows, factors);
     std::vector<std::uint64_t> numerator;
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -157,8 +157,9 @@ void evaluate_residues(const Prepared& rows, std::span<const LinearFactor<R>> fa
 
 /// The sums of products with the coefficients in `product`, or with their negatives.
 template <class R>
-void set_large_sums(const Prepared& rows, std::span<const LinearFactor<R>> factors, const LimbView& product,
-                    bool negated, std::size_t bits, std::size_t first_row, std::span<Rational> sums) {
+void set_large_sums(const PreparedRows& rows, std::span<const LinearFactor<R>> factors,
+                    const LimbView& product, bool negated, std::size_t bits, std::size_t first_row,
+                    std::span<Rational> sums) {
     const auto [denominators, negative] = denominator_factors(rows, factors);
     std::vector<std::uint64_t> numerator(bits / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -169,22 +170,22 @@ void set_large_sums(const Prepared& rows, std::span<const LinearFactor<R>> facto
     }
 }
 
-void evaluate_integers(const Prepared& rows, std::span<const WordFactor> factors, std::size_t first_row,
+void evaluate_integers(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
                        std::span<Rational> sums) {
     const Bounds bits = bounds(rows, factors);
     const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     set_large_sums(rows, factors, product.limbs(), product.negated(), bits.sum, first_row, sums);
 }
 
-void evaluate_integers(const Prepared& rows, std::span<const IntegerFactor> factors, std::size_t first_row,
-                       std::span<Rational> sums) {
+void evaluate_integers(const PreparedRows& rows, std::span<const IntegerFactor> factors,
+                       std::size_t first_row, std::span<Rational> sums) {
     const std::size_t bits = sum_bits(rows, factors);
     const FactorRow product(factors, bits - rows.bits);
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
 }
 
 /// Factors m + u X, see evaluate_pairs.
-bool evaluate_pairs_in_words(const Prepared& rows, const Rational* pairs, std::size_t first_row,
+bool evaluate_pairs_in_words(const PreparedRows& rows, const Rational* pairs, std::size_t first_row,
                              std::span<Rational> sums) {
     return with_small_constant(rows.size - 1, [&](auto count) {
         if constexpr (count == std::dynamic_extent) {
@@ -199,7 +200,7 @@ bool evaluate_pairs_in_words(const Prepared& rows, const Rational* pairs, std::s
 }
 
 /// Whether words hold all sums.
-bool set_sums_in_words(const Prepared& rows, const LaneBlocks& blocks, std::size_t first_row,
+bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::size_t first_row,
                        std::span<Rational> sums) {
     if (blocks.bits() >= 64 || rows.words.empty()) return false;
     std::int64_t denominator = rows.word_denominator;
@@ -209,18 +210,17 @@ bool set_sums_in_words(const Prepared& rows, const LaneBlocks& blocks, std::size
     for (std::size_t j = 0; j < sums.size(); ++j) {
         std::uint64_t numerator = 0;
         blocks.folds().sum(rows.digits.row(first_row + j), {&numerator, 1});
-        set_reduced(sums[j], static_cast<std::int64_t>(numerator), static_cast<std::uint64_t>(denominator),
-                    rows.primes | blocks.primes());
+        assign_quotient(sums[j], static_cast<std::int64_t>(numerator),
+                        static_cast<std::uint64_t>(denominator), rows.primes | blocks.primes());
     }
     return true;
 }
 
-/// Whether vector lanes suffice; `multiply(blocks)` multiplies the factors out.
-template <class Multiply>
-bool evaluate_lanes(const Prepared& rows, std::size_t first_row, std::span<Rational> sums,
-                    const Multiply& multiply) {
+/// Whether vector lanes suffice.
+[[gnu::noinline]] bool evaluate_lanes(const PreparedRows& rows, std::span<const WordFactor> factors,
+                                      std::size_t first_row, std::span<Rational> sums) {
     LaneBlocks blocks;
-    if (!multiply(blocks)) return false;
+    if (!blocks.multiply(rows.digits, factors)) return false;
     if (set_sums_in_words(rows, blocks, first_row, sums)) return true;
     DenominatorWords denominator;
     for (const std::uint64_t factor : rows.denominator.words) denominator.multiply(factor, rows.primes);
@@ -229,26 +229,13 @@ bool evaluate_lanes(const Prepared& rows, std::size_t first_row, std::span<Ratio
     const std::span<std::uint64_t> numerator = std::span(words).first(blocks.bits() / 64 + 1);
     for (std::size_t j = 0; j < sums.size(); ++j) {
         blocks.folds().sum(rows.digits.row(first_row + j), numerator);
-        set_reduced_signed(sums[j], numerator, false, denominator, rows.denominator.longer);
+        assign_signed_quotient(sums[j], numerator, false, denominator, rows.denominator.longer);
     }
     return true;
 }
 
-[[gnu::noinline]] bool evaluate_lanes(const Prepared& rows, std::span<const WordFactor> factors,
-                                      std::size_t first_row, std::span<Rational> sums) {
-    return evaluate_lanes(rows, first_row, sums,
-                          [&](LaneBlocks& blocks) { return blocks.multiply(rows.digits, factors); });
-}
-
-[[gnu::noinline]] bool evaluate_lanes_of_pairs(const Prepared& rows, const Rational* pairs,
-                                               std::size_t first_row, std::span<Rational> sums) {
-    return evaluate_lanes(rows, first_row, sums, [&](LaneBlocks& blocks) {
-        return blocks.multiply_pairs(rows.digits, pairs, rows.size - 1);
-    });
-}
-
 /// Kept apart from the kernel `word`, which needs neither its registers nor its memory.
-[[gnu::noinline]] void evaluate_beyond_words(const Prepared& rows, std::span<const WordFactor> factors,
+[[gnu::noinline]] void evaluate_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
                                              std::size_t first_row, std::span<Rational> sums) {
     const Bounds bits = bounds(rows, factors);
     switch (kernel_beyond_words(rows, factors, bits)) {
@@ -281,25 +268,25 @@ constexpr SumKernelRule rules[] = {
 
 std::span<const SumKernelRule> sum_kernel_rules() { return rules; }
 
-LinearFactorSums::LinearFactorSums(RationalVector numbers, std::size_t rows, Use use)
-    : prepared_(std::make_shared<const Prepared>(std::move(numbers), rows, use)) {}
+BlossomSums::BlossomSums(RationalVector numbers, std::size_t rows, Use use)
+    : prepared_(std::make_shared<const PreparedRows>(std::move(numbers), rows, use)) {}
 
-std::size_t LinearFactorSums::rows() const { return prepared_->rows; }
+std::size_t BlossomSums::rows() const { return prepared_->rows; }
 
-std::size_t LinearFactorSums::degree() const { return prepared_->size - 1; }
+std::size_t BlossomSums::degree() const { return prepared_->size - 1; }
 
-const RationalVector& LinearFactorSums::numbers() const { return prepared_->numbers; }
+const RationalVector& BlossomSums::numbers() const { return prepared_->numbers; }
 
-SumKernel LinearFactorSums::kernel(std::span<const WordFactor> factors) const {
-    const Prepared& rows = *prepared_;
-    if (!rows.words.empty() && machine_sums::word_denominator(rows.words_of(0), factors).value != 0)
+SumKernel BlossomSums::kernel(std::span<const WordFactor> factors) const {
+    const PreparedRows& rows = *prepared_;
+    if (!rows.words.empty() && word_sums::word_denominator(rows.words_of(0), factors).value != 0)
         return SumKernel::word;
     return kernel_beyond_words(rows, factors, bounds(rows, factors));
 }
 
-void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t first_row,
-                                std::span<Rational> sums) const {
-    const Prepared& rows = *prepared_;
+void BlossomSums::evaluate(std::span<const WordFactor> factors, std::size_t first_row,
+                           std::span<Rational> sums) const {
+    const PreparedRows& rows = *prepared_;
     const auto in_words = [&] {
         return !rows.words.empty() && evaluate_words(rows, factors, first_row, sums);
     };
@@ -311,21 +298,20 @@ void LinearFactorSums::evaluate(std::span<const WordFactor> factors, std::size_t
     if (!done) evaluate_beyond_words(rows, factors, first_row, sums);
 }
 
-bool LinearFactorSums::evaluate_pairs(const Rational* pairs, std::size_t first_row,
-                                      std::span<Rational> sums) const {
-    const Prepared& rows = *prepared_;
-    return (!rows.words.empty() && evaluate_pairs_in_words(rows, pairs, first_row, sums)) ||
-           evaluate_lanes_of_pairs(rows, pairs, first_row, sums);
+bool BlossomSums::evaluate_pairs(const Rational* pairs, std::size_t first_row,
+                                 std::span<Rational> sums) const {
+    const PreparedRows& rows = *prepared_;
+    return !rows.words.empty() && evaluate_pairs_in_words(rows, pairs, first_row, sums);
 }
 
-void LinearFactorSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
-                                std::span<Rational> sums) const {
+void BlossomSums::evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
+                           std::span<Rational> sums) const {
     if (kernel(factors) == SumKernel::residues)
         return evaluate_residues(*prepared_, factors, first_row, sums);
     evaluate_integers(*prepared_, factors, first_row, sums);
 }
 
-SumKernel LinearFactorSums::kernel(std::span<const IntegerFactor> factors) const {
+SumKernel BlossomSums::kernel(std::span<const IntegerFactor> factors) const {
     return kernel_without_limbs(*prepared_, factors);
 }
 

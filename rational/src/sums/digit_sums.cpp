@@ -3,14 +3,13 @@
 #include <bit>
 
 #include "fixed_width_rows.hpp"
-#include "residues/residue_system.hpp"
-#include "vectors/vector_level.hpp"
+#include "vectors/vector_table.hpp"
 
 namespace blossom {
 
 namespace {
 
-constexpr std::size_t fold_bits = digit_folds::digit_bits;
+constexpr std::size_t fold_bits = fold_blocks::digit_bits;
 
 constexpr std::uint64_t fold_mask = (std::uint64_t{1} << fold_bits) - 1;
 constexpr int block_bits = fold_bits - 1;
@@ -18,33 +17,11 @@ constexpr int block_bits = fold_bits - 1;
 /// Up to so many factors there is room for denominators of words.
 constexpr std::size_t factors_of_any_denominators = 64;
 
-digit_folds::Fold chosen_fold() {
-    static const digit_folds::Fold chosen = []() -> digit_folds::Fold {
-#if defined(BLOSSOM_AVX512_IFMA)
-        if (vectors::level() == "ifma" && __builtin_cpu_supports("avx512f") &&
-            __builtin_cpu_supports("avx512ifma"))
-            return digit_folds::avx512_fold;
-#endif
-        return nullptr;
-    }();
-    return chosen;
-}
+constexpr factor_products::Primes factor_primes{small_primes::table.of, small_primes::greatest_known};
 
-/// Only where there is a fold.
-const factor_lanes::Operations& lane_operations() {
-#if defined(BLOSSOM_AVX512_IFMA)
-    return factor_lanes::avx512_operations;
-#else
-    static constexpr factor_lanes::Operations none{};
-    return none;
-#endif
-}
-
-constexpr factor_lanes::Primes factor_primes{small_primes::table.of, small_primes::greatest_known};
-
-/// The number with these digits, see digit_folds::Fold, in two's complement of so many words.
+/// The number with these digits, see fold_blocks::Fold, in two's complement of so many words.
 void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> words) {
-    std::uint64_t proper[digit_folds::most_digits];  // each below 2^52
+    std::uint64_t proper[fold_blocks::most_digits];  // each below 2^52
     std::int64_t carry = 0;
     for (std::size_t d = 0; d < digits.size(); ++d) {
         const std::int64_t sum = digits[d] + carry;
@@ -69,10 +46,10 @@ void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> wo
 
 }  // namespace
 
-DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits)
+SumDigits::SumDigits(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits)
     : size_(size), bits_(bits), width_(bits / fold_bits + 2) {
-    if (chosen_fold() == nullptr || size <= factor_lanes::least_factors ||
-        size > digit_folds::most_factors + 1)
+    if (vectors::table().fold_blocks == nullptr || size <= factor_products::least_factors ||
+        size > fold_blocks::most_factors + 1)
         return;
     // Whole vectors, and one behind them.
     stride_ = (size + 7) / 8 * 8 + 8;
@@ -84,29 +61,29 @@ DigitRows::DigitRows(LimbView numbers, std::size_t count, std::size_t size, std:
         std::uint64_t* const place = digits_.data() + i / size * width_ * stride_ + i % size;
         for (std::size_t d = 0; d < width_; ++d) {
             const std::size_t bit = d * fold_bits;
-            const Wide pair = Wide{word(bit / 64 + 1)} << 64 | word(bit / 64);
+            const UInt128 pair = UInt128{word(bit / 64 + 1)} << 64 | word(bit / 64);
             place[d * stride_] = static_cast<std::uint64_t>(pair >> (bit % 64)) & fold_mask;
         }
     }
 }
 
-bool DigitRows::suffice(std::span<const WordFactor> factors, std::size_t bits) const {
-    if (digits_.empty() || bits >= digit_folds::most_digits * fold_bits) return false;
+bool SumDigits::suffice(std::span<const WordFactor> factors, std::size_t bits) const {
+    if (digits_.empty() || bits >= fold_blocks::most_digits * fold_bits) return false;
     constexpr std::uint64_t most_denominator = std::uint64_t{1} << 31;
     const bool any_denominators = factors.size() <= factors_of_any_denominators;
     return std::ranges::all_of(factors, [&](const WordFactor& factor) {
-        return size_of(factor) >> block_bits == 0 &&
+        return l1_norm(factor) >> block_bits == 0 &&
                (any_denominators || static_cast<std::uint64_t>(factor.denominator) < most_denominator);
     });
 }
 
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): only what is used of the arrays is set
-DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits) {
+DigitBlocks::DigitBlocks(const SumDigits& rows, std::span<const WordFactor> factors, std::size_t bits) {
     fixed_width::BitBound bound(rows.bits());
     std::size_t size = 0;
     while (!factors.empty()) {
         FactorBlock& product = products_[size++];
-        product.fill(factors, digit_folds::most_factors, block_bits);
+        product.fill(factors, fold_blocks::most_factors, block_bits);
         factors = factors.subspan(product.degree());
         bound.multiply(product.bound());
         // The bound of the factors one by one may be closer.
@@ -115,35 +92,30 @@ DigitBlocks::DigitBlocks(const DigitRows& rows, std::span<const WordFactor> fact
     }
 }
 
-bool LaneBlocks::multiply(const DigitRows& rows, std::span<const WordFactor> factors) {
+bool LaneBlocks::multiply(const SumDigits& rows, std::span<const WordFactor> factors) {
     return !rows.empty() &&
-           lane_operations().multiply(factors.data(), factors.size(), factor_primes, product_) &&
+           vectors::table().factor_products(factors.data(), factors.size(), factor_primes, product_) &&
            set_folds(rows, factors.size());
 }
 
-bool LaneBlocks::multiply_pairs(const DigitRows& rows, const Rational* pairs, std::size_t count) {
-    return !rows.empty() && lane_operations().multiply_pairs(pairs, count, factor_primes, product_) &&
-           set_folds(rows, count);
-}
-
-bool LaneBlocks::set_folds(const DigitRows& rows, std::size_t count) {
+bool LaneBlocks::set_folds(const SumDigits& rows, std::size_t count) {
     bits_ = rows.bits();
     for (std::size_t b = 0; b < product_.blocks; ++b) {
         const std::size_t degree = (count + product_.blocks - 1 - b) >> std::countr_zero(product_.blocks);
         bits_ += static_cast<std::size_t>(std::bit_width(product_.bounds[b]));
         const std::size_t digits = bits_ / fold_bits + 1;
         if (b + 1 < product_.blocks) {
-            folds_.add({product_.coefficients[0] + b, factor_lanes::most_blocks, degree, digits});
+            folds_.add({product_.coefficients[0] + b, factor_products::most_blocks, degree, digits});
         } else {
             folds_.add({product_.last, 1, degree, digits});
         }
     }
-    return bits_ < digit_folds::most_digits * fold_bits;
+    return bits_ < fold_blocks::most_digits * fold_bits;
 }
 
-void DigitFolds::sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const {
-    std::int64_t digits[digit_folds::most_digits];
-    chosen_fold()(row, blocks_, size_, digits);
+void DigitFolds::sum(const fold_blocks::Columns& row, std::span<std::uint64_t> words) const {
+    std::int64_t digits[fold_blocks::most_digits];
+    vectors::table().fold_blocks(row, blocks_, size_, digits);
     set_words(std::span(digits).first(blocks_[size_ - 1].digits), words);
 }
 

@@ -16,20 +16,20 @@
 namespace blossom {
 
 /// The words of the longest sums with their signs.
-inline constexpr std::size_t most_digit_words = digit_folds::most_digits * digit_folds::digit_bits / 64;
+inline constexpr std::size_t most_digit_words = fold_blocks::most_digits * fold_blocks::digit_bits / 64;
 
-/// Rows of numbers as digit_folds reads them.
-class DigitRows {
+/// Rows of numbers as fold_blocks reads them.
+class SumDigits {
 public:
-    DigitRows() = default;
+    SumDigits() = default;
     /// For rows of `size` numbers of at most `bits` bits, `count` in all; empty for too few or too many in a
     /// row, and where the processor has no lanes for them.
-    DigitRows(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits);
+    SumDigits(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits);
 
     bool empty() const { return digits_.empty(); }
     /// Whether numerators of `bits` bits are summed over these factors.
     bool suffice(std::span<const WordFactor> factors, std::size_t bits) const;
-    digit_folds::Columns row(std::size_t j) const {
+    fold_blocks::Columns row(std::size_t j) const {
         return {digits_.data() + j * width_ * stride_, width_, stride_, size_};
     }
     std::size_t bits() const { return bits_; }
@@ -47,24 +47,24 @@ private:
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class DigitFolds {
 public:
-    void add(const digit_folds::Block& block) { blocks_[size_++] = block; }
+    void add(const fold_blocks::Block& block) { blocks_[size_++] = block; }
 
     /// The sum of one row in two's complement, in as many words as it and a sign take.
-    void sum(const digit_folds::Columns& row, std::span<std::uint64_t> words) const;
+    void sum(const fold_blocks::Columns& row, std::span<std::uint64_t> words) const;
 
     /// Two neighbours together have magnitudes that sum to 2^51 at least, but for two full ones.
     static constexpr std::size_t most_blocks =
-        2 * (digit_folds::most_digits * digit_folds::digit_bits / (digit_folds::digit_bits - 1) + 1) + 3;
+        2 * (fold_blocks::most_digits * fold_blocks::digit_bits / (fold_blocks::digit_bits - 1) + 1) + 3;
 
 private:
     std::size_t size_ = 0;
-    digit_folds::Block blocks_[most_blocks];
+    fold_blocks::Block blocks_[most_blocks];
 };
 
 /// Factors for which `suffice` holds, multiplied out in blocks.
 class DigitBlocks {
 public:
-    DigitBlocks(const DigitRows& rows, std::span<const WordFactor> factors, std::size_t bits);
+    DigitBlocks(const SumDigits& rows, std::span<const WordFactor> factors, std::size_t bits);
 
     const DigitFolds& folds() const { return folds_; }
 
@@ -79,9 +79,7 @@ private:
 class LaneBlocks {
 public:
     /// False, and nothing else may be asked, if the processor has no lanes, or if they do not suffice.
-    bool multiply(const DigitRows& rows, std::span<const WordFactor> factors);
-    /// The same for factors m + u X; see LinearFactorSums::evaluate_pairs.
-    bool multiply_pairs(const DigitRows& rows, const Rational* pairs, std::size_t count);
+    bool multiply(const SumDigits& rows, std::span<const WordFactor> factors);
 
     const DigitFolds& folds() const { return folds_; }
     /// Of the sums.
@@ -91,9 +89,9 @@ public:
     small_primes::Set primes() const { return product_.primes; }
 
 private:
-    bool set_folds(const DigitRows& rows, std::size_t count);
+    bool set_folds(const SumDigits& rows, std::size_t count);
 
-    factor_lanes::Product product_;
+    factor_products::Product product_;
     std::size_t bits_ = 0;
     DigitFolds folds_;
 };

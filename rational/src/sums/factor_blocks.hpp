@@ -51,7 +51,7 @@ template <class Word, std::size_t Count>
 }
 
 /// The magnitudes of both coefficients together; below 2^64.
-inline std::uint64_t size_of(const WordFactor& factor) {
+inline std::uint64_t l1_norm(const WordFactor& factor) {
     return magnitude(factor.constant) + magnitude(factor.slope);
 }
 
@@ -65,11 +65,11 @@ class FactorBlock {
 
 public:
     void fill(std::span<const WordFactor> factors, std::size_t most = most_factors, int bits = 63) {
-        bound_ = factors.empty() ? 1 : size_of(factors[0]);
+        bound_ = factors.empty() ? 1 : l1_norm(factors[0]);
         degree_ = std::min<std::size_t>(factors.size(), 1);
         while (degree_ < std::min({factors.size(), most, most_factors})) {
             std::uint64_t product = 0;
-            if (__builtin_mul_overflow(bound_, size_of(factors[degree_]), &product) || product >> bits != 0)
+            if (__builtin_mul_overflow(bound_, l1_norm(factors[degree_]), &product) || product >> bits != 0)
                 break;
             bound_ = product;
             ++degree_;

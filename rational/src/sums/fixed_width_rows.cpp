@@ -26,7 +26,7 @@ void LimbRow::set_weights(std::int64_t own, std::int64_t neighbours) {
     negated_ ^= own < 0;
     own_ = magnitude(own);
     neighbours_ = magnitude(neighbours);
-    bound_.multiply(Wide{own_} + neighbours_);
+    bound_.multiply(UInt128{own_} + neighbours_);
     widen();
 }
 
@@ -49,26 +49,26 @@ void LimbRow::combine(std::size_t k, std::size_t neighbour, std::uint64_t neighb
     std::uint64_t* x = entry(k);
     const std::uint64_t* y = entry(neighbour);
     const auto run = [&](auto add) {
-        decltype(add(Wide{}, Wide{}, 0)) carry = 0;
+        decltype(add(UInt128{}, UInt128{}, 0)) carry = 0;
         for (std::size_t i = 0; i < width_; ++i) {
-            carry = add(Wide{x[i]} * own_, Wide{y[i]} * neighbours, carry);
+            carry = add(UInt128{x[i]} * own_, UInt128{y[i]} * neighbours, carry);
             x[i] = static_cast<std::uint64_t>(carry);
             carry >>= 64;
         }
     };
     if (subtract_) {
-        run([](Wide own, Wide other, SignedWide carry) -> SignedWide {
-            return static_cast<SignedWide>(own) - static_cast<SignedWide>(other) + carry;
+        run([](UInt128 own, UInt128 other, Int128 carry) -> Int128 {
+            return static_cast<Int128>(own) - static_cast<Int128>(other) + carry;
         });
     } else {
-        run([](Wide own, Wide other, Wide carry) -> Wide { return own + other + carry; });
+        run([](UInt128 own, UInt128 other, UInt128 carry) -> UInt128 { return own + other + carry; });
     }
 }
 
 // Each coefficient enters as the word that is congruent to it modulo 2^64; a negative one is then 2^64 too
 // large, which `excess` takes back one word further up.
 void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree) {
-    Wide sum = 0;
+    UInt128 sum = 0;
     for (const std::int64_t coefficient : factor) sum += magnitude(coefficient);
     bound_.multiply(sum);
     widen();
@@ -76,17 +76,17 @@ void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree)
     for (std::size_t k = degree + factor.size(); k-- > 0;) {
         const std::size_t first = k > degree ? k - degree : 0;
         const std::size_t last = std::min(k + 1, factor.size());
-        SignedWide carry = 0;
+        Int128 carry = 0;
         for (std::size_t i = 0; i < width_; ++i) {
-            Wide total = static_cast<Wide>(carry);
+            UInt128 total = static_cast<UInt128>(carry);
             std::uint64_t excess = 0;
             const std::uint64_t* word = entry(k - first) + i;
             for (std::size_t j = first; j < last; ++j, word -= stride_) {
-                total += Wide{*word} * static_cast<std::uint64_t>(factor[j]);
+                total += UInt128{*word} * static_cast<std::uint64_t>(factor[j]);
                 excess += factor[j] < 0 ? *word : 0;
             }
             entry(k)[i] = static_cast<std::uint64_t>(total);
-            carry = static_cast<SignedWide>(total - (Wide{excess} << 64)) >> 64;
+            carry = static_cast<Int128>(total - (UInt128{excess} << 64)) >> 64;
         }
     }
 }

@@ -32,7 +32,7 @@ public:
         }
         open_ = product;
     }
-    void multiply(Wide factor) {
+    void multiply(UInt128 factor) {
         if (factor >> 64 == 0) return multiply(static_cast<std::uint64_t>(factor));
         full_ += width(open_) + width(factor);
         open_ = 1;
@@ -40,7 +40,7 @@ public:
     std::size_t bits() const { return full_ + width(open_); }
 
 private:
-    static std::size_t width(Wide value) {
+    static std::size_t width(UInt128 value) {
         const auto high = static_cast<std::uint64_t>(value >> 64);
         const auto low = static_cast<std::uint64_t>(value);
         return static_cast<std::size_t>(high != 0 ? 64 + std::bit_width(high) : std::bit_width(low));
@@ -48,49 +48,6 @@ private:
 
     std::size_t full_;
     std::uint64_t open_ = 1;  ///< at least 1
-};
-
-/// Entries of one machine word each; arithmetic wraps, and only intermediate values may.
-template <class Word>
-class WordRow {
-public:
-    explicit WordRow(std::size_t size) : entries_(size) {}
-
-    void set_weights(std::int64_t own, std::int64_t neighbours) {
-        own_ = extended(own);
-        neighbours_ = extended(neighbours);
-    }
-    void combine(std::size_t k, std::size_t neighbour) {
-        entries_[k] = own_ * entries_[k] + neighbours_ * entries_[neighbour];
-    }
-    void scale(std::size_t k) { entries_[k] = own_ * entries_[k]; }
-
-    void set(std::size_t k, const Integer& value) {
-        std::uint64_t words[sizeof(Word) / 8];
-        IntegerAccess::to_twos_complement(value, words);
-        entries_[k] = 0;
-        for (std::size_t i = std::size(words); i-- > 0;) {
-            if constexpr (sizeof(Word) > 8) entries_[k] <<= 64;
-            entries_[k] |= words[i];
-        }
-    }
-    Integer integer(std::size_t k) const {
-        std::uint64_t words[sizeof(Word) / 8];
-        for (std::size_t i = 0; i < std::size(words); ++i) {
-            words[i] = static_cast<std::uint64_t>(entries_[k] >> (64 * i));
-        }
-        return IntegerAccess::from_twos_complement(words);
-    }
-
-private:
-    static Word extended(std::int64_t value) {
-        if constexpr (sizeof(Word) > 8) return static_cast<Word>(static_cast<SignedWide>(value));
-        return static_cast<Word>(value);
-    }
-
-    std::vector<Word> entries_;
-    Word own_ = 0;
-    Word neighbours_ = 0;
 };
 
 /// Entries of many words each. The width in use grows with the bound, level by level.

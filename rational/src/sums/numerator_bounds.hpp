@@ -12,18 +12,10 @@ struct Bounds {
     std::size_t product;
     std::size_t sum;
 };
-Bounds bounds(const LinearFactorSums::Prepared& rows, std::span<const WordFactor> factors);
+Bounds bounds(const BlossomSums::PreparedRows& rows, std::span<const WordFactor> factors);
 
 /// A bound in bits on the numerators of the sums.
-std::size_t sum_bits(const LinearFactorSums::Prepared& rows, std::span<const WordFactor> factors);
-std::size_t sum_bits(const LinearFactorSums::Prepared& rows, std::span<const IntegerFactor> factors);
-
-/// The same, at the cost of a look at each number: for t = 1/8, 1 and 8, with constants v_i and slopes u_i,
-///
-///     |e_k| <= t^-k prod (|v_i| + |u_i| t),
-///
-/// so that outer coefficients, where numbers divided by binomials are large, are known to be small.
-std::size_t closer_sum_bits(const LinearFactorSums::Prepared& rows, std::span<const WordFactor> factors);
-std::size_t closer_sum_bits(const LinearFactorSums::Prepared& rows, std::span<const IntegerFactor> factors);
+std::size_t sum_bits(const BlossomSums::PreparedRows& rows, std::span<const WordFactor> factors);
+std::size_t sum_bits(const BlossomSums::PreparedRows& rows, std::span<const IntegerFactor> factors);
 
 }  // namespace blossom

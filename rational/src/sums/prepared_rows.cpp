@@ -31,7 +31,7 @@ DenominatorParts split_denominator(const RationalVector& numbers, bool search) {
     return parts;
 }
 
-LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count, Use use_of_rows)
+BlossomSums::PreparedRows::PreparedRows(RationalVector given, std::size_t row_count, Use use_of_rows)
     : numbers(std::move(given)),
       use(use_of_rows),
       rows(row_count),
@@ -56,7 +56,7 @@ LinearFactorSums::Prepared::Prepared(RationalVector given, std::size_t row_count
             IntegerAccess::to_twos_complement(numbers.numerators()[k],
                                               std::span(limbs).subspan(k * width, width));
         }
-        digits = DigitRows({limbs.data(), width, width}, numbers.size(), size, bits);
+        digits = SumDigits({limbs.data(), width, width}, numbers.size(), size, bits);
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// The rows of LinearFactorSums in the forms that the kernels read.
+// The rows of BlossomSums in the forms that the kernels read.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -36,14 +36,14 @@ struct DenominatorParts {
 /// From the factors that are known. `search` splits small primes off those that are longer than a word.
 DenominatorParts split_denominator(const RationalVector& numbers, bool search);
 
-struct LinearFactorSums::Prepared {
-    Prepared(RationalVector numbers, std::size_t rows, Use use);
+struct BlossomSums::PreparedRows {
+    PreparedRows(RationalVector numbers, std::size_t rows, Use use);
 
     std::span<const Integer> integers_of(std::size_t row) const {
         return std::span(numbers.numerators()).subspan(row * size, size);
     }
     /// Only if there are words.
-    WordRow words_of(std::size_t row) const {
+    NumeratorRow words_of(std::size_t row) const {
         return {std::span(words).subspan(row * size, size), greatest, denominator.words, word_denominator,
                 primes};
     }
@@ -63,7 +63,7 @@ struct LinearFactorSums::Prepared {
     std::int64_t greatest = 0;         ///< the greatest magnitude among `words`
     std::size_t width;                 ///< of one number in `limbs`
     std::vector<std::uint64_t> limbs;  ///< empty when the numbers are too wide
-    DigitRows digits;
+    SumDigits digits;
     DenominatorParts denominator;
     std::int64_t word_denominator = 1;  ///< the product of its words, if it is below 2^63; otherwise 0
     small_primes::Set primes = 0;       ///< of its words

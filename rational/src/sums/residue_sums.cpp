@@ -17,8 +17,8 @@ using residues::Moduli;
 using residues::moduli;
 using residues::montgomery_powers;
 using residues::Numbers;
-using residues::Octet;
 using residues::operations;
+using residues::ResidueVector;
 
 /// As many factors are multiplied out in integers before residues are taken.
 constexpr std::size_t integer_block = 4;
@@ -26,9 +26,9 @@ constexpr std::size_t integer_block = 4;
 /// The product of the coefficients of two blocks of less than 2^63 each.
 void append_product(FactorBlocks& blocks, std::span<const std::int64_t> a, std::span<const std::int64_t> b) {
     for (std::size_t k = 0; k < a.size() + b.size() - 1; ++k) {
-        SignedWide sum = 0;
+        Int128 sum = 0;
         for (std::size_t j = k < a.size() ? 0 : k - a.size() + 1; j < b.size() && j <= k; ++j)
-            sum += SignedWide{a[k - j]} * b[j];
+            sum += Int128{a[k - j]} * b[j];
         blocks.coefficients.push_back(sum);
     }
     blocks.sizes.push_back(a.size() + b.size() - 1);
@@ -95,7 +95,7 @@ std::size_t width(const Moduli& group, std::size_t size) {
 }
 
 /// Writes what `ResidueRows` has of rows of `count` numbers.
-void read_rows(const Numbers& numbers, std::size_t count, const Moduli& group, Octet* rows) {
+void read_rows(const Numbers& numbers, std::size_t count, const Moduli& group, ResidueVector* rows) {
     const std::size_t width_of_row = width(group, count);
     if (width_of_row == count) return numbers.residues(group, rows);
     const residues::Buffer residues(numbers.size());
@@ -118,17 +118,17 @@ public:
     /// The number of coefficients.
     std::size_t size() const { return tree_.product_size(); }
 
-    const Octet* of(const Moduli& group) {
+    const ResidueVector* of(const Moduli& group) {
         const Digits& digits = factors_.coefficients;
         digits.residues(group, montgomery_powers(group, digits.most_digits()).data(), coefficients_.data());
         const residues::TransformPlan& plan = factors_.plan;
         if (width(group, size()) == size()) return tree_.product(group, coefficients_.data());
         for (std::size_t i = 0; i < plan.leaves(); ++i) {
-            Octet* const leaf = leaves_.data() + i * plan.leaf;
+            ResidueVector* const leaf = leaves_.data() + i * plan.leaf;
             const std::size_t begin = factors_.leaves[i];
             const std::size_t end = factors_.leaves[i + 1];
             tree_.product(group, coefficients_.data(), begin, end, leaf);
-            std::fill(leaf + tree_.product_size(begin, end), leaf + plan.leaf, Octet{});
+            std::fill(leaf + tree_.product_size(begin, end), leaf + plan.leaf, ResidueVector{});
         }
         product_values(group, residues::Roots(group, plan.size()), plan, leaves_.data(), values_.data());
         return values_.data();
@@ -156,11 +156,11 @@ ResidueCache::Rows ResidueCache::of(const RationalVector& numbers, std::size_t s
     auto made = std::make_shared<ResidueRows>();
     for (std::size_t g = 0; g < groups; ++g)
         made->begins.push_back(made->begins.back() + numbers.size() / size * width(moduli(g), size));
-    if (made->begins.back() * sizeof(Octet) > most_kept) return nullptr;
+    if (made->begins.back() * sizeof(ResidueVector) > most_kept) return nullptr;
     const Numbers all(numbers.numerators(), numbers.denominator(), groups);
-    made->octets.resize(made->begins.back());
+    made->vectors.resize(made->begins.back());
     for (std::size_t g = 0; g < groups; ++g)
-        read_rows(all, size, moduli(g), made->octets.data() + made->begins[g]);
+        read_rows(all, size, moduli(g), made->vectors.data() + made->begins[g]);
     const std::lock_guard lock(mutex_);
     kept_ = made;
     return made;
@@ -178,14 +178,14 @@ std::vector<Integer> residue_sums(const RationalVector& numbers, const ResidueCa
                  : Numbers(std::span(numbers.numerators()).subspan(first_row * size, count * size),
                            numbers.denominator(), groups);
     const residues::Buffer unprepared(prepared ? 0 : count * std::max(size, factors.plan.size()));
-    std::vector<Octet> sums(count * groups);
+    std::vector<ResidueVector> sums(count * groups);
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
         const std::size_t length = width(group, size);
-        const Octet* values = product.of(group);
-        const Octet* rows = unprepared.data();
+        const ResidueVector* values = product.of(group);
+        const ResidueVector* rows = unprepared.data();
         if (prepared) {
-            rows = prepared->octets.data() + prepared->begins[g] + first_row * length;
+            rows = prepared->vectors.data() + prepared->begins[g] + first_row * length;
         } else {
             read_rows(asked, size, group, unprepared.data());
         }

@@ -15,7 +15,7 @@ namespace blossom {
 /// Rows of numbers modulo the first groups of primes: the residues themselves, or `transform_numbers` of them
 /// where the group has transforms for rows of their length.
 struct ResidueRows {
-    std::vector<residues::Octet> octets;
+    std::vector<residues::ResidueVector> vectors;
     std::vector<std::size_t> begins{0};  ///< of the rows of each group, and the end
 };
 

@@ -12,7 +12,6 @@ namespace {
 
 using fixed_width::BitBound;
 using fixed_width::LimbRow;
-using fixed_width::WordRow;
 
 /// The weights of all levels as words.
 struct WordWeights {
@@ -22,8 +21,14 @@ struct WordWeights {
     std::size_t final_bits(std::size_t start_bits) const {
         BitBound bound(start_bits);
         for (std::size_t i = 0; i < own.size(); ++i)
-            bound.multiply(Wide{magnitude(own[i])} + magnitude(neighbours[i]));
+            bound.multiply(UInt128{magnitude(own[i])} + magnitude(neighbours[i]));
         return bound.bits();
+    }
+    std::vector<WordFactor> factors() const {
+        std::vector<WordFactor> factors;
+        factors.reserve(own.size());
+        for (std::size_t i = 0; i < own.size(); ++i) factors.push_back({own[i], neighbours[i], 1});
+        return factors;
     }
 };
 
@@ -47,28 +52,6 @@ std::optional<WordWeights> word_weights(std::span<const Integer> own, std::span<
     return WordWeights{std::move(*first), std::move(*second)};
 }
 
-/// Multiplies by one factor after the other, on a row that is wide enough.
-template <class Row>
-void multiply_factors(Row& row, const WordWeights& weights) {
-    row_recurrences::multiply_linear_factors(row, std::span(weights.own), std::span(weights.neighbours));
-}
-
-void multiply_factors(LimbRow& row, const WordWeights& weights) {
-    std::vector<WordFactor> factors;
-    factors.reserve(weights.own.size());
-    for (std::size_t i = 0; i < weights.own.size(); ++i)
-        factors.push_back({weights.own[i], weights.neighbours[i], 1});
-    row.multiply_out(factors);
-}
-
-/// Calls run(row) with the narrowest row of `size` entries that holds `final_bits` and a sign.
-template <class Run>
-auto with_row(std::size_t size, std::size_t start_bits, std::size_t final_bits, Run run) {
-    if (final_bits < 64) return run(WordRow<std::uint64_t>(size));
-    if (final_bits < 128) return run(WordRow<Wide>(size));
-    return run(LimbRow(size, start_bits, final_bits));
-}
-
 }  // namespace
 
 std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants,
@@ -77,14 +60,13 @@ std::vector<Integer> product_of_linear_factors(std::span<const Integer> constant
     if (!weights) return product_of_linear_factors<Integer>(constants, slopes);
 
     const std::size_t size = constants.size() + 1;
-    return with_row(size, 1, weights->final_bits(1), [&](auto row) {
-        row.set(0, 1);
-        multiply_factors(row, *weights);
-        std::vector<Integer> coefficients;
-        coefficients.reserve(size);
-        for (std::size_t k = 0; k < size; ++k) coefficients.push_back(row.integer(k));
-        return coefficients;
-    });
+    LimbRow row(size, 1, weights->final_bits(1));
+    row.set(0, 1);
+    row.multiply_out(weights->factors());
+    std::vector<Integer> coefficients;
+    coefficients.reserve(size);
+    for (std::size_t k = 0; k < size; ++k) coefficients.push_back(row.integer(k));
+    return coefficients;
 }
 
 Integer fold_triangle(std::vector<Integer> entries, std::span<const Integer> left,
@@ -93,11 +75,10 @@ Integer fold_triangle(std::vector<Integer> entries, std::span<const Integer> lef
     if (!weights) return fold_triangle<Integer>(std::move(entries), left, right);
 
     const std::size_t start_bits = greatest_bit_length(entries);
-    return with_row(entries.size(), start_bits, weights->final_bits(start_bits), [&](auto row) {
-        for (std::size_t k = 0; k < entries.size(); ++k) row.set(k, entries[k]);
-        row_recurrences::fold(row, std::span(weights->own), std::span(weights->neighbours));
-        return row.integer(0);
-    });
+    LimbRow row(entries.size(), start_bits, weights->final_bits(start_bits));
+    for (std::size_t k = 0; k < entries.size(); ++k) row.set(k, entries[k]);
+    row_recurrences::fold(row, std::span(weights->own), std::span(weights->neighbours));
+    return row.integer(0);
 }
 
 }  // namespace blossom

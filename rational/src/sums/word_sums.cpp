@@ -6,18 +6,18 @@
 
 namespace blossom {
 
-namespace machine_sums {
+namespace word_sums {
 
-void set_reduced(Rational& value, Wide numerator, const DenominatorWords& denominator) {
-    const auto signed_numerator = static_cast<SignedWide>(numerator);
-    const Wide size = magnitude(signed_numerator);
+void assign_quotient(Rational& value, UInt128 numerator, const DenominatorWords& denominator) {
+    const auto signed_numerator = static_cast<Int128>(numerator);
+    const UInt128 size = magnitude(signed_numerator);
     std::uint64_t words[] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
-    blossom::set_reduced(value, words, signed_numerator < 0, denominator, {});
+    blossom::assign_quotient(value, words, signed_numerator < 0, denominator, {});
 }
 
 namespace {
 
-WordRow row_of(std::span<const std::int64_t> words, std::span<const std::uint64_t> denominators) {
+NumeratorRow row_of(std::span<const std::int64_t> words, std::span<const std::uint64_t> denominators) {
     std::uint64_t greatest = 0;
     for (const std::int64_t word : words) greatest = std::max(greatest, magnitude(word));
     small_primes::Set primes = 0;
@@ -30,46 +30,46 @@ WordRow row_of(std::span<const std::int64_t> words, std::span<const std::uint64_
 
 /// The value in the narrowest word that holds it: `numerator(Word{})` computes it.
 template <class Numerator>
-std::optional<Rational> value_in_words(const WordRow& row, std::span<const WordFactor> factors,
+std::optional<Rational> value_in_words(const NumeratorRow& row, std::span<const WordFactor> factors,
                                        const Numerator& numerator) {
     if (const WordDenominator denominator = word_denominator(row, factors); denominator.value != 0) {
         Rational value;
-        blossom::set_reduced(value, static_cast<std::int64_t>(numerator(std::uint64_t{})),
-                             static_cast<std::uint64_t>(denominator.value), denominator.primes);
+        blossom::assign_quotient(value, static_cast<std::int64_t>(numerator(std::uint64_t{})),
+                                 static_cast<std::uint64_t>(denominator.value), denominator.primes);
         return value;
     }
     fixed_width::BitBound bound;
     bound.multiply(static_cast<std::uint64_t>(row.greatest));
-    for (const WordFactor& factor : factors) bound.multiply(size_of(factor));
+    for (const WordFactor& factor : factors) bound.multiply(l1_norm(factor));
     if (factors.size() > most_factors || bound.bits() > 127) return std::nullopt;
     Rational value;
-    set_reduced(value, numerator(Wide{}), denominator_words(row.denominators, row.primes, factors));
+    assign_quotient(value, numerator(UInt128{}), denominator_words(row.denominators, row.primes, factors));
     return value;
 }
 
 }  // namespace
 
-}  // namespace machine_sums
+}  // namespace word_sums
 
-std::optional<Rational> LinearFactorSums::sum_in_words(std::span<const std::int64_t> row,
-                                                       std::span<const std::uint64_t> denominators,
-                                                       std::span<const WordFactor> factors) {
-    return machine_sums::value_in_words(
-        machine_sums::row_of(row, denominators), factors, [&](auto word) -> decltype(word) {
+std::optional<Rational> BlossomSums::sum_in_words(std::span<const std::int64_t> row,
+                                                  std::span<const std::uint64_t> denominators,
+                                                  std::span<const WordFactor> factors) {
+    return word_sums::value_in_words(
+        word_sums::row_of(row, denominators), factors, [&](auto word) -> decltype(word) {
             if constexpr (sizeof(word) == sizeof(std::uint64_t)) {
-                return machine_sums::FactorProduct<>(factors).sum_of_products(row);
+                return word_sums::FactorProduct<>(factors).sum_of_products(row);
             } else {
-                return machine_sums::WideFactorProduct(factors).sum_of_products(row);
+                return word_sums::WideFactorProduct(factors).sum_of_products(row);
             }
         });
 }
 
-std::optional<Rational> LinearFactorSums::apex_in_words(std::span<const std::int64_t> row,
-                                                        std::span<const std::uint64_t> denominators,
-                                                        std::span<const WordFactor> factors) {
-    return machine_sums::value_in_words(
-        machine_sums::row_of(row, denominators), factors,
-        [&](auto word) -> decltype(word) { return machine_sums::apex<decltype(word)>(row, factors); });
+std::optional<Rational> BlossomSums::apex_in_words(std::span<const std::int64_t> row,
+                                                   std::span<const std::uint64_t> denominators,
+                                                   std::span<const WordFactor> factors) {
+    return word_sums::value_in_words(
+        word_sums::row_of(row, denominators), factors,
+        [&](auto word) -> decltype(word) { return word_sums::apex<decltype(word)>(row, factors); });
 }
 
 }  // namespace blossom

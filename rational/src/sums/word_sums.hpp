@@ -14,7 +14,7 @@
 namespace blossom {
 
 /// One row of numbers words[k] / prod denominators.
-struct WordRow {
+struct NumeratorRow {
     std::span<const std::int64_t> words;
     std::int64_t greatest;  ///< magnitude
     std::span<const std::uint64_t> denominators;
@@ -22,7 +22,7 @@ struct WordRow {
     small_primes::Set primes;  ///< of the denominators
 };
 
-namespace machine_sums {
+namespace word_sums {
 
 /// The most factors of words that are multiplied without taking memory.
 inline constexpr std::size_t most_factors = 64;
@@ -35,7 +35,7 @@ struct WordDenominator {
 
 /// The denominator of the sum, if it and the bound on the numerator are below 2^63; otherwise 0.
 template <std::size_t Count>
-[[gnu::always_inline]] inline WordDenominator word_denominator(const WordRow& row,
+[[gnu::always_inline]] inline WordDenominator word_denominator(const NumeratorRow& row,
                                                                std::span<const WordFactor, Count> factors) {
     std::int64_t bound = row.greatest;
     std::int64_t denominator = row.denominator;
@@ -44,7 +44,7 @@ template <std::size_t Count>
     // The sign of a size that is no word of 63 bits spoils only products that do not count then.
     std::int64_t sizes = 0;
     for (const WordFactor& factor : factors) {
-        const auto size = static_cast<std::int64_t>(size_of(factor));
+        const auto size = static_cast<std::int64_t>(l1_norm(factor));
         sizes |= size;
         if (__builtin_mul_overflow(bound, size, &bound) ||
             __builtin_mul_overflow(denominator, factor.denominator, &denominator))
@@ -144,9 +144,9 @@ public:
     }
 
     /// sum_k numbers[k] e_k: each block B turns numbers c into sum_j B_j c_(i+j), fewer by its degree.
-    Wide sum_of_products(std::span<const std::int64_t> numbers) const {
-        if (size_ == 0) return static_cast<Wide>(SignedWide{numbers[0]});
-        Wide sums[most_factors + 1];
+    UInt128 sum_of_products(std::span<const std::int64_t> numbers) const {
+        if (size_ == 0) return static_cast<UInt128>(Int128{numbers[0]});
+        UInt128 sums[most_factors + 1];
         std::size_t count = numbers.size() - blocks_[0].degree();
         fold(blocks_[0], numbers.data(), count, sums);
         for (std::size_t i = 1; i < size_; ++i) {
@@ -158,14 +158,14 @@ public:
 
 private:
     template <class Number>
-    static void fold(const FactorBlock& block, const Number* numbers, std::size_t count, Wide* sums) {
+    static void fold(const FactorBlock& block, const Number* numbers, std::size_t count, UInt128* sums) {
         with_small_constant(block.degree(), [&](auto degree) {
             const std::span<const std::int64_t> weights = block.coefficients();
             const std::size_t terms = degree == std::dynamic_extent ? weights.size() : degree + 1;
             for (std::size_t i = 0; i < count; ++i) {
-                Wide sum = 0;
+                UInt128 sum = 0;
                 for (std::size_t j = 0; j < terms; ++j)
-                    sum += static_cast<Wide>(static_cast<SignedWide>(numbers[i + j]) * weights[j]);
+                    sum += static_cast<UInt128>(static_cast<Int128>(numbers[i + j]) * weights[j]);
                 sums[i] = sum;
             }
         });
@@ -193,8 +193,8 @@ Word apex(std::span<const std::int64_t> row, std::span<const WordFactor> factors
 }
 
 /// A numerator of 128 bits over the denominators of the row and the factors.
-void set_reduced(Rational& value, Wide numerator, const DenominatorWords& denominator);
+void assign_quotient(Rational& value, UInt128 numerator, const DenominatorWords& denominator);
 
-}  // namespace machine_sums
+}  // namespace word_sums
 
 }  // namespace blossom

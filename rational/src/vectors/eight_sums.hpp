@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 inline constexpr std::size_t lanes = 8;
 /// The most factors of a tuple.
@@ -21,12 +21,10 @@ inline constexpr std::size_t most_wide_factors = 16;
 /// The most rows.
 inline constexpr std::size_t most_rows = 8;
 
-/// x * inverse modulo 2^64 is x / p if that is at most `most`, and otherwise p does not divide x; the same
-/// modulo 2^52.
+/// x * inverse modulo 2^64 is x / p if that is at most `most`, and otherwise p does not divide x.
 struct Divisor {
     std::uint64_t inverse;
     std::uint64_t most;
-    std::uint64_t most_of_52;
 };
 
 /// x * inverse modulo 2^104, in limbs of 52 bits, is x / p and has an upper limb less than `beyond` if p
@@ -87,9 +85,7 @@ struct WideOperations {
                  const Divisors& divisors, WideQuotients* quotients);
 };
 
-#if defined(BLOSSOM_AVX512_WORDS)
 extern const Operations avx512_operations;
 extern const WideOperations wide_avx512_operations;
-#endif
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums

@@ -4,54 +4,31 @@
 // NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
 #include "load_eight_factors.hpp"
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 namespace {
 
-/// Numbers modulo 2^64.
-struct Full {
-    static constexpr std::size_t bits = 64;
-    static __m512i add_product(__m512i sum, __m512i a, __m512i b) {
-        return _mm512_add_epi64(sum, _mm512_mullo_epi64(a, b));
-    }
-    static __m512i number(__m512i residue) { return residue; }
-    static __m512i most(const Divisor& divisor) { return broadcast(divisor.most); }
-};
+// All arithmetic is modulo 2^64.
+__m512i product(__m512i a, __m512i b) { return _mm512_mullo_epi64(a, b); }
+__m512i add_product(__m512i sum, __m512i a, __m512i b) { return _mm512_add_epi64(sum, product(a, b)); }
 
-/// Numbers modulo 2^52, in the lower bits of their lanes: products take a third of the time.
-struct Short {
-    static constexpr std::size_t bits = 52;
-    static __m512i add_product(__m512i sum, __m512i a, __m512i b) { return _mm512_madd52lo_epu64(sum, a, b); }
-    static __m512i number(__m512i residue) {
-        return _mm512_srai_epi64(_mm512_slli_epi64(residue, 64 - bits), 64 - bits);
-    }
-    static __m512i most(const Divisor& divisor) { return broadcast(divisor.most_of_52); }
-};
-
-template <class Numbers>
-__m512i product(__m512i a, __m512i b) {
-    return Numbers::add_product(_mm512_setzero_si512(), a, b);
-}
-
-template <class Numbers>
 void divide_by_common_powers(const Divisor& divisor, __m512i& top, __m512i& bottom) {
     const __m512i inverse = broadcast(divisor.inverse);
-    const __m512i most = Numbers::most(divisor);
-    __m512i top_quotient = product<Numbers>(top, inverse);
+    const __m512i most = broadcast(divisor.most);
+    __m512i top_quotient = product(top, inverse);
     __mmask8 divisible = _mm512_cmple_epu64_mask(top_quotient, most);
     while (divisible != 0) {
-        const __m512i bottom_quotient = product<Numbers>(bottom, inverse);
+        const __m512i bottom_quotient = product(bottom, inverse);
         divisible = _mm512_mask_cmple_epu64_mask(divisible, bottom_quotient, most);
         top = _mm512_mask_mov_epi64(top, divisible, top_quotient);
         bottom = _mm512_mask_mov_epi64(bottom, divisible, bottom_quotient);
-        top_quotient = product<Numbers>(top, inverse);
+        top_quotient = product(top, inverse);
         divisible = _mm512_mask_cmple_epu64_mask(divisible, top_quotient, most);
     }
 }
 
 /// Divides both by their common odd prime divisors, all of which are in `set`. At first once by each, all
 /// together by the product of their inverses, so that no prime waits for another.
-template <class Numbers>
 [[gnu::always_inline]] inline void divide_by_common_primes(const Divisor* divisors, std::uint32_t set,
                                                            __m512i& top, __m512i& bottom) {
     const __m512i one = broadcast(1);
@@ -60,41 +37,39 @@ template <class Numbers>
     for (std::uint32_t rest = set; rest != 0; rest &= rest - 1) {
         const Divisor& divisor = divisors[__builtin_ctz(rest)];
         const __m512i inverse = broadcast(divisor.inverse);
-        const __m512i most = Numbers::most(divisor);
-        const __mmask8 divides =
-            _mm512_mask_cmple_epu64_mask(_mm512_cmple_epu64_mask(product<Numbers>(bottom, inverse), most),
-                                         product<Numbers>(top, inverse), most);
+        const __m512i most = broadcast(divisor.most);
+        const __mmask8 divides = _mm512_mask_cmple_epu64_mask(
+            _mm512_cmple_epu64_mask(product(bottom, inverse), most), product(top, inverse), most);
         if (divides != 0) {
-            inverses = product<Numbers>(inverses, _mm512_mask_mov_epi64(one, divides, inverse));
+            inverses = product(inverses, _mm512_mask_mov_epi64(one, divides, inverse));
             found |= rest & -rest;
         }
     }
-    top = product<Numbers>(top, inverses);
-    bottom = product<Numbers>(bottom, inverses);
+    top = product(top, inverses);
+    bottom = product(bottom, inverses);
     for (; found != 0; found &= found - 1)
-        divide_by_common_powers<Numbers>(divisors[__builtin_ctz(found)], top, bottom);
+        divide_by_common_powers(divisors[__builtin_ctz(found)], top, bottom);
 }
 
-template <std::size_t Count, class Numbers>
+template <std::size_t Count>
 [[gnu::always_inline]] inline void reduced_sums(const Rows& rows, const Factor (&factors)[Count],
                                                 const Divisors& divisors, std::uint32_t set,
                                                 Quotients* quotients) {
     __m512i coefficients[Count + 1];
-    __m512i denominator = product<Numbers>(broadcast(rows.denominator), factors[0].denominator);
+    __m512i denominator = product(broadcast(rows.denominator), factors[0].denominator);
     coefficients[0] = factors[0].constant;
     coefficients[1] = factors[0].slope;
 #pragma GCC unroll 8
     for (std::size_t i = 1; i < Count; ++i) {
         const __m512i constant = factors[i].constant;
         const __m512i slope = factors[i].slope;
-        denominator = product<Numbers>(denominator, factors[i].denominator);
-        coefficients[i + 1] = product<Numbers>(coefficients[i], slope);
+        denominator = product(denominator, factors[i].denominator);
+        coefficients[i + 1] = product(coefficients[i], slope);
 #pragma GCC unroll 8
         for (std::size_t k = i; k > 0; --k) {
-            coefficients[k] =
-                Numbers::add_product(product<Numbers>(coefficients[k], constant), coefficients[k - 1], slope);
+            coefficients[k] = add_product(product(coefficients[k], constant), coefficients[k - 1], slope);
         }
-        coefficients[0] = product<Numbers>(coefficients[0], constant);
+        coefficients[0] = product(coefficients[0], constant);
     }
     const std::int64_t* row = rows.numbers;
     for (std::size_t j = 0; j < rows.rows; ++j, row += Count + 1) {
@@ -104,27 +79,27 @@ template <std::size_t Count, class Numbers>
 #pragma GCC unroll 9
         for (std::size_t k = 0; k <= Count; ++k) {
             __m512i& part = k % 2 == 0 ? even : odd;
-            part = Numbers::add_product(part, coefficients[k], _mm512_set1_epi64(row[k]));
+            part = add_product(part, coefficients[k], _mm512_set1_epi64(row[k]));
         }
-        const __m512i sum = Numbers::number(_mm512_add_epi64(even, odd));
+        const __m512i sum = _mm512_add_epi64(even, odd);
         __m512i top = _mm512_abs_epi64(sum);
         __m512i bottom = denominator;
         const __m512i twos = trailing_zeros(_mm512_or_si512(top, bottom));
         top = _mm512_srlv_epi64(top, twos);
         bottom = _mm512_srlv_epi64(bottom, twos);
-        divide_by_common_primes<Numbers>(divisors.divisors, set, top, bottom);
+        divide_by_common_primes(divisors.divisors, set, top, bottom);
         const __mmask8 negative = _mm512_movepi64_mask(sum);
-        _mm512_store_si512(quotients[j].numerators,
-                           _mm512_mask_sub_epi64(top, negative, _mm512_setzero_si512(), top));
-        _mm512_store_si512(quotients[j].denominators, bottom);
+        _mm512_storeu_si512(quotients[j].numerators,
+                            _mm512_mask_sub_epi64(top, negative, _mm512_setzero_si512(), top));
+        _mm512_storeu_si512(quotients[j].denominators, bottom);
     }
 }
 
-/// Bits, not all of which are 0 if a product of one number of each factor and of one of the rows may have
-/// `limit` bits or more: bounded by the bits of the numbers of all factors together.
+/// Bits, not all of which are 0 if a product of one number of each factor and of one of the rows may have 64
+/// bits or more: bounded by the bits of the numbers of all factors together.
 template <std::size_t Count>
-__m512i bits_beyond(std::size_t limit, std::size_t rows_bits, __m512i all) {
-    const std::size_t most = rows_bits < limit ? (limit - 1 - rows_bits) / Count : 0;
+__m512i bits_beyond_words(std::size_t rows_bits, __m512i all) {
+    const std::size_t most = rows_bits < 64 ? (63 - rows_bits) / Count : 0;
     return _mm512_srlv_epi64(all, broadcast(most));
 }
 
@@ -136,24 +111,19 @@ template <std::size_t Count>
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) {
         all_denominators = _mm512_or_si512(all_denominators, factors[i].denominator);
-        all = _mm512_or_si512(all, size_of(factors[i]));
+        all = _mm512_or_si512(all, l1_norm(factors[i]));
     }
     all = _mm512_or_si512(all, all_denominators);
     beyond =
         _mm512_or_si512(beyond, _mm512_andnot_si512(broadcast(divisors.greatest_known), all_denominators));
-    beyond = _mm512_or_si512(beyond, bits_beyond<Count>(Full::bits, rows.bits, all));
+    beyond = _mm512_or_si512(beyond, bits_beyond_words<Count>(rows.bits, all));
     if (_mm512_test_epi64_mask(beyond, beyond) != 0) return false;
     PrimeSets sets(divisors);
 #pragma GCC unroll 8
     for (std::size_t i = 0; i < Count; ++i) sets.add(factors[i].denominator);
     const std::uint32_t set = rows.divisors | sets.all();
     if (set == ~std::uint32_t{0}) return false;
-    const __m512i beyond_short = bits_beyond<Count>(Short::bits, rows.bits, all);
-    if (_mm512_test_epi64_mask(beyond_short, beyond_short) == 0) {
-        reduced_sums<Count, Short>(rows, factors, divisors, set, quotients);
-    } else {
-        reduced_sums<Count, Full>(rows, factors, divisors, set, quotients);
-    }
+    reduced_sums<Count>(rows, factors, divisors, set, quotients);
     return true;
 }
 
@@ -208,8 +178,8 @@ bool store(const Quotients& quotients, void* numbers) {
 #pragma GCC unroll 3
     for (std::size_t i = 1; i < 4; ++i) held = _mm512_or_si512(held, _mm512_loadu_si512(words + 8 * i));
     if (_mm512_mask_test_epi64_mask(0xaa, held, held) != 0) return false;
-    const __m512i tops = _mm512_load_si512(quotients.numerators);
-    const __m512i bottoms = _mm512_load_si512(quotients.denominators);
+    const __m512i tops = _mm512_loadu_si512(quotients.numerators);
+    const __m512i bottoms = _mm512_loadu_si512(quotients.denominators);
     const __m512i even = _mm512_unpacklo_epi64(tops, bottoms);
     const __m512i odd = _mm512_unpackhi_epi64(tops, bottoms);
     _mm512_storeu_si512(words, two_numbers(even, odd, 0));
@@ -223,6 +193,6 @@ bool store(const Quotients& quotients, void* numbers) {
 
 const Operations avx512_operations{sums, store};
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums
 
 // NOLINTEND(portability-simd-intrinsics)

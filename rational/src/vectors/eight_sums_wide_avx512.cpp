@@ -4,7 +4,7 @@
 // NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
 #include "load_eight_factors.hpp"
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 namespace {
 
@@ -12,7 +12,7 @@ constexpr int limb_bits = 52;
 constexpr std::uint64_t limb_mask = (std::uint64_t{1} << limb_bits) - 1;
 
 /// Numbers modulo 2^104 in two limbs of 52 bits, of which the upper may have any bits above.
-struct Wide {
+struct LimbPair {
     __m512i low;
     __m512i high;
 };
@@ -27,10 +27,10 @@ __m512i signed_limb(__m512i word) {
 }
 
 /// Of a word with its sign.
-Wide from_word(__m512i word) { return {limb_of(word), _mm512_srai_epi64(word, limb_bits)}; }
+LimbPair from_word(__m512i word) { return {limb_of(word), _mm512_srai_epi64(word, limb_bits)}; }
 
 /// sum + a b, but for carries from the lower limb.
-Wide add_product(Wide sum, Wide a, Wide b) {
+LimbPair add_product(LimbPair sum, LimbPair a, LimbPair b) {
     sum.low = _mm512_madd52lo_epu64(sum.low, a.low, b.low);
     sum.high = _mm512_madd52hi_epu64(sum.high, a.low, b.low);
     sum.high = _mm512_madd52lo_epu64(sum.high, a.high, b.low);
@@ -39,16 +39,16 @@ Wide add_product(Wide sum, Wide a, Wide b) {
 }
 
 /// Without what the lower limb carries: of at most 4096 products that were added to 0.
-Wide carried(Wide number) {
+LimbPair carried(LimbPair number) {
     return {limb_of(number.low), _mm512_add_epi64(number.high, _mm512_srli_epi64(number.low, limb_bits))};
 }
 
-Wide zero() { return {_mm512_setzero_si512(), _mm512_setzero_si512()}; }
+LimbPair zero() { return {_mm512_setzero_si512(), _mm512_setzero_si512()}; }
 
-Wide product(Wide a, Wide b) { return add_product(zero(), a, b); }
+LimbPair product(LimbPair a, LimbPair b) { return add_product(zero(), a, b); }
 
 /// Divides by 2^count < 2^52; both limbs are below 2^52.
-Wide shifted(Wide number, __m512i count) {
+LimbPair shifted(LimbPair number, __m512i count) {
     const __m512i rest = _mm512_sub_epi64(broadcast(limb_bits), count);
     return {
         limb_of(_mm512_or_si512(_mm512_srlv_epi64(number.low, count), _mm512_sllv_epi64(number.high, rest))),
@@ -56,10 +56,10 @@ Wide shifted(Wide number, __m512i count) {
 }
 
 /// Divides both, one of which is not 0, by their common power of two.
-void divide_by_common_twos(Wide& a, Wide& b) {
+void divide_by_common_twos(LimbPair& a, LimbPair& b) {
     const __mmask8 no_low = _mm512_testn_epi64_mask(_mm512_or_si512(a.low, b.low), broadcast(limb_mask));
-    Wide* const numbers[] = {&a, &b};
-    for (Wide* number : numbers) {
+    LimbPair* const numbers[] = {&a, &b};
+    for (LimbPair* number : numbers) {
         number->low = _mm512_mask_mov_epi64(number->low, no_low, number->high);
         number->high = _mm512_mask_mov_epi64(number->high, no_low, _mm512_setzero_si512());
     }
@@ -70,14 +70,15 @@ void divide_by_common_twos(Wide& a, Wide& b) {
 
 /// Divides both, which are below 2^103, by their common odd prime divisors, all of which are in `set`: once
 /// by each, all together by the product of their inverses, and again by those that were found.
-void divide_by_common_primes(const WideDivisor* divisors, std::uint32_t set, Wide& top, Wide& bottom) {
-    const Wide one{broadcast(1), _mm512_setzero_si512()};
+void divide_by_common_primes(const WideDivisor* divisors, std::uint32_t set, LimbPair& top,
+                             LimbPair& bottom) {
+    const LimbPair one{broadcast(1), _mm512_setzero_si512()};
     while (set != 0) {
-        Wide inverses = one;
+        LimbPair inverses = one;
         std::uint32_t found = 0;
         for (std::uint32_t rest = set; rest != 0; rest &= rest - 1) {
             const WideDivisor& divisor = divisors[__builtin_ctz(rest)];
-            const Wide inverse{broadcast(divisor.inverse[0]), broadcast(divisor.inverse[1])};
+            const LimbPair inverse{broadcast(divisor.inverse[0]), broadcast(divisor.inverse[1])};
             const __m512i beyond = broadcast(divisor.beyond);
             const __mmask8 divides = _mm512_mask_cmplt_epu64_mask(
                 _mm512_cmplt_epu64_mask(limb_of(product(bottom, inverse).high), beyond),
@@ -95,10 +96,10 @@ void divide_by_common_primes(const WideDivisor* divisors, std::uint32_t set, Wid
     }
 }
 
-void store(Wide number, std::uint64_t (&words)[2][lanes]) {
+void store(LimbPair number, std::uint64_t (&words)[2][lanes]) {
     const __m512i high = limb_of(number.high);
-    _mm512_store_si512(words[0], _mm512_or_si512(number.low, _mm512_slli_epi64(high, limb_bits)));
-    _mm512_store_si512(words[1], _mm512_srli_epi64(high, 64 - limb_bits));
+    _mm512_storeu_si512(words[0], _mm512_or_si512(number.low, _mm512_slli_epi64(high, limb_bits)));
+    _mm512_storeu_si512(words[1], _mm512_srli_epi64(high, 64 - limb_bits));
 }
 
 /// Bits of a number > 0.
@@ -106,8 +107,8 @@ __m512i bit_width(__m512i words) { return _mm512_sub_epi64(broadcast(64), _mm512
 
 /// The factors of eight tuples, and their denominators multiplied out.
 struct Product {
-    Wide coefficients[most_wide_factors + 1];
-    Wide denominator;
+    LimbPair coefficients[most_wide_factors + 1];
+    LimbPair denominator;
 
     /// Nothing, and false, unless the sums provably have less than 103 bits.
     template <class Reader>
@@ -121,7 +122,7 @@ struct Product {
         std::size_t in_one_limb = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const Factor factor = reader.read(i);
-            const __m512i size = size_of(factor);
+            const __m512i size = l1_norm(factor);
             beyond = _mm512_or_si512(beyond, _mm512_srli_epi64(size, 63));
             beyond = _mm512_or_si512(
                 beyond, _mm512_andnot_si512(broadcast(divisors.greatest_known), factor.denominator));
@@ -161,8 +162,8 @@ private:
         for (std::size_t i = 0; i < count; ++i)
             denominator = product(denominator, from_word(factors[i].denominator));
         for (std::size_t i = in_one_limb; i < count; ++i) {
-            const Wide constant = from_word(factors[i].constant);
-            const Wide slope = from_word(factors[i].slope);
+            const LimbPair constant = from_word(factors[i].constant);
+            const LimbPair slope = from_word(factors[i].slope);
             coefficients[i + 1] = zero();
             for (std::size_t k = i + 1; k > 0; --k) {
                 coefficients[k] =
@@ -181,16 +182,16 @@ bool sums_from(const Rows& rows, const Reader& reader, std::size_t count, const 
     if (!factors.read(rows, reader, count, divisors, set)) return false;
     const std::int64_t* row = rows.numbers;
     for (std::size_t j = 0; j < rows.rows; ++j, row += count + 1) {
-        Wide sum = zero();
+        LimbPair sum = zero();
         for (std::size_t k = 0; k <= count; ++k)
             sum = add_product(sum, factors.coefficients[k], from_word(_mm512_set1_epi64(row[k])));
         sum = carried(sum);
         const __mmask8 negative =
             _mm512_test_epi64_mask(sum.high, broadcast(std::uint64_t{1} << (limb_bits - 1)));
-        const Wide negated = carried(product(sum, from_word(broadcast(~std::uint64_t{0}))));
-        Wide top{_mm512_mask_mov_epi64(sum.low, negative, negated.low),
-                 limb_of(_mm512_mask_mov_epi64(sum.high, negative, negated.high))};
-        Wide bottom{factors.denominator.low, limb_of(factors.denominator.high)};
+        const LimbPair negated = carried(product(sum, from_word(broadcast(~std::uint64_t{0}))));
+        LimbPair top{_mm512_mask_mov_epi64(sum.low, negative, negated.low),
+                     limb_of(_mm512_mask_mov_epi64(sum.high, negative, negated.high))};
+        LimbPair bottom{factors.denominator.low, limb_of(factors.denominator.high)};
         divide_by_common_twos(top, bottom);
         divide_by_common_primes(divisors.wide, set, top, bottom);
         store(top, quotients[j].numerators);
@@ -210,6 +211,6 @@ bool sums(const Rows& rows, const void* const* tuples, std::size_t count, const 
 
 const WideOperations wide_avx512_operations{sums};
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums
 
 // NOLINTEND(portability-simd-intrinsics)

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::factor_lanes {
+namespace blossom::factor_products {
 
 inline constexpr std::size_t most_blocks = 8;
 /// The most factors of a block.
@@ -33,18 +33,10 @@ struct Primes {
     std::uint64_t greatest_known;  ///< one less than a power of two
 };
 
+/// The product of `factors` of three words, constant, slope and denominator, none the least value of 64 bits.
 /// False unless the factors are as many and as small as a product has room for.
-struct Operations {
-    /// The factors m + u X from `pairs` of u and m, each a numerator and a denominator, each a word and an
-    /// address that is not 0 where there is no word. False as well unless every u is a quotient of words and
-    /// every m is 0 or 1.
-    bool (*multiply_pairs)(const void* pairs, std::size_t count, const Primes& primes, Product& product);
-    /// From `factors` of three words, constant, slope and denominator, none the least value of 64 bits.
-    bool (*multiply)(const void* factors, std::size_t count, const Primes& primes, Product& product);
-};
+using Multiply = bool (*)(const void* factors, std::size_t count, const Primes& primes, Product& product);
 
-#if defined(BLOSSOM_AVX512_IFMA)
-extern const Operations avx512_operations;
-#endif
+bool avx512_multiply(const void* factors, std::size_t count, const Primes& primes, Product& product);
 
-}  // namespace blossom::factor_lanes
+}  // namespace blossom::factor_products

@@ -3,16 +3,16 @@
 // NOLINTBEGIN(portability-simd-intrinsics): elsewhere factors are multiplied in words
 #include <immintrin.h>
 
+#include "factor_lanes.hpp"
 #include "factor_products.hpp"
-#include "load_factors.hpp"
 
-namespace blossom::factor_lanes {
+namespace blossom::factor_products {
 
 namespace {
 
-using lane_factors::Factor;
-using lane_factors::size_of;
-using lane_factors::united;
+using factor_lanes::Factor;
+using factor_lanes::l1_norm;
+using factor_lanes::united;
 
 constexpr std::size_t number_bits = 52;
 
@@ -23,44 +23,10 @@ __m512i extended(__m512i number) {
     return _mm512_srai_epi64(_mm512_slli_epi64(number, 64 - number_bits), 64 - number_bits);
 }
 
-/// Pairs of numbers u and m for the factors m + u X.
-struct OfPairs {
-    static constexpr std::size_t words = lane_factors::pair_words;
-    static constexpr std::size_t denominator = 2;  ///< its place among them
-
-    const std::uint64_t* pairs = nullptr;
-    __m512i all = _mm512_setzero_si512();  ///< the bits of all words that were read
-
-    const std::uint64_t* at(std::size_t i) const { return pairs + words * i; }
-
-    /// The factors from `first` on, one of each block; those from `count` on are 1 if some may be missing.
-    template <std::size_t Blocks, bool Complete>
-    [[gnu::always_inline]] Factor read(std::size_t first, std::size_t count) {
-        // u = 0 and m = 1.
-        alignas(64) static constexpr std::uint64_t one[words] = {0, 0, 1, 0, 1, 0, 1, 0};
-        __m512i next[Blocks];
-#pragma GCC unroll 8
-        for (std::size_t b = 0; b < Blocks; ++b)
-            next[b] = _mm512_loadu_si512(Complete || first + b < count ? at(first + b) : one);
-#pragma GCC unroll 4
-        for (std::size_t b = 0; b < Blocks; b += 2) {
-            constexpr int any_of_three = 0xfe;
-            all = _mm512_ternarylogic_epi64(all, next[b], next[b + 1], any_of_three);
-        }
-        return lane_factors::factor_of<Blocks>(next);
-    }
-
-    /// Whether every u that was read is a quotient of words and every m is 0 or 1.
-    bool is_valid() const {
-        const __m512i surplus = lane_factors::surplus(all);
-        return _mm512_test_epi64_mask(surplus, surplus) == 0;
-    }
-};
-
-/// Words, of which any will do.
-struct OfWords {
+/// Factors of three words: constant, slope and denominator.
+struct Source {
     static constexpr std::size_t words = 3;
-    static constexpr std::size_t denominator = 2;
+    static constexpr std::size_t denominator = 2;  ///< its place among them
 
     const std::uint64_t* factors;
 
@@ -76,8 +42,6 @@ struct OfWords {
         return {every_third<vectors>(loaded, 0), every_third<vectors>(loaded, 1),
                 every_third<vectors>(loaded, 2)};
     }
-
-    bool is_valid() const { return true; }
 
 private:
     static constexpr std::size_t lanes = 8;
@@ -133,26 +97,26 @@ constexpr bool is_enough(std::size_t factors, std::size_t bits) { return factors
 enum class Outcome { done, too_large, never };
 
 /// Degree factors a block, of which the last ones may be missing.
-template <std::size_t Blocks, std::size_t Degree, class Source>
+template <std::size_t Blocks, std::size_t Degree>
 Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Primes& primes,
                         Product& product) {
-    Source source{words};
+    const Source source{words};
     const __m512i zero = _mm512_setzero_si512();
-    Factor factors = source.template read<Blocks, true>(0, count);
+    Factor factors = source.read<Blocks, true>(0, count);
     __m512i coefficients[most_degree + 1];
     coefficients[0] = factors.constant;
     coefficients[1] = factors.slope;
     __m512i denominators = factors.denominator;
     __m512i all_denominators = denominators;
-    __m512i bounds = size_of(factors);
+    __m512i bounds = l1_norm(factors);
     __m512i all_sizes = bounds;
 #pragma GCC unroll 8
     for (std::size_t i = 1; i < Degree; ++i) {
-        factors = i + 1 < Degree ? source.template read<Blocks, true>(i * Blocks, count)
-                                 : source.template read<Blocks, false>(i * Blocks, count);
+        factors = i + 1 < Degree ? source.read<Blocks, true>(i * Blocks, count)
+                                 : source.read<Blocks, false>(i * Blocks, count);
         denominators = product_of(denominators, factors.denominator);
         all_denominators = _mm512_or_si512(all_denominators, factors.denominator);
-        const __m512i sizes = size_of(factors);
+        const __m512i sizes = l1_norm(factors);
         bounds = product_of(bounds, sizes);
         all_sizes = _mm512_or_si512(all_sizes, sizes);
         coefficients[i + 1] = product_of(coefficients[i], factors.slope);
@@ -163,18 +127,17 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
         }
         coefficients[0] = product_of(coefficients[0], factors.constant);
     }
-    if (!source.is_valid()) return Outcome::never;
     const std::uint64_t every_denominator = united<Blocks>(all_denominators);
     const std::size_t bits = width(united<Blocks>(all_sizes) | every_denominator);
     if (!is_enough(Degree, bits)) return is_enough(least_degree, bits) ? Outcome::too_large : Outcome::never;
 #pragma GCC unroll 8
     for (std::size_t k = 0; k <= most_degree; ++k) {
         coefficients[k] = k <= Degree ? extended(coefficients[k]) : zero;
-        if (k <= Degree) _mm512_store_si512(product.coefficients[k], coefficients[k]);
+        if (k <= Degree) _mm512_storeu_si512(product.coefficients[k], coefficients[k]);
     }
-    _mm512_store_si512(product.last, lane_of_all<Blocks - 1>(coefficients));
-    _mm512_store_si512(product.bounds, bounds);
-    _mm512_store_si512(product.denominators, denominators);
+    _mm512_storeu_si512(product.last, lane_of_all<Blocks - 1>(coefficients));
+    _mm512_storeu_si512(product.bounds, bounds);
+    _mm512_storeu_si512(product.denominators, denominators);
     product.blocks = Blocks;
     std::uint32_t set = 0;
     for (std::size_t i = 0; i < count; ++i)
@@ -183,33 +146,29 @@ Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Pri
     return Outcome::done;
 }
 
-template <class Source, std::size_t Blocks>
+template <std::size_t Blocks>
 Outcome multiply_any(const std::uint64_t* words, std::size_t count, const Primes& primes, Product& product) {
     using Multiply = Outcome (*)(const std::uint64_t*, std::size_t, const Primes&, Product&);
-    static constexpr Multiply multiply_degrees[] = {
-        multiply_blocks<Blocks, 2, Source>, multiply_blocks<Blocks, 3, Source>,
-        multiply_blocks<Blocks, 4, Source>, multiply_blocks<Blocks, 5, Source>,
-        multiply_blocks<Blocks, 6, Source>, multiply_blocks<Blocks, 7, Source>};
+    static constexpr Multiply multiply_degrees[] = {multiply_blocks<Blocks, 2>, multiply_blocks<Blocks, 3>,
+                                                    multiply_blocks<Blocks, 4>, multiply_blocks<Blocks, 5>,
+                                                    multiply_blocks<Blocks, 6>, multiply_blocks<Blocks, 7>};
     static_assert(least_degree + sizeof(multiply_degrees) / sizeof(Multiply) == most_degree + 1);
     const std::size_t degree = (count + Blocks - 1) / Blocks;
     if (degree < least_degree || degree > most_degree) return Outcome::too_large;
     return multiply_degrees[degree - least_degree](words, count, primes, product);
 }
 
-template <class Source>
-bool multiply(const void* factors, std::size_t count, const Primes& primes, Product& product) {
+}  // namespace
+
+bool avx512_multiply(const void* factors, std::size_t count, const Primes& primes, Product& product) {
     if (count < least_factors) return false;
     const auto* const words = static_cast<const std::uint64_t*>(factors);
-    Outcome outcome = multiply_any<Source, 2>(words, count, primes, product);
-    if (outcome == Outcome::too_large) outcome = multiply_any<Source, 4>(words, count, primes, product);
-    if (outcome == Outcome::too_large) outcome = multiply_any<Source, 8>(words, count, primes, product);
+    Outcome outcome = multiply_any<2>(words, count, primes, product);
+    if (outcome == Outcome::too_large) outcome = multiply_any<4>(words, count, primes, product);
+    if (outcome == Outcome::too_large) outcome = multiply_any<8>(words, count, primes, product);
     return outcome == Outcome::done;
 }
 
-}  // namespace
-
-const Operations avx512_operations{multiply<OfPairs>, multiply<OfWords>};
-
-}  // namespace blossom::factor_lanes
+}  // namespace blossom::factor_products
 
 // NOLINTEND(portability-simd-intrinsics)

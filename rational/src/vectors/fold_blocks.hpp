@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::digit_folds {
+namespace blossom::fold_blocks {
 
 inline constexpr std::size_t digit_bits = 52;
 /// The most factors.
@@ -42,8 +42,6 @@ struct Columns {
 using Fold = void (*)(const Columns& numbers, const Block* blocks, std::size_t block_count,
                       std::int64_t* sum);
 
-#if defined(BLOSSOM_AVX512_IFMA)
 void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::int64_t* sum);
-#endif
 
-}  // namespace blossom::digit_folds
+}  // namespace blossom::fold_blocks

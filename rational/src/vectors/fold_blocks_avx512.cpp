@@ -5,7 +5,7 @@
 
 #include "fold_blocks.hpp"
 
-namespace blossom::digit_folds {
+namespace blossom::fold_blocks {
 
 namespace {
 
@@ -169,6 +169,6 @@ void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_
         sum[d] = static_cast<std::int64_t>(from.digits[d * from.stride]);
 }
 
-}  // namespace blossom::digit_folds
+}  // namespace blossom::fold_blocks
 
 // NOLINTEND(portability-simd-intrinsics)

@@ -22,19 +22,13 @@ struct alignas(64) Factors {
     std::uint64_t negative_inverses[factor_count];  ///< -1/factor modulo 2^52
 };
 
-struct Gcds {
+struct Operations {
     /// odd[i] = gcd(odd[i], other[i]) for odd numbers and others, which are used up.
     void (*words)(std::uint64_t* odd, std::uint64_t* other);
     /// Each factor becomes its gcd with the number, which is given by `count` digits.
     void (*longer)(const std::uint64_t* number, std::size_t count, Factors& factors);
 };
 
-/// Those of this processor and the vector level; null pointers on processors without.
-Gcds chosen();
-
-#if defined(BLOSSOM_AVX512_GCDS)
-void avx512_word_gcds(std::uint64_t* odd, std::uint64_t* other);
-void avx512_long_gcds(const std::uint64_t* number, std::size_t count, Factors& factors);
-#endif
+extern const Operations avx512_operations;
 
 }  // namespace blossom::gcd_lanes

@@ -130,23 +130,17 @@ Numbers<Digits> remainders(const std::uint64_t* number, std::size_t count, const
 template <std::size_t Digits>
 void gcds(const std::uint64_t* number, std::size_t count, Factors& given) {
     Numbers<Digits> odd;
-    for (std::size_t i = 0; i < Digits; ++i) odd.digits[i] = _mm512_load_si512(given.digits[i]);
+    for (std::size_t i = 0; i < Digits; ++i) odd.digits[i] = _mm512_loadu_si512(given.digits[i]);
     if constexpr (Digits > 1) {
         if (is_zero(odd.digits[Digits - 1])) return gcds<Digits - 1>(number, count, given);
     }
-    Numbers<Digits> rest = remainders(number, count, odd, _mm512_load_si512(given.negative_inverses));
+    Numbers<Digits> rest = remainders(number, count, odd, _mm512_loadu_si512(given.negative_inverses));
     run(odd, rest);
-    for (std::size_t i = 0; i < Digits; ++i) _mm512_store_si512(given.digits[i], odd.digits[i]);
-}
-
-}  // namespace
-
-void avx512_long_gcds(const std::uint64_t* number, std::size_t count, Factors& factors) {
-    gcds<most_digits>(number, count, factors);
+    for (std::size_t i = 0; i < Digits; ++i) _mm512_storeu_si512(given.digits[i], odd.digits[i]);
 }
 
 // Two vectors in turns, because each step waits for the one before.
-void avx512_word_gcds(std::uint64_t* odd, std::uint64_t* other) {
+void word_gcds(std::uint64_t* odd, std::uint64_t* other) {
     __m512i u[vectors];
     __m512i v[vectors];
     for (std::size_t i = 0; i < vectors; ++i) {
@@ -168,6 +162,10 @@ void avx512_word_gcds(std::uint64_t* odd, std::uint64_t* other) {
     }
     for (std::size_t i = 0; i < vectors; ++i) _mm512_storeu_si512(odd + lanes * i, u[i]);
 }
+
+}  // namespace
+
+const Operations avx512_operations{word_gcds, gcds<most_digits>};
 
 }  // namespace blossom::gcd_lanes
 

@@ -6,17 +6,47 @@
 #include <immintrin.h>
 
 #include "eight_sums.hpp"
-#include "load_factors.hpp"
+#include "factor_lanes.hpp"
 
-namespace blossom::word_lanes {
+namespace blossom::eight_sums {
 
 namespace {
 
-using lane_factors::Factor;
-using lane_factors::size_of;
-using lane_factors::united;
+using factor_lanes::Factor;
+using factor_lanes::l1_norm;
+using factor_lanes::united;
 
 inline __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
+
+/// A pair of numbers u, m for the factor m + u X is so many words: of u and of m a numerator and a
+/// denominator, each a word and an address that is not 0 where there is no word.
+inline constexpr std::size_t pair_words = 8;
+
+/// Of all pairs united, the bits that are 0 if every u is a quotient of words and every m is 0 or 1: all but
+/// those of the words of u and the lowest ones of the words of m, of which the denominator then is 1.
+inline __m512i surplus(__m512i all_pairs) {
+    return _mm512_and_si512(all_pairs, _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0));
+}
+
+/// The factors of eight pairs.
+[[gnu::always_inline]] inline Factor factors_of(const __m512i (&pairs)[lanes]) {
+    // The even words of two pairs: numerators and denominators of u, then of m, each 128 bits.
+    __m512i twos[4];
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) twos[i] = _mm512_unpacklo_epi64(pairs[2 * i], pairs[2 * i + 1]);
+    constexpr int lower = 0x44;        // the first and second 128 bits of both operands
+    constexpr int third = 0xaa;        // the third ones
+    constexpr int odd_places = 0x88;   // the first and third ones
+    constexpr int even_places = 0xdd;  // the second and fourth ones
+    const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
+    const __m512i back = _mm512_shuffle_i64x2(twos[2], twos[3], lower);
+    const __m512i masses = _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
+                                                _mm512_shuffle_i64x2(twos[2], twos[3], third), odd_places);
+    const __m512i slopes = _mm512_shuffle_i64x2(front, back, odd_places);
+    const __m512i denominators = _mm512_shuffle_i64x2(front, back, even_places);
+    const __m512i all_or_nothing = _mm512_sub_epi64(_mm512_setzero_si512(), masses);
+    return {_mm512_and_si512(denominators, all_or_nothing), slopes, denominators};
+}
 
 /// Reads factors m + u X.
 class PairReader {
@@ -28,15 +58,14 @@ public:
         __m512i pairs[lanes];
 #pragma GCC unroll 8
         for (std::size_t l = 0; l < lanes; ++l) {
-            pairs[l] = _mm512_loadu_si512(static_cast<const std::uint64_t*>(tuples_[l]) +
-                                          lane_factors::pair_words * i);
+            pairs[l] = _mm512_loadu_si512(static_cast<const std::uint64_t*>(tuples_[l]) + pair_words * i);
             all_ = _mm512_or_si512(all_, pairs[l]);
         }
-        return lane_factors::factor_of<lanes>(pairs);
+        return factors_of(pairs);
     }
 
     /// Bits, all of which are 0 if every u that was read is a quotient of words and every m is 0 or 1.
-    __m512i beyond() const { return lane_factors::surplus(all_); }
+    __m512i beyond() const { return surplus(all_); }
 
 private:
     const void* const* tuples_;
@@ -103,6 +132,6 @@ private:
 
 }  // namespace
 
-}  // namespace blossom::word_lanes
+}  // namespace blossom::eight_sums
 
 // NOLINTEND(portability-simd-intrinsics)

@@ -26,12 +26,13 @@ struct BatchTables {
     const std::uint64_t* reciprocals;
 };
 
-#if defined(BLOSSOM_AVX512_IFMA)
 /// Numbers i < 8 with y_p in numbers[g * stride + i] for the eight primes of group g, each below its prime,
-/// in two's complement: words[w] has word w of all of them. `room` has room for `primes` octets and digits in
-/// memory, and two more.
-void ifma_batch(const BatchTables& tables, const Octet* numbers, std::size_t stride, Octet* room,
-                Octet* words);
-#endif
+/// in two's complement: words[w] has word w of all of them. `room` has room for `primes` residue vectors and
+/// digits in memory, and two more.
+using IntegersOfResidues = void (*)(const BatchTables& tables, const ResidueVector* numbers,
+                                    std::size_t stride, ResidueVector* room, ResidueVector* words);
+
+void avx512_integers_of_residues(const BatchTables& tables, const ResidueVector* numbers, std::size_t stride,
+                                 ResidueVector* room, ResidueVector* words);
 
 }  // namespace blossom::residues

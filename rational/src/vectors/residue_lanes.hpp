@@ -16,19 +16,19 @@ inline constexpr std::size_t most_terms = 4096;
 inline constexpr std::size_t most_product_terms = 64;
 
 /// A residue a lane. Residues are below 2 p throughout: which of both values stands for one is left open.
-struct alignas(64) Octet {
+struct alignas(64) ResidueVector {
     std::uint64_t lane[lanes];
 };
 
 /// Primes 2^b - delta with what Montgomery's reduction needs, where b = prime_bits of the level, and 2^r the
 /// radix, r = radix_bits.
 struct Moduli {
-    Octet prime;
-    Octet delta;    ///< below 2 to the power of delta_bits
-    Octet inverse;  ///< 1/p modulo the radix
-    Octet radix;    ///< modulo p
-    Octet square;   ///< radix^2 modulo p
-    Octet root;     ///< a root of unity of order 2^root_order, times the radix
+    ResidueVector prime;
+    ResidueVector delta;    ///< below 2 to the power of delta_bits
+    ResidueVector inverse;  ///< 1/p modulo the radix
+    ResidueVector radix;    ///< modulo p
+    ResidueVector square;   ///< radix^2 modulo p
+    ResidueVector root;     ///< a root of unity of order 2^root_order, times the radix
     std::size_t root_order;
 };
 
@@ -40,46 +40,45 @@ struct Operations {
     std::size_t root_order;  ///< of as many primes as there are
 
     /// sum_k a[k] b[k] / radix for k < count <= most_terms.
-    Octet (*dot)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count);
+    ResidueVector (*dot)(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
+                         std::size_t count);
     /// For each i < count the number with the digits digits[begins[i]..begins[i + 1]), b bits each and at
     /// most most_terms, times power[0] / radix, where the powers are those of 2^b, times that of power[0].
     void (*residues_of_digits)(const Moduli& moduli, const std::uint64_t* digits, const std::size_t* begins,
-                               std::size_t count, const Octet* powers, Octet* residues);
+                               std::size_t count, const ResidueVector* powers, ResidueVector* residues);
     /// The coefficients of the product of a[0..m) and b[0..n), lowest first, divided by the radix;
     /// 1 <= n <= m <= most_product_terms.
-    void (*multiply)(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
-                     Octet* product);
+    void (*multiply)(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
+                     std::size_t n, ResidueVector* product);
     /// a[k] factor / radix.
-    void (*scale)(const Moduli& moduli, const Octet* a, const Octet& factor, std::size_t count,
-                  Octet* product);
+    void (*scale)(const Moduli& moduli, const ResidueVector* a, const ResidueVector& factor,
+                  std::size_t count, ResidueVector* product);
     /// a[k] + b[k] and a[k] - b[k].
-    void (*add)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count, Octet* sum);
-    void (*subtract)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
-                     Octet* difference);
+    void (*add)(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b, std::size_t count,
+                ResidueVector* sum);
+    void (*subtract)(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b, std::size_t count,
+                     ResidueVector* difference);
     /// a[k] b[k] / radix.
-    void (*multiply_each)(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
-                          Octet* product);
+    void (*multiply_each)(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
+                          std::size_t count, ResidueVector* product);
     /// The same residues below p.
-    void (*reduce)(const Moduli& moduli, Octet* a, std::size_t count);
+    void (*reduce)(const Moduli& moduli, ResidueVector* a, std::size_t count);
     /// The values of the polynomial with the coefficients a[0..size) at the powers of a root of unity, where
     /// the indices of the values have their bits in the opposite order, and the inverse but for a division by
     /// `size`, a power of 2. roots[h + i] is power i of a root of order 2 h times the radix, below p, for
     /// i < h < size.
-    void (*transform)(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size);
-    void (*inverse_transform)(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size);
+    void (*transform)(const Moduli& moduli, const ResidueVector* roots, ResidueVector* a, std::size_t size);
+    void (*inverse_transform)(const Moduli& moduli, const ResidueVector* roots, ResidueVector* a,
+                              std::size_t size);
     /// sums[i] += weight / radix * sum_k rows[i][k] (x_i / radix)^(terms-1-k) for i < count, where
     /// x_i = base + offsets[i]. The coefficients in a row are the same for all lanes, and from p to 2 p.
     void (*add_values)(const Moduli& moduli, const std::uint64_t* const* rows, std::size_t terms,
-                       const Octet& base, const Octet* offsets, const Octet& weight, std::size_t count,
-                       Octet* sums);
+                       const ResidueVector& base, const ResidueVector* offsets, const ResidueVector& weight,
+                       std::size_t count, ResidueVector* sums);
 };
 
 extern const Operations portable_operations;
-#if defined(BLOSSOM_AVX2)
 extern const Operations avx2_operations;
-#endif
-#if defined(BLOSSOM_AVX512_IFMA)
-extern const Operations ifma_operations;
-#endif
+extern const Operations avx512_operations;
 
 }  // namespace blossom::residues

@@ -39,12 +39,12 @@ struct Narrow {
         Vector prime, twice, delta, inverse;
     };
 
-    static Vector load(const Octet& from, std::size_t part) {
+    static Vector load(const ResidueVector& from, std::size_t part) {
         Vector result;
         __builtin_memcpy(&result, from.lane + part * width, sizeof result);
         return result;
     }
-    static void store(Octet& to, std::size_t part, Vector value) {
+    static void store(ResidueVector& to, std::size_t part, Vector value) {
         __builtin_memcpy(to.lane + part * width, &value, sizeof value);
     }
     static Vector broadcast(std::uint64_t value) { return Vector{} + value; }

@@ -1,19 +1,20 @@
 #pragma once
 
-// The operations written once over what a level calls a vector, so many to an octet, and sums of products.
+// The operations written once over what a level calls a vector, so many to a residue vector, and sums of
+// products.
 
 #include "residue_lanes.hpp"
 #include "residue_transform_steps.hpp"
 
 namespace blossom::residues {
 
-/// Level: prime_bits, radix_bits; Vector, of which `parts` make an octet, with load, store, broadcast;
-/// Sum of up to `most_summed` products of residues below 2 p, zero by default, with add_product; Total of up
-/// to most_terms products, with collect(total, sum); Constants of one part of the moduli; reduced(constants,
-/// sum) and reduced(constants, total), divided by the radix, and product(constants, a, b), all below 2 p;
-/// sum and difference of residues; below_prime(constants, a); product_of_difference(constants, a, b, c),
-/// (a - b) c / radix for c below p; horner_step(constants, value, x, coefficient), value x / radix +
-/// coefficient for a coefficient from p to 2 p, whose results serve as `value` again and as factors.
+/// Level: prime_bits, radix_bits; Vector, of which `parts` make a residue vector, with load, store,
+/// broadcast; Sum of up to `most_summed` products of residues below 2 p, zero by default, with add_product;
+/// Total of up to most_terms products, with collect(total, sum); Constants of one part of the moduli;
+/// reduced(constants, sum) and reduced(constants, total), divided by the radix, and product(constants, a, b),
+/// all below 2 p; sum and difference of residues; below_prime(constants, a); product_of_difference(constants,
+/// a, b, c), (a - b) c / radix for c below p; horner_step(constants, value, x, coefficient), value x / radix
+/// + coefficient for a coefficient from p to 2 p, whose results serve as `value` again and as factors.
 template <class Level>
 struct OperationsOf {
     using Vector = typename Level::Vector;
@@ -21,9 +22,10 @@ struct OperationsOf {
     using Total = typename Level::Total;
     using Constants = typename Level::Constants;
 
-    static Octet dot(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count) {
+    static ResidueVector dot(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
+                             std::size_t count) {
         constexpr std::size_t chains = 4;
-        Octet result{};
+        ResidueVector result{};
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             Total total = {};
@@ -52,8 +54,8 @@ struct OperationsOf {
 
     /// Four numbers at a time share what is loaded of the powers, as far as all four have digits.
     static void residues_of_digits(const Moduli& moduli, const std::uint64_t* digits,
-                                   const std::size_t* begins, std::size_t count, const Octet* powers,
-                                   Octet* residues) {
+                                   const std::size_t* begins, std::size_t count, const ResidueVector* powers,
+                                   ResidueVector* residues) {
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             std::size_t i = 0;
@@ -64,8 +66,8 @@ struct OperationsOf {
     }
 
     /// Four coefficients at a time share what is loaded of `b`; zeros around `a` make them alike.
-    static void multiply(const Moduli& moduli, const Octet* a, std::size_t m, const Octet* b, std::size_t n,
-                         Octet* product) {
+    static void multiply(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
+                         std::size_t n, ResidueVector* product) {
         constexpr std::size_t step = Level::coefficients_at_once;
         constexpr std::size_t longest = most_product_terms;
         const std::size_t size = m + n - 1;
@@ -94,49 +96,52 @@ struct OperationsOf {
         }
     }
 
-    static void scale(const Moduli& moduli, const Octet* a, const Octet& factor, std::size_t count,
-                      Octet* product) {
+    static void scale(const Moduli& moduli, const ResidueVector* a, const ResidueVector& factor,
+                      std::size_t count, ResidueVector* product) {
         each(moduli, count, product, [&](const Constants& constants, std::size_t k, std::size_t part) {
             return Level::product(constants, Level::load(a[k], part), Level::load(factor, part));
         });
     }
-    static void add(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count, Octet* sum) {
+    static void add(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b, std::size_t count,
+                    ResidueVector* sum) {
         each(moduli, count, sum, [&](const Constants& constants, std::size_t k, std::size_t part) {
             return Level::sum(constants, Level::load(a[k], part), Level::load(b[k], part));
         });
     }
-    static void subtract(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
-                         Octet* difference) {
+    static void subtract(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
+                         std::size_t count, ResidueVector* difference) {
         each(moduli, count, difference, [&](const Constants& constants, std::size_t k, std::size_t part) {
             return Level::difference(constants, Level::load(a[k], part), Level::load(b[k], part));
         });
     }
 
-    static void multiply_each(const Moduli& moduli, const Octet* a, const Octet* b, std::size_t count,
-                              Octet* product) {
+    static void multiply_each(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
+                              std::size_t count, ResidueVector* product) {
         each(moduli, count, product, [&](const Constants& constants, std::size_t k, std::size_t part) {
             return Level::product(constants, Level::load(a[k], part), Level::load(b[k], part));
         });
     }
-    static void reduce(const Moduli& moduli, Octet* a, std::size_t count) {
+    static void reduce(const Moduli& moduli, ResidueVector* a, std::size_t count) {
         each(moduli, count, a, [&](const Constants& constants, std::size_t k, std::size_t part) {
             return Level::below_prime(constants, Level::load(a[k], part));
         });
     }
 
-    static void transform(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size) {
+    static void transform(const Moduli& moduli, const ResidueVector* roots, ResidueVector* a,
+                          std::size_t size) {
         for (std::size_t part = 0; part < Level::parts; ++part)
             Transform<Level>(moduli, roots, part).forward(a, size);
     }
-    static void inverse_transform(const Moduli& moduli, const Octet* roots, Octet* a, std::size_t size) {
+    static void inverse_transform(const Moduli& moduli, const ResidueVector* roots, ResidueVector* a,
+                                  std::size_t size) {
         for (std::size_t part = 0; part < Level::parts; ++part)
             Transform<Level>(moduli, roots, part).backward(a, size);
     }
 
     /// Several values at a time, for one has to wait for its last product.
     static void add_values(const Moduli& moduli, const std::uint64_t* const* rows, std::size_t terms,
-                           const Octet& base, const Octet* offsets, const Octet& weight, std::size_t count,
-                           Octet* sums) {
+                           const ResidueVector& base, const ResidueVector* offsets,
+                           const ResidueVector& weight, std::size_t count, ResidueVector* sums) {
         constexpr std::size_t step = Level::values_at_once;
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
@@ -168,7 +173,7 @@ struct OperationsOf {
 
 private:
     template <class Entry>
-    static void each(const Moduli& moduli, std::size_t count, Octet* results, const Entry& entry) {
+    static void each(const Moduli& moduli, std::size_t count, ResidueVector* results, const Entry& entry) {
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             for (std::size_t k = 0; k < count; ++k) Level::store(results[k], part, entry(constants, k, part));
@@ -177,8 +182,9 @@ private:
 
     template <std::size_t Count>
     static void add_several_values(const Constants& constants, std::size_t part,
-                                   const std::uint64_t* const* rows, std::size_t terms, const Octet& base,
-                                   const Octet* offsets, const Octet& weight, Octet* sums) {
+                                   const std::uint64_t* const* rows, std::size_t terms,
+                                   const ResidueVector& base, const ResidueVector* offsets,
+                                   const ResidueVector& weight, ResidueVector* sums) {
         Vector x[Count];
         Vector values[Count];
 #pragma GCC unroll 8
@@ -200,7 +206,7 @@ private:
 
     template <std::size_t Numbers>
     static void several(const Constants& constants, std::size_t part, const std::uint64_t* digits,
-                        const std::size_t* begins, const Octet* powers, Octet* residues) {
+                        const std::size_t* begins, const ResidueVector* powers, ResidueVector* residues) {
         Total totals[Numbers] = {};
         std::size_t common = begins[1] - begins[0];
         for (std::size_t i = 1; i < Numbers; ++i) {

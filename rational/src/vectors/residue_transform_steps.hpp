@@ -1,6 +1,6 @@
 #pragma once
 
-// Number theoretic transforms on one part of octets, two layers of butterflies at a time.
+// Number theoretic transforms on one part of residue vectors, two layers of butterflies at a time.
 
 #include "residue_lanes.hpp"
 
@@ -9,11 +9,11 @@ namespace blossom::residues {
 template <class Level>
 class Transform {
 public:
-    Transform(const Moduli& moduli, const Octet* roots, std::size_t part)
+    Transform(const Moduli& moduli, const ResidueVector* roots, std::size_t part)
         : constants_(moduli, part), roots_(roots), part_(part) {}
 
     /// By decimation in frequency: values come in the order of reversed bits.
-    void forward(Octet* a, std::size_t size) const {
+    void forward(ResidueVector* a, std::size_t size) const {
         if (size > most_at_once) {
             forward_layers(a, size, size / 4);
             for (std::size_t i = 0; i < 4; ++i) forward(a + i * (size / 4), size / 4);
@@ -25,7 +25,7 @@ public:
     }
 
     /// The inverse layers in the opposite order.
-    void backward(Octet* a, std::size_t size) const {
+    void backward(ResidueVector* a, std::size_t size) const {
         if (size > most_at_once) {
             for (std::size_t i = 0; i < 4; ++i) backward(a + i * (size / 4), size / 4);
             backward_layers(a, size, size / 4);
@@ -39,11 +39,11 @@ public:
 private:
     using Vector = typename Level::Vector;
 
-    /// In octets: longer transforms are cut in four, which then stay in the nearest cache.
+    /// In residue vectors: longer transforms are cut in four, which then stay in the nearest cache.
     static constexpr std::size_t most_at_once = 256;
 
-    Vector load(const Octet& from) const { return Level::load(from, part_); }
-    void store(Octet& to, const Vector& value) const { Level::store(to, part_, value); }
+    Vector load(const ResidueVector& from) const { return Level::load(from, part_); }
+    void store(ResidueVector& to, const Vector& value) const { Level::store(to, part_, value); }
     Vector sum(const Vector& a, const Vector& b) const { return Level::sum(constants_, a, b); }
     Vector difference(const Vector& a, const Vector& b) const { return Level::difference(constants_, a, b); }
     Vector product(const Vector& a, std::size_t root) const {
@@ -54,7 +54,7 @@ private:
     }
 
     /// The layer of neighbours, whose root is 1; its own inverse.
-    void last_layer(Octet* a, std::size_t size) const {
+    void last_layer(ResidueVector* a, std::size_t size) const {
         for (std::size_t k = 0; k < size; k += 2) {
             const Vector x = load(a[k]);
             const Vector y = load(a[k + 1]);
@@ -64,10 +64,10 @@ private:
     }
 
     /// The layers of distances 2 q and q.
-    void forward_layers(Octet* a, std::size_t size, std::size_t q) const {
-        for (Octet* block = a; block < a + size; block += 4 * q) {
+    void forward_layers(ResidueVector* a, std::size_t size, std::size_t q) const {
+        for (ResidueVector* block = a; block < a + size; block += 4 * q) {
             for (std::size_t i = 0; i < q; ++i) {
-                Octet* const x = block + i;
+                ResidueVector* const x = block + i;
                 const Vector x0 = load(x[0]);
                 const Vector x1 = load(x[q]);
                 const Vector x2 = load(x[2 * q]);
@@ -86,8 +86,8 @@ private:
 
     /// The inverse layers of distances q and 2 q. The inverse of power i > 0 of a root of order 2 h is the
     /// negative of power h - i: sums and differences change places.
-    void backward_layers(Octet* a, std::size_t size, std::size_t q) const {
-        for (Octet* x = a; x < a + size; x += 4 * q) {
+    void backward_layers(ResidueVector* a, std::size_t size, std::size_t q) const {
+        for (ResidueVector* x = a; x < a + size; x += 4 * q) {
             const Vector y0 = sum(load(x[0]), load(x[q]));
             const Vector y1 = difference(load(x[0]), load(x[q]));
             const Vector y2 = sum(load(x[2 * q]), load(x[3 * q]));
@@ -99,7 +99,7 @@ private:
             for (std::size_t i = 1; i < q; ++i) backward_step(x + i, q, i);
         }
     }
-    void backward_step(Octet* x, std::size_t q, std::size_t i) const {
+    void backward_step(ResidueVector* x, std::size_t q, std::size_t i) const {
         const Vector x0 = load(x[0]);
         const Vector x1 = product(load(x[q]), 2 * q - i);
         const Vector x2 = load(x[2 * q]);
@@ -115,7 +115,7 @@ private:
     }
 
     typename Level::Constants constants_;
-    const Octet* roots_;
+    const ResidueVector* roots_;
     std::size_t part_;
 };
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace blossom::digit_rows {
+namespace blossom::taylor_lanes {
 
 /// A number is sum_i d_i 2^(48 i), where the digits d_i are signed and have room to grow: sums of digits are
 /// taken without carries, and the carries are moved up only now and then.
@@ -29,11 +29,6 @@ struct Operations {
 };
 
 extern const Operations portable_operations;
-#if defined(BLOSSOM_AVX2)
-extern const Operations avx2_operations;
-#endif
-#if defined(BLOSSOM_AVX512_IFMA)
 extern const Operations avx512_operations;
-#endif
 
-}  // namespace blossom::digit_rows
+}  // namespace blossom::taylor_lanes

@@ -2,7 +2,7 @@
 
 #include "taylor_lanes_operations.hpp"
 
-namespace blossom::digit_rows {
+namespace blossom::taylor_lanes {
 
 namespace {
 
@@ -14,4 +14,4 @@ struct Eight {
 
 const Operations avx512_operations = OperationsOf<Eight>::table;
 
-}  // namespace blossom::digit_rows
+}  // namespace blossom::taylor_lanes

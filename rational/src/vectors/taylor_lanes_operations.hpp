@@ -4,7 +4,7 @@
 
 #include "taylor_lanes.hpp"
 
-namespace blossom::digit_rows {
+namespace blossom::taylor_lanes {
 
 /// Level::Vector: words in lanes, by the extension that GCC and Clang have for them.
 template <class Level>
@@ -61,4 +61,4 @@ struct OperationsOf {
     static constexpr Operations table{lanes, multiply};
 };
 
-}  // namespace blossom::digit_rows
+}  // namespace blossom::taylor_lanes

@@ -1,6 +1,6 @@
 #include "taylor_lanes_operations.hpp"
 
-namespace blossom::digit_rows {
+namespace blossom::taylor_lanes {
 
 namespace {
 
@@ -13,4 +13,4 @@ struct Pair {
 
 const Operations portable_operations = OperationsOf<Pair>::table;
 
-}  // namespace blossom::digit_rows
+}  // namespace blossom::taylor_lanes

@@ -58,13 +58,13 @@ std::span<const SumKernelRule> sum_kernel_rules();
 ///
 /// Which kernel runs follows from the bound max |c_jk| * prod (|constant_i| + |slope_i|) on the numerators of
 /// the sums, taken in integers. Copies share what was prepared.
-class LinearFactorSums {
+class BlossomSums {
 public:
     /// How much may be spent on what pays only when many sums follow.
     enum class Use { many, once };
 
     /// `numbers` are `rows` rows of equal length, one after the other.
-    LinearFactorSums(RationalVector numbers, std::size_t rows, Use use = Use::many);
+    BlossomSums(RationalVector numbers, std::size_t rows, Use use = Use::many);
 
     std::size_t rows() const;
     /// n
@@ -78,9 +78,8 @@ public:
                   std::span<Rational> sums) const;
 
     /// The same for factors m + u X: `pairs` points to the u of the first one, its m follows, then the
-    /// others. False, and nothing is done, unless every u is a quotient of words, every m is 0 or 1, and
-    /// there are few factors and the kernel `word` suffices, or the factors are small enough for vector lanes
-    /// and this processor has them.
+    /// others. False, and nothing is done, unless every u is a quotient of words, every m is 0 or 1, there
+    /// are few factors and the kernel `word` suffices.
     bool evaluate_pairs(const Rational* pairs, std::size_t first_row, std::span<Rational> sums) const;
 
     /// The sums of all rows for eight tuples of factors, those of a tuple one after the other: factors m + u
@@ -107,10 +106,10 @@ public:
                                                  std::span<const std::uint64_t> denominators,
                                                  std::span<const WordFactor> factors);
 
-    struct Prepared;  ///< the rows in the forms that the kernels read, defined in the private sources
+    struct PreparedRows;  ///< the rows in the forms that the kernels read, defined in the private sources
 
 private:
-    std::shared_ptr<const Prepared> prepared_;
+    std::shared_ptr<const PreparedRows> prepared_;
 };
 
 }  // namespace blossom

@@ -16,10 +16,10 @@ namespace blossom {
 /// rows of words, then integers by halves, each half over its own denominator. What N shares with the
 /// denominator follows mostly from the coefficients: a prime that divides N and v divides C_n, and one that
 /// divides D but all C_k except C_j divides N only with u or v. Copies share what was prepared.
-class FormValues {
+class PreparedPolynomial {
 public:
     /// `numbers` are `rows` rows of n + 1 coefficients, lowest first, one after the other.
-    FormValues(RationalVector numbers, std::size_t rows);
+    PreparedPolynomial(RationalVector numbers, std::size_t rows);
 
     std::size_t rows() const;
     /// n
@@ -35,10 +35,10 @@ public:
     /// least value of 64 bits.
     void evaluate(std::int64_t numerator, std::int64_t denominator, std::span<Rational> values) const;
 
-    struct Prepared;  ///< defined in the private sources
+    struct Forms;  ///< defined in the private sources
 
 private:
-    std::shared_ptr<const Prepared> prepared_;
+    std::shared_ptr<const Forms> prepared_;
 };
 
 }  // namespace blossom

@@ -58,10 +58,10 @@ std::optional<Tuple> tuple_near(Random& random, std::size_t n, std::size_t bits,
 
 }  // namespace
 
-TEST_CASE("lanes of eight: sums and denominators that end at 51, 52, 63 and 102 bits", "[differential]") {
+TEST_CASE("eight sums: sums and denominators that end at 51, 52, 63 and 102 bits", "[differential]") {
     std::size_t computed = 0;
     std::size_t over_lines = 0;
-    each_case("lanes of eight", [&](Random& random) {
+    each_case("eight sums", [&](Random& random) {
         const std::size_t limits[] = {51, 52, 63, 102, 102};
         const std::size_t limit = limits[random.below(5)] + 1 - random.below(random.one_in(3) ? 3 : 16);
         const std::size_t n = 1 + random.below(limit > 64 ? 17 : 9);

@@ -26,7 +26,7 @@ Rational number(Random& random, std::size_t bits) {
 void check_values(const std::vector<Rational>& coefficients, const std::vector<Rational>& parameters,
                   std::size_t rows = 1) {
     const std::size_t size = coefficients.size() / rows;
-    const FormValues forms(RationalVector(coefficients), rows);
+    const PreparedPolynomial forms(RationalVector(coefficients), rows);
     // More often than there are coefficients, so that what pays only then is prepared too.
     for (std::size_t round = 0; round * parameters.size() < 2 * size; ++round) {
         for (const Rational& t : parameters) {
@@ -53,25 +53,25 @@ void check_random(Random& random, std::size_t size, std::size_t bits, std::size_
 
 }  // namespace
 
-TEST_CASE("values of prepared polynomials of low degree", "[form_values]") {
+TEST_CASE("values of prepared polynomials of low degree", "[prepared_polynomial]") {
     Random random(1);
     for (int i = 0; i < 1200; ++i) check_random(random, 1 + random.below(5), 1 + random.below(20), 18);
     for (int i = 0; i < 400; ++i) check_random(random, 1 + random.below(8), 70, 70);
 }
 
-TEST_CASE("values of prepared polynomials on rows of words", "[form_values]") {
+TEST_CASE("values of prepared polynomials on rows of words", "[prepared_polynomial]") {
     Random random(2);
     for (int i = 0; i < 200; ++i)
         check_random(random, 1 + random.below(40), 1 + random.below(12), 1 + random.below(64));
     for (int i = 0; i < 60; ++i) check_random(random, 1 + random.below(20), 60, 60);
 }
 
-TEST_CASE("values of prepared polynomials by halves", "[form_values]") {
+TEST_CASE("values of prepared polynomials by halves", "[prepared_polynomial]") {
     Random random(3);
     for (int i = 0; i < 60; ++i) check_random(random, 1 + random.below(40), 100, 1 + random.below(200));
 }
 
-TEST_CASE("values of prepared polynomials where words end", "[form_values]") {
+TEST_CASE("values of prepared polynomials where words end", "[prepared_polynomial]") {
     // (2^a - 1) sum_k t^k at t = (2^b - 1) and its reciprocal, around each width that a kernel has
     for (const std::size_t limit : {63U, 64U, 127U, 128U, 512U, 513U, 4096U}) {
         for (const std::size_t n : {1U, 3U, 7U, 64U}) {
@@ -89,7 +89,8 @@ TEST_CASE("values of prepared polynomials where words end", "[form_values]") {
     }
 }
 
-TEST_CASE("values whose numerator and denominator share primes with the coefficients", "[form_values]") {
+TEST_CASE("values whose numerator and denominator share primes with the coefficients",
+          "[prepared_polynomial]") {
     Random random(4);
     const Integer primes[] = {2, 3, 5, 137, 139, 10007, (Integer(1) << 61) - 1};
     const auto smooth = [&](std::size_t factors) {

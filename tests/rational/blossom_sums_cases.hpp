@@ -1,6 +1,6 @@
 #pragma once
 
-// Factors and rows for LinearFactorSums, and the evident formula on Rational, operation by operation.
+// Factors and rows for BlossomSums, and the evident formula on Rational, operation by operation.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -35,9 +35,9 @@ Rational evident_sum(std::span<const Rational> numbers, const std::vector<Linear
 template <class R>
 void check_quotient(const std::vector<Rational>& numbers, const std::vector<LinearFactor<R>>& factors) {
     const Rational expected = evident_sum<R>(numbers, factors);
-    for (const auto use : {LinearFactorSums::Use::many, LinearFactorSums::Use::once}) {
+    for (const auto use : {BlossomSums::Use::many, BlossomSums::Use::once}) {
         Rational value;
-        LinearFactorSums(RationalVector(numbers), 1, use).evaluate(factors, 0, {&value, 1});
+        BlossomSums(RationalVector(numbers), 1, use).evaluate(factors, 0, {&value, 1});
         CHECK(value == expected);
     }
 }
@@ -106,9 +106,8 @@ inline void check_unprepared(const Case& given, const Rational& expected) {
     const auto denominator = numbers.denominator().to_int64();
     if (!denominator) return;
     const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
-    if (const auto sum = LinearFactorSums::sum_in_words(row, denominators, given.factors))
-        CHECK(*sum == expected);
-    if (const auto apex = LinearFactorSums::apex_in_words(row, denominators, given.factors))
+    if (const auto sum = BlossomSums::sum_in_words(row, denominators, given.factors)) CHECK(*sum == expected);
+    if (const auto apex = BlossomSums::apex_in_words(row, denominators, given.factors))
         CHECK(*apex == evident_apex(given.numbers, given.factors));
 }
 
@@ -116,7 +115,7 @@ inline void check_unprepared(const Case& given, const Rational& expected) {
 using Met = std::map<SumKernel, int>;
 
 inline void check(const Case& given, Met& met) {
-    const LinearFactorSums sums(RationalVector(given.numbers), 1);
+    const BlossomSums sums(RationalVector(given.numbers), 1);
     Rational value;
     sums.evaluate(given.factors, 0, {&value, 1});
     const Rational expected = evident_sum(given.numbers, given.factors);
@@ -124,7 +123,7 @@ inline void check(const Case& given, Met& met) {
     sums.evaluate(integer_factors(given.factors), 0, {&value, 1});
     CHECK(value == expected);
     ++met[sums.kernel(given.factors)];
-    LinearFactorSums(RationalVector(given.numbers), 1, LinearFactorSums::Use::once)
+    BlossomSums(RationalVector(given.numbers), 1, BlossomSums::Use::once)
         .evaluate(given.factors, 0, {&value, 1});
     CHECK(value == expected);
     check_unprepared(given, expected);

@@ -12,12 +12,12 @@ namespace {
 constexpr std::size_t step = BatchTables::digits_at_once;
 constexpr std::size_t digit_bits = BatchTables::digit_bits;
 
-__m512i load(const Octet& from) { return _mm512_load_si512(&from); }
-void store(Octet& to, __m512i value) { _mm512_store_si512(&to, value); }
+__m512i load(const ResidueVector& from) { return _mm512_loadu_si512(&from); }
+void store(ResidueVector& to, __m512i value) { _mm512_storeu_si512(&to, value); }
 __m512i broadcast(std::uint64_t value) { return _mm512_set1_epi64(static_cast<long long>(value)); }
 
-/// Rows and columns of eight octets change places.
-void transpose(const Octet* rows, Octet* columns) {
+/// Rows and columns of eight residue vectors change places.
+void transpose(const ResidueVector* rows, ResidueVector* columns) {
     __m512i pairs[8];
     for (std::size_t i = 0; i < 8; i += 2) {
         pairs[i] = _mm512_unpacklo_epi64(load(rows[i]), load(rows[i + 1]));
@@ -35,7 +35,7 @@ void transpose(const Octet* rows, Octet* columns) {
     }
 }
 
-__m512i quotient(const BatchTables& tables, const Octet* y) {
+__m512i quotient(const BatchTables& tables, const ResidueVector* y) {
     constexpr unsigned fraction_bits = 49;
     __m512i sum = broadcast(std::uint64_t{1} << (fraction_bits - 1));
     for (std::size_t i = 0; i < tables.primes; ++i)
@@ -45,7 +45,8 @@ __m512i quotient(const BatchTables& tables, const Octet* y) {
 
 /// The digits of the sum less those of q M, from `digit` on, with their carries still in them; upper parts
 /// are added to the digit above.
-void add_digits(const BatchTables& tables, std::size_t digit, const Octet* y, __m512i q, Octet* digits) {
+void add_digits(const BatchTables& tables, std::size_t digit, const ResidueVector* y, __m512i q,
+                ResidueVector* digits) {
     __m512i low[step];
     __m512i high[step];
     for (std::size_t d = 0; d < step; ++d) low[d] = high[d] = _mm512_setzero_si512();
@@ -64,14 +65,14 @@ void add_digits(const BatchTables& tables, std::size_t digit, const Octet* y, __
         const __m512i other = broadcast(tables.product[digit + d]);
         low[d] = _mm512_sub_epi64(low[d], _mm512_madd52lo_epu64(zero, q, other));
         high[d] = _mm512_sub_epi64(high[d], _mm512_madd52hi_epu64(zero, q, other));
-        Octet& own = digits[digit + d];
+        ResidueVector& own = digits[digit + d];
         store(own, _mm512_add_epi64(load(own), low[d]));
         store(digits[digit + d + 1], high[d]);
     }
 }
 
 /// All digits below 2^52 but the greatest, which has the sign; what exceeds it cancels.
-void carry(Octet* digits, std::size_t count) {
+void carry(ResidueVector* digits, std::size_t count) {
     const __m512i mask = broadcast((std::uint64_t{1} << digit_bits) - 1);
     __m512i carried = _mm512_setzero_si512();
     for (std::size_t d = 0; d + 1 < count; ++d) {
@@ -89,7 +90,7 @@ void carry(Octet* digits, std::size_t count) {
 }
 
 /// A word has bits of two or three digits.
-__m512i word(const Octet* digits, std::size_t index) {
+__m512i word(const ResidueVector* digits, std::size_t index) {
     const std::size_t first = index * 64 / digit_bits;
     const std::size_t offset = index * 64 % digit_bits;
     const auto distance = [](std::size_t bits) { return _mm_cvtsi64_si128(static_cast<long long>(bits)); };
@@ -101,10 +102,10 @@ __m512i word(const Octet* digits, std::size_t index) {
 
 }  // namespace
 
-void ifma_batch(const BatchTables& tables, const Octet* numbers, std::size_t stride, Octet* room,
-                Octet* words) {
-    Octet* const y = room;
-    Octet* const digits = room + tables.primes;
+void avx512_integers_of_residues(const BatchTables& tables, const ResidueVector* numbers, std::size_t stride,
+                                 ResidueVector* room, ResidueVector* words) {
+    ResidueVector* const y = room;
+    ResidueVector* const digits = room + tables.primes;
     for (std::size_t i = 0; i < tables.primes; i += 8) transpose(numbers + i / 8 * stride, y + i);
     const __m512i q = quotient(tables, y);
     store(digits[0], _mm512_setzero_si512());

@@ -32,9 +32,9 @@ void check_unprepared_sums(const SumCase& given, const std::vector<Rational>& ex
     const auto denominator = given.denominator.to_int64();
     if (!denominator) return;
     const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
-    if (const auto sum = LinearFactorSums::sum_in_words(row, denominators, given.factors))
+    if (const auto sum = BlossomSums::sum_in_words(row, denominators, given.factors))
         CHECK(*sum == expected[0]);
-    if (const auto apex = LinearFactorSums::apex_in_words(row, denominators, given.factors))
+    if (const auto apex = BlossomSums::apex_in_words(row, denominators, given.factors))
         CHECK(*apex == evident_apex_of(given));
 }
 

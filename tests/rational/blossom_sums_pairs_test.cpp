@@ -1,6 +1,6 @@
 // Factors read from pairs of numbers, one tuple and eight of them at a time, against the evident formula.
 
-#include "linear_factor_cases.hpp"
+#include "blossom_sums_cases.hpp"
 
 #include <algorithm>
 
@@ -95,14 +95,14 @@ void check_values(const Given& given, const Pairs& pairs, std::span<const Ration
 
 }  // namespace
 
-TEST_CASE("pairs of numbers as factors", "[linear_factor_sums]") {
+TEST_CASE("pairs of numbers as factors", "[blossom_sums]") {
     Random random(19);
     int computed = 0;
     const Rational before(7, 9);
     for (int i = 0; i < 4'000; ++i) {
         const std::size_t n = 1 + random.below(9);
         const Given given = random_rows(random, n);
-        const LinearFactorSums sums(RationalVector(given.numbers), given.rows);
+        const BlossomSums sums(RationalVector(given.numbers), given.rows);
         const Pairs pairs = random_pairs(random, n, 1 + random.below(std::clamp<std::size_t>(66 / n, 2, 62)),
                                          random.one_in(3));
         std::vector<Rational> values(given.rows, before);
@@ -120,14 +120,14 @@ TEST_CASE("pairs of numbers as factors", "[linear_factor_sums]") {
     CHECK(computed > 1'500);
 }
 
-TEST_CASE("eight tuples of pairs of numbers", "[linear_factor_sums]") {
+TEST_CASE("eight tuples of pairs of numbers", "[blossom_sums]") {
     Random random(20);
     int computed = 0;
     for (int i = 0; i < 4'000; ++i) {
         const bool wide = random.one_in(2);
         const std::size_t n = 1 + random.below(wide ? 17 : 9);
         const Given given = random_rows(random, n);
-        const LinearFactorSums sums(RationalVector(given.numbers), given.rows);
+        const BlossomSums sums(RationalVector(given.numbers), given.rows);
         const bool odd_ones = random.one_in(3);
         // About as many bits as fit in 51, in 63 and in 102, and more.
         const std::size_t bits =
@@ -159,7 +159,7 @@ TEST_CASE("eight tuples of pairs of numbers", "[linear_factor_sums]") {
     CHECK((computed == 0 || computed > 1'200));
 }
 
-TEST_CASE("eight tuples at a time with more than 52 twos to cancel", "[linear_factor_sums]") {
+TEST_CASE("eight tuples at a time with more than 52 twos to cancel", "[blossom_sums]") {
     // Vectors, so that the sum is the product of all u.
     for (const std::size_t shift : {51U, 52U, 53U, 54U, 55U, 60U}) {
         for (const std::int64_t odd : {0, 1, -3}) {
@@ -170,15 +170,15 @@ TEST_CASE("eight tuples at a time with more than 52 twos to cancel", "[linear_fa
             std::vector<Rational> values(8);
             const Rational* addresses[8];
             std::ranges::fill(addresses, pairs.data());
-            if (LinearFactorSums(RationalVector(numbers), 1).evaluate_eight(addresses, values))
+            if (BlossomSums(RationalVector(numbers), 1).evaluate_eight(addresses, values))
                 CHECK(values == std::vector<Rational>(8, Rational(5 * even, Integer(1) << 55)));
         }
     }
 }
 
-TEST_CASE("over lines eight tuples at a time have numbers of 32 bits", "[linear_factor_sums]") {
+TEST_CASE("over lines eight tuples at a time have numbers of 32 bits", "[blossom_sums]") {
     const std::vector<Rational> numbers{3, 5};
-    const LinearFactorSums sums(RationalVector(numbers), 1);
+    const BlossomSums sums(RationalVector(numbers), 1);
     const std::vector<Rational> before(8, Rational(7, 9));
     std::vector<Rational> values;
     const auto evaluate = [&](const Rational& u, const WordLine& line) {

@@ -1,6 +1,6 @@
 // Sums by residues: at high degree against the product at points, where the evident formula takes long.
 
-#include "linear_factor_cases.hpp"
+#include "blossom_sums_cases.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -8,7 +8,7 @@
 using namespace blossom;
 using namespace blossom::testing;
 
-TEST_CASE("sums by residues", "[linear_factor_sums]") {
+TEST_CASE("sums by residues", "[blossom_sums]") {
     Random random(7);
     Met met;
     for (int i = 0; i < 120; ++i) {
@@ -19,7 +19,7 @@ TEST_CASE("sums by residues", "[linear_factor_sums]") {
 }
 
 // With numbers w t^k the sum is w times the product of the factors at t.
-TEST_CASE("sums by residues of high degree", "[linear_factor_sums]") {
+TEST_CASE("sums by residues of high degree", "[blossom_sums]") {
     Random random(11);
     int different_from_zero = 0;
     // Where transforms begin, where they grow, and where each leaf of one is full.
@@ -67,7 +67,7 @@ TEST_CASE("sums by residues of high degree", "[linear_factor_sums]") {
             expected += weight * Rational(numerator, denominator);
         }
         different_from_zero += expected.is_zero() ? 0 : 1;
-        const LinearFactorSums sums(RationalVector(numbers), 1);
+        const BlossomSums sums(RationalVector(numbers), 1);
         Rational value;
         sums.evaluate(wide_factors, 0, {&value, 1});
         CHECK(value == expected);
@@ -78,7 +78,7 @@ TEST_CASE("sums by residues of high degree", "[linear_factor_sums]") {
     CHECK(different_from_zero > 110);
 }
 
-TEST_CASE("sums by residues of factors beyond words and of negative denominators", "[linear_factor_sums]") {
+TEST_CASE("sums by residues of factors beyond words and of negative denominators", "[blossom_sums]") {
     Random random(8);
     for (int i = 0; i < 60; ++i) {
         const std::size_t n = 16 + random.below(8);
@@ -99,7 +99,7 @@ TEST_CASE("sums by residues of factors beyond words and of negative denominators
         }
         Rational expected;
         for (std::size_t k = 0; k <= n; ++k) expected += numbers[k] * product[k];
-        const LinearFactorSums sums(RationalVector(numbers), 1);
+        const BlossomSums sums(RationalVector(numbers), 1);
         CHECK(sums.kernel(factors) == SumKernel::residues);
         Rational value;
         sums.evaluate(factors, 0, {&value, 1});
@@ -108,7 +108,7 @@ TEST_CASE("sums by residues of factors beyond words and of negative denominators
 }
 
 // Their magnitudes straddle those that one more group of primes is taken for, and half the product of primes.
-TEST_CASE("sums by residues at the limits of a number of primes", "[linear_factor_sums]") {
+TEST_CASE("sums by residues at the limits of a number of primes", "[blossom_sums]") {
     for (const std::size_t n : {std::size_t{16}, std::size_t{80}}) {
         for (std::size_t rest = 10; rest <= 460; rest += n == 16 ? 1 : 3) {
             for (const int sign : {-1, 1}) {
@@ -121,7 +121,7 @@ TEST_CASE("sums by residues at the limits of a number of primes", "[linear_facto
                         std::swap(given.numbers.front(), given.numbers.back());
                         for (WordFactor& factor : given.factors) std::swap(factor.constant, factor.slope);
                     }
-                    const LinearFactorSums sums(RationalVector(given.numbers), 1);
+                    const BlossomSums sums(RationalVector(given.numbers), 1);
                     REQUIRE(sums.kernel(given.factors) == SumKernel::residues);
                     Rational value;
                     sums.evaluate(given.factors, 0, {&value, 1});
@@ -132,7 +132,7 @@ TEST_CASE("sums by residues at the limits of a number of primes", "[linear_facto
     }
 }
 
-TEST_CASE("one prepared row is asked by several threads for sums of growing size", "[linear_factor_sums]") {
+TEST_CASE("one prepared row is asked by several threads for sums of growing size", "[blossom_sums]") {
     Random random(9);
     std::vector<Case> cases;
     const Case first = random_case(random, 20, 700, 60);
@@ -141,7 +141,7 @@ TEST_CASE("one prepared row is asked by several threads for sums of growing size
         cases.push_back({first.numbers, random_case(random, 20, 1, 6 + 5 * i).factors});
         expected.push_back(evident_sum(first.numbers, cases.back().factors));
     }
-    const LinearFactorSums sums(RationalVector(first.numbers), 1);
+    const BlossomSums sums(RationalVector(first.numbers), 1);
     std::vector<Rational> values(24);
     const auto work = [&](std::size_t thread) {
         for (std::size_t i = 0; i < 12; ++i)

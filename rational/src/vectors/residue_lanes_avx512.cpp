@@ -36,8 +36,12 @@ struct Ifma {
         __m512i prime, twice, delta, inverse;
     };
 
-    static __m512i load(const Octet& from, std::size_t /*part*/) { return _mm512_load_si512(&from); }
-    static void store(Octet& to, std::size_t /*part*/, __m512i value) { _mm512_store_si512(&to, value); }
+    // Not all temporaries of functions that are compiled for fewer instructions are aligned as declared: GCC
+    // 12 leaves some at 32 bytes.
+    static __m512i load(const ResidueVector& from, std::size_t /*part*/) { return _mm512_loadu_si512(&from); }
+    static void store(ResidueVector& to, std::size_t /*part*/, __m512i value) {
+        _mm512_storeu_si512(&to, value);
+    }
     static __m512i broadcast(std::uint64_t value) { return _mm512_set1_epi64(static_cast<long long>(value)); }
 
     static void add_product(Sum& sum, __m512i a, __m512i b) {
@@ -101,7 +105,7 @@ private:
 
 }  // namespace
 
-const Operations ifma_operations = OperationsOf<Ifma>::table;
+const Operations avx512_operations = OperationsOf<Ifma>::table;
 
 }  // namespace blossom::residues
 

@@ -1,11 +1,11 @@
 // Every kernel against the evident formula on Rational, at the limits of each kernel.
 
-#include "linear_factor_cases.hpp"
+#include "blossom_sums_cases.hpp"
 
 using namespace blossom;
 using namespace blossom::testing;
 
-TEST_CASE("sums over products of linear factors of every size", "[linear_factor_sums]") {
+TEST_CASE("sums over products of linear factors of every size", "[blossom_sums]") {
     Random random(4);
     Met met;
     for (int i = 0; i < 20'000; ++i) {
@@ -20,7 +20,7 @@ TEST_CASE("sums over products of linear factors of every size", "[linear_factor_
     CHECK(met[SumKernel::integers] > 30);
 }
 
-TEST_CASE("sums that overflow a kernel by one bit", "[linear_factor_sums]") {
+TEST_CASE("sums that overflow a kernel by one bit", "[blossom_sums]") {
     for (const std::size_t limit : {std::size_t{63}, std::size_t{127}, std::size_t{511}}) {
         const SumKernel last = limit == 63    ? SumKernel::word
                                : limit == 127 ? SumKernel::wide
@@ -46,7 +46,7 @@ TEST_CASE("sums that overflow a kernel by one bit", "[linear_factor_sums]") {
     }
 }
 
-TEST_CASE("factors and denominators at the limits of a word", "[linear_factor_sums]") {
+TEST_CASE("factors and denominators at the limits of a word", "[blossom_sums]") {
     Random random(5);
     Met met;
     const std::int64_t extremes[] = {greatest_word, -greatest_word, greatest_word - 1, 0, 1, -1};
@@ -64,7 +64,7 @@ TEST_CASE("factors and denominators at the limits of a word", "[linear_factor_su
     CHECK(met[SumKernel::limbs] > 1000);
 }
 
-TEST_CASE("much cancels: numerators and denominators that share primes", "[linear_factor_sums]") {
+TEST_CASE("much cancels: numerators and denominators that share primes", "[blossom_sums]") {
     Random random(6);
     Met met;
     for (int i = 0; i < 5000; ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("much cancels: numerators and denominators that share primes", "[linea
     CHECK(met[SumKernel::limbs] > 100);
 }
 
-TEST_CASE("sums without factors, and rows of zeros", "[linear_factor_sums]") {
+TEST_CASE("sums without factors, and rows of zeros", "[blossom_sums]") {
     Met met;
     check({{Rational(7, 3)}, {}}, met);
     check({{Rational()}, {}}, met);
@@ -90,9 +90,9 @@ TEST_CASE("sums without factors, and rows of zeros", "[linear_factor_sums]") {
     check({std::vector<Rational>(71, Rational(1, 2)), std::vector<WordFactor>(70, {1, 1, 2})}, met);
 }
 
-TEST_CASE("rows are taken from the one asked for", "[linear_factor_sums]") {
+TEST_CASE("rows are taken from the one asked for", "[blossom_sums]") {
     const std::vector<Rational> numbers{1, Rational(1, 2), 3, 4, Rational(-5, 7), pow(Rational(3), 90)};
-    const LinearFactorSums sums(RationalVector(numbers), 3);
+    const BlossomSums sums(RationalVector(numbers), 3);
     CHECK(sums.rows() == 3);
     CHECK(sums.degree() == 1);
     const std::vector<WordFactor> factor{{2, 3, 5}};
@@ -103,7 +103,7 @@ TEST_CASE("rows are taken from the one asked for", "[linear_factor_sums]") {
     }
 }
 
-TEST_CASE("every kernel has one rule, in order", "[linear_factor_sums]") {
+TEST_CASE("every kernel has one rule, in order", "[blossom_sums]") {
     int expected = 0;
     for (const SumKernelRule& rule : sum_kernel_rules()) {
         CHECK(static_cast<int>(rule.kernel) == expected++);

@@ -1,0 +1,40 @@
+#pragma once
+
+// All that runs on vector instructions, in one table for each level of them.
+
+#include "eight_sums.hpp"
+#include "factor_products.hpp"
+#include "fold_blocks.hpp"
+#include "gcd_lanes.hpp"
+#include "residue_batches.hpp"
+#include "residue_lanes.hpp"
+#include "taylor_lanes.hpp"
+
+namespace blossom::vectors {
+
+/// What a level of vector instructions offers. Null pointers stand for what it has not: the callers then go
+/// another way.
+struct Table {
+    const residues::Operations* residues;    ///< on every level
+    const taylor_lanes::Operations* taylor;  ///< on every level
+    const eight_sums::Operations* eight_sums;
+    const eight_sums::WideOperations* eight_wide_sums;
+    factor_products::Multiply factor_products;
+    fold_blocks::Fold fold_blocks;
+    const gcd_lanes::Operations* gcds;
+    residues::IntegersOfResidues integers_of_residues;
+};
+
+/// That of the greatest level that this build, the processor and the environment variable
+/// BLOSSOM_VECTOR_LEVEL allow: "ifma" (all), "avx2" or "portable"; without the variable all levels are
+/// allowed.
+/// Errors: `wrong_kind` if the variable is anything else.
+const Table& chosen_table();
+
+/// The same for the whole life of the program.
+inline const Table& table() {
+    static const Table& chosen = chosen_table();
+    return chosen;
+}
+
+}  // namespace blossom::vectors

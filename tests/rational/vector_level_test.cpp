@@ -1,0 +1,22 @@
+#include <blossom/rational/taylor_shift.hpp>
+
+#include <vector>
+
+#include "support/catch.hpp"
+#include "support/failure.hpp"
+
+using namespace blossom;
+using namespace blossom::testing;
+
+// Run apart, with BLOSSOM_VECTOR_LEVEL=avx512 in the environment.
+TEST_CASE("a vector level that there is not is refused at every use", "[.][unknown_vector_level]") {
+    const std::vector<Integer> too_many_for_words(100, 1);
+    for (int use = 0; use < 2; ++use) {
+        const std::optional<Error> error = failure([&] { shifted_by_one(too_many_for_words); });
+        REQUIRE(error);
+        CHECK(error->code() == ErrorCode::wrong_kind);
+        CHECK(
+            error->message() ==
+            R"(the environment variable BLOSSOM_VECTOR_LEVEL is "avx512"; it must be "ifma", "avx2" or "portable")");
+    }
+}
