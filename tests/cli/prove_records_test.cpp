@@ -110,7 +110,7 @@ TEST_CASE("a report for JUnit counts what is not as expected") {
     </testcase>
     <testcase classname="standard input" name="one, line 3" />
     <testcase classname="standard input" name="one, line 5">
-      <failure message="refuted">refuted   one  which was claimed
+      <failure message="refuted">refuted   one  (expected: proved)
     x = 0, y = 1
     left side 0, right side 1
 </failure>

@@ -100,7 +100,7 @@ TEST_CASE("what is wrong in a statement is said where it is") {
         return std::to_string(*decisions[0].error()->offset()) + " " + decisions[0].error()->message();
     };
     CHECK(message("claim c(t) == 1").starts_with("6 there is no map or function \"c\""));
-    CHECK(message("map b degree 2\nclaim b[s] == 1") == "21 1 arguments of the blossom found, b expects 2");
+    CHECK(message("map b degree 2\nclaim b[s] == 1") == "21 the blossom of b takes 2 arguments, found 1");
     CHECK(message("map b degree 2\nclaim b == 1").starts_with("21 \"b\" is a map"));
     CHECK(message("map b degree n\nclaim 1 == 1").starts_with("13 an expression with variables found"));
     CHECK(message("claim delta == 1") == "6 a vector of dimension 1 found, expected a number");

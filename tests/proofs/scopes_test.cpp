@@ -187,14 +187,14 @@ TEST_CASE("a strict text declares every name, and warns of none") {
 
 TEST_CASE("names that occur once, or nearly are others, are warned of") {
     CHECK(warnings("claim x + y == y") ==
-          "1:7 \"x\" is declared nowhere and occurs once; it stands for any number\n");
+          "1:7 \"x\" is not declared and occurs once; it stands for any number\n");
     CHECK(warnings("claim x == x") == "");
     CHECK(warnings("number x\nclaim x == 1") == "");
     CHECK(warnings("number gamma\nclaim gamma + gamme + gamme == 0") ==
-          "2:15 \"gamme\" is declared nowhere and so stands for any number; did you mean \"gamma\"?\n");
+          "2:15 \"gamme\" is not declared and therefore stands for any number; did you mean \"gamma\"?\n");
     CHECK(warnings("claim detla + detla == 0").find("did you mean \"delta\"?") != std::string::npos);
     CHECK(warnings("number abc\nclaim abd + abd == 0") == "");
     CHECK(warnings("claim sum(i, 1, 3, i) + t_i + i == 0") ==
-          "1:25 \"t\" is declared nowhere and occurs once; it stands for any number\n");
+          "1:25 \"t\" is not declared and occurs once; it stands for any number\n");
     CHECK(warnings("poly P(t) degree 1 = t\ngiven P(x) == x for all x\nclaim P(1) == 1") == "");
 }

@@ -105,9 +105,9 @@ std::string_view complaint(const Decision& decision) {
         decision.verdict() == Verdict::disagreement) {
         return "";
     }
-    if (decision.expectation == Expectation::proof) return "  which was claimed";
-    return decision.verdict() == Verdict::proved ? "  which was to be refuted"
-                                                 : "  which was to be refuted in every case";
+    if (decision.expectation == Expectation::proof) return "  (expected: proved)";
+    return decision.verdict() == Verdict::proved ? "  (expected: refuted)"
+                                                 : "  (expected: refuted in every case)";
 }
 
 std::string notes(const Decision& decision) {
@@ -141,8 +141,9 @@ std::string readable(const proofs::Block& block, const Decision& decision, const
     const std::string verdicts = verdicts_text(block, decision);
     if (!verdicts.empty()) text += "  " + verdicts;
     if (decision.verdict() == Verdict::proved) {
-        text += fmt::format("  ({} {}, {} terms)", decision.cases.size(),
-                            decision.cases.size() == 1 ? "case" : "cases", decision.terms());
+        text += fmt::format("  ({} {}, {} {})", decision.cases.size(),
+                            decision.cases.size() == 1 ? "case" : "cases", decision.terms(),
+                            decision.terms() == 1 ? "term" : "terms");
     }
     text += style.bad(std::string(complaint(decision))) + "\n" + notes(decision);
     if (const proofs::Counterexample* found = decision.counterexample()) text += readable(*found);

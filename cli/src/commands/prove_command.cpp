@@ -193,7 +193,8 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
             streams.output(fmt::format("    only where {}\n", fmt::join(line.where, ", ")));
         if (!line.problem.empty()) streams.output(fmt::format("    {}\n", line.problem));
     }
-    streams.output(fmt::format("{} claims confirmed in all cases\n", confirmed));
+    streams.output(
+        fmt::format("{} {} confirmed in all cases\n", confirmed, confirmed == 1 ? "claim" : "claims"));
     return complete ? Outcome::success : Outcome::refused;
 }
 

@@ -211,8 +211,8 @@ void Elimination::grow(Branch& branch) {
     if (branch.end != Branch::End::unknown) return;
     if (++branches_ > most_branches) {
         throw Error(ErrorCode::limit_exceeded,
-                    "the hypotheses fall into more than " + std::to_string(most_branches) +
-                        " cases by pivots that may vanish; state with \"assume\" what does not vanish",
+                    "the hypotheses lead to more than " + std::to_string(most_branches) +
+                        " cases; state with \"assume\" which of their pivots do not vanish",
                     "", block_.hypotheses.front().offset);
     }
     BranchState state = std::move(branch.state);
@@ -229,11 +229,11 @@ void Elimination::grow(Branch& branch) {
         const std::optional<Candidate> candidate = best_candidate(state);
         if (!candidate) {
             if (!state.by_split) {
-                throw Error(ErrorCode::syntax,
-                            "this hypothesis is linear neither in the values of the maps nor in a variable, "
-                            "and has no "
-                            "power of a variable alone",
-                            "", state.equations.front().offset);
+                throw Error(
+                    ErrorCode::syntax,
+                    "this hypothesis cannot be solved: it is linear neither in a value of a map nor in "
+                    "a variable, and no variable has its highest power with a constant coefficient",
+                    "", state.equations.front().offset);
             }
             branch.end = Branch::End::open;
             return;

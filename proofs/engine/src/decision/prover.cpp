@@ -101,7 +101,7 @@ private:
             if (objection && !outcome.witness->algebraic.empty()) {
                 throw Error(
                     ErrorCode::limit_exceeded,
-                    "the sides differ at a root of the hypotheses, which the second road did not reach: " +
+                    "the sides differ at a root of the hypotheses that the second reading did not reach: " +
                         *objection,
                     "", relation.offset);
             }

@@ -120,13 +120,12 @@ std::optional<std::string> SecondOpinion::on_proof(const GroundBlock& block, con
     const second::Comparison compared = second::compare(*reading_, which, named(outcome.steps, block.symbols),
                                                         comparison_points, comparison_seed);
     if (compared.result == second::Comparison::Result::no_point) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "no point was found that satisfies the hypotheses, so that the text read anew could not "
-                    "be evaluated: " +
-                        compared.note);
+        throw Error(
+            ErrorCode::limit_exceeded,
+            "the second reading of the text found no point that satisfies the hypotheses: " + compared.note);
     }
     if (compared.result != second::Comparison::Result::agree) {
-        return "the text read anew has two different sides: " + compared.note;
+        return "in the second reading of the text the sides differ: " + compared.note;
     }
     const std::string problem = checker_.problem_of(certificate);
     if (!problem.empty()) return "the certificate is refused: " + problem;
@@ -140,7 +139,7 @@ std::optional<std::string> SecondOpinion::on_refutation(const GroundBlock& block
         second::confirm(*reading_, which, outcome.witness->values, outcome.witness->algebraic,
                         named(outcome.steps, block.symbols));
     if (compared.result == second::Comparison::Result::differ) return std::nullopt;
-    return "the counterexample is none for the text read anew: " + compared.note;
+    return "it is not a counterexample in the second reading of the text: " + compared.note;
 }
 
 }  // namespace blossom::proofs

@@ -90,8 +90,8 @@ NodeId Grounder::blossom(const Expression& e, Application result) {
         for (const Expression& given : e.groups[i]) add_arguments(given, map, i, result.arguments[i]);
         if (result.arguments[i].size() != map.directions[i].degree) {
             throw Error(ErrorCode::wrong_arity,
-                        std::to_string(result.arguments[i].size()) + " arguments of the blossom found, " +
-                            e.name + " expects " + std::to_string(map.directions[i].degree),
+                        "the blossom of " + e.name + " takes " + std::to_string(map.directions[i].degree) +
+                            " arguments, found " + std::to_string(result.arguments[i].size()),
                         "", e.offset);
         }
     }

@@ -142,12 +142,11 @@ std::vector<Warning> doubtful_names(const Block& block) {
         if (near != known.end()) {
             warnings.push_back(
                 {found.first, quoted(name) +
-                                  " is declared nowhere and so stands for any number; did you mean " +
+                                  " is not declared and therefore stands for any number; did you mean " +
                                   quoted(*near) + "?"});
         } else if (found.count == 1) {
             warnings.push_back(
-                {found.first,
-                 quoted(name) + " is declared nowhere and occurs once; it stands for any number"});
+                {found.first, quoted(name) + " is not declared and occurs once; it stands for any number"});
         }
     };
     for (const auto& [name, found] : free.bare()) consider(name, found);
