@@ -115,7 +115,7 @@ struct Blossom::Kernel {
 Blossom::Blossom(PolynomialMap map, Limits limits)
     : degree_(degree_of(map)),
       dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
-    require_within(degree_, limits.degree, "degree", "the formal degree", "/degree");
+    require_within(degree_, limits.degree, "degree", "the formal degree", Part::degree);
     kernel_ = std::make_shared<const Kernel>(map, limits, LinearFactorSums::Use::many);
 }
 

@@ -23,7 +23,7 @@ constexpr std::size_t most_terms = 24;
     throw Error(
         error.code(),
         "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + error.message(),
-        error.field(), error.offset());
+        error.place(), error.offset());
 }
 
 /// The case of the counterexample, written out where it can be.
@@ -139,7 +139,8 @@ std::vector<Document> claims_decided(std::string_view statement, const Limits& l
         }
     }
     if (pages.empty())
-        throw Error(ErrorCode::wrong_arity, R"(the statement has no line "claim" or "refute")", "/statement");
+        throw Error(ErrorCode::wrong_arity, R"(the statement has no line "claim" or "refute")",
+                    Part::statement);
     return pages;
 }
 

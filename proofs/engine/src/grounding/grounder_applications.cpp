@@ -92,7 +92,7 @@ NodeId Grounder::blossom(const Expression& e, Application result) {
             throw Error(ErrorCode::wrong_arity,
                         std::to_string(result.arguments[i].size()) + " arguments of the blossom found, " +
                             e.name + " expects " + std::to_string(map.directions[i].degree),
-                        "", e.offset);
+                        {}, e.offset);
         }
     }
     return push(std::move(result));
