@@ -167,7 +167,7 @@ Map read_splinepy_spline(const Json& data, const Limits& limits) {
     const auto degrees = fields.required("degrees", [&](const Json& value) {
         return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
     });
-    if (degrees.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves, "/degrees");
+    if (degrees.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves, Place{"degrees"});
     std::vector<Coordinates> points = fields.required("control_points", read_rows);
     const auto weights = fields.optional("weights", read_weights);
     const auto knots = fields.optional("knot_vectors", [](const Json& value) {
@@ -187,7 +187,7 @@ std::vector<Map> read_splinepy(const Json& document, const Limits& limits) {
     if (encoded) {
         throw Error(ErrorCode::wrong_kind,
                     "the numbers are written in base 64; export them with base64encoding=False",
-                    "/Base64Encoding");
+                    Place{"Base64Encoding"});
     }
     return fields.required("SplineList", [&](const Json& list) {
         return read_list(list, [&](const Json& data) { return read_splinepy_spline(data, limits); });

@@ -149,7 +149,7 @@ Map read_simplex(Fields& fields, const Limits& limits) {
         const std::size_t length = pair.empty() || !pair.front().array() ? 0 : pair.front().array()->size();
         if (length == 0) {
             throw Error(ErrorCode::incomplete_net, "an entry of a net is a pair of an index and a value",
-                        "/0");
+                        Place{std::size_t{0}});
         }
         dimension = length - 1;
         visit_indexed(value, dimension, degree, limits, leaf);

@@ -39,15 +39,8 @@ std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std:
         for (std::size_t d = 0; d < lists.size(); ++d) {
             within(d, [&] {
                 std::vector<Rational> numbers = read_numbers(lists[d], limits);
-                try {
-                    knots.emplace_back(degrees[d], std::move(numbers), counts[d]);
-                } catch (const Error& error) {
-                    // The engine's fields are those of a curve, "/knots/i".
-                    const std::string prefix = "/knots";
-                    const std::string& field = error.field();
-                    throw Error(error.code(), error.message(),
-                                field.starts_with(prefix) ? field.substr(prefix.size()) : "");
-                }
+                as_parameter(Part::knots,
+                             [&] { knots.emplace_back(degrees[d], std::move(numbers), counts[d]); });
             });
         }
         return knots;
