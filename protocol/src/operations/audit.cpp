@@ -165,7 +165,7 @@ Operation audit_operation() {
         .example = {"audit", "--control-points", "0; 1/3; 1/10", "--computed",
                     R"({"control_points": [0, 0.333, 0.1]})"},
         .options = with_map_options({
-            {"--computed", "/computed", "JSON",
+            {"--computed", {"computed"}, "JSON",
              R"(what the other program has for "control_points", "weights", "knots", "coefficients", )"
              R"(or for the "values" at the parameters --at)",
              apply_computed},
