@@ -12,13 +12,14 @@ namespace {
 
 /// How many entries the first of the nested arrays on each level has.
 std::vector<std::size_t> counts_of(const Json& net, std::size_t levels) {
-    std::vector<std::size_t> counts;
-    const Json* level = &net;
-    while (counts.size() < levels) {
-        const Json::Array& elements = read_array(*level);
-        if (elements.empty()) refuse_net("a control net has at least one point");
-        counts.push_back(elements.size());
-        level = &elements.front();
+    const Json::Array& elements = read_array(net);
+    if (elements.empty()) refuse_net("a control net has at least one point");
+    std::vector<std::size_t> counts{elements.size()};
+    if (levels > 1) {
+        within(std::size_t{0}, [&] {
+            const std::vector<std::size_t> inner = counts_of(elements.front(), levels - 1);
+            counts.insert(counts.end(), inner.begin(), inner.end());
+        });
     }
     return counts;
 }
