@@ -83,8 +83,8 @@ Json success_response(const Json& request, Json result) {
 
 Json error_response(const Json& request, const Error& error) {
     Json response = response_to(request, false);
-    response["error"] =
-        Json::Object{{"code", error_name(error.code())}, {"message", error.message()}, {"at", error.field()}};
+    response["error"] = Json::Object{
+        {"code", error_name(error.code())}, {"message", error.message()}, {"at", pointer_of(error.place())}};
     return response;
 }
 

@@ -104,5 +104,5 @@ TEST_CASE("a formal degree beyond the limit is refused", "[blossom][limits]") {
     const auto error = failure([&] { Blossom(PolynomialCurve(Polynomial(1), 6), limits); });
     REQUIRE(error);
     CHECK(error->code() == ErrorCode::limit_exceeded);
-    CHECK(error->field() == "/degree");
+    CHECK(error->place() == Part::degree);
 }

@@ -100,7 +100,7 @@ TEST_CASE("a blossom takes as many arguments as its formal degree", "[blossom]")
             const auto error = failure([&] { construct(map, list); });
             REQUIRE(error);
             CHECK(error->code() == ErrorCode::wrong_arity);
-            CHECK(error->field() == "/arguments");
+            CHECK(error->place() == Part::arguments);
         }
     }
 }

@@ -131,7 +131,7 @@ TEST_CASE("derose-46-c2cond: over simple knots cubic segments meet with order 2,
     const auto end = failure([&] { contact(curve, 2); });
     REQUIRE(end);
     CHECK(end->code() == ErrorCode::outside_domain);
-    CHECK(end->field() == "/at");
+    CHECK(end->place() == Part::at);
     CHECK(failure_code([&] { contact(curve, 5); }) == ErrorCode::outside_domain);
     CHECK(failure_code([&] { contact(curve, 6); }) == ErrorCode::outside_domain);
 }

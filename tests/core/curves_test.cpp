@@ -64,7 +64,7 @@ TEST_CASE("an array of points has one dimension", "[curves]") {
     const auto error = failure([&] { PointArray array_of_uneven(uneven); });
     REQUIRE(error);
     CHECK(error->code() == ErrorCode::mismatched_dimensions);
-    CHECK(error->field() == "/2");
+    CHECK(error->place() == Place{std::size_t{2}});
     const std::vector<Coordinates> flat{{}, {}};
     CHECK(failure_code([&] { PointArray array_of_flat(flat); }) == ErrorCode::mismatched_dimensions);
     CHECK(failure_code([] { PointArray array_of_none(std::span<const Coordinates>{}); }) ==
@@ -131,7 +131,7 @@ TEST_CASE("a control polygon names the point that does not fit", "[curves]") {
     const auto error = failure([&] { BezierCurve curve(uneven); });
     REQUIRE(error);
     CHECK(error->code() == ErrorCode::mismatched_dimensions);
-    CHECK(error->field() == "/control_points/1");
+    CHECK(error->place() == Part::control_points / 1);
     const std::vector<Coordinates> points{{1, 2}, {3, 4}, {5, 6}};
     CHECK(BezierCurve(points).degree() == 2);
     CHECK(BezierCurve(points).dimension() == 2);

@@ -48,7 +48,7 @@ TEST_CASE("the blossom of a segment is asked for by its span", "[de_boor]") {
     const auto arity = failure([&] { segment_blossom(curve, 3, std::span(arguments).first(2)); });
     REQUIRE(arity);
     CHECK(arity->code() == ErrorCode::wrong_arity);
-    CHECK(arity->field() == "/arguments");
+    CHECK(arity->place() == Part::arguments);
     CHECK(failure_code([&] { only_span(curve.knots()); }) == ErrorCode::outside_domain);
     CHECK(only_span(KnotVector(2, {0, 0, 1, 1}, 3)) == 1U);
 }

@@ -169,7 +169,7 @@ TEST_CASE("a reduction to what cannot be is refused", "[degree_reduction]") {
                 CHECK(error.has_value() != allowed(n, m, method));
                 if (!error) continue;
                 CHECK(error->code() == ErrorCode::degree_too_low);
-                CHECK(error->field() == "/to");
+                CHECK(error->place() == Part::to);
                 CHECK(error->message().find("to " + std::to_string(m)) != std::string::npos);
             }
         }

@@ -137,7 +137,7 @@ TEST_CASE("samples at the nodes give the same control points as the map", "[inve
         REQUIRE(error);
         CHECK(error->code() == ErrorCode::missing_sample);
         CHECK(error->message().find("at " + to_string(missing) + ",") != std::string::npos);
-        CHECK(error->field() == "/values");
+        CHECK(error->place() == Part::values);
     }
 }
 

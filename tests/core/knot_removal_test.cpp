@@ -131,13 +131,13 @@ TEST_CASE("only knots between those that bound the domain can be removed, and on
         const auto refused = failure([&] { remove_knot(curve, knot); });
         REQUIRE(refused);
         CHECK(refused->code() == ErrorCode::bad_knots);
-        CHECK(refused->field() == "/knot");
+        CHECK(refused->place() == Part::knot);
     }
     const auto often = failure([&] { remove_knot(curve, 2, 2); });
     REQUIRE(often);
     CHECK(often->message() ==
           "the knot 2 occurs 1 times between those that bound the domain; it cannot be removed 2 times");
-    CHECK(often->field() == "/times");
+    CHECK(often->place() == Part::times);
     CHECK(remove_knot(curve, 2, 0).removed == 0);
 
     const std::vector<Rational> at_ends{1, 3};

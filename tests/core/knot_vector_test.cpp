@@ -26,7 +26,7 @@ TEST_CASE("the number of knots tells the convention", "[knots]") {
     REQUIRE(wrong);
     CHECK(wrong->code() == ErrorCode::bad_knots);
     CHECK(wrong->message() == "5 control points of degree 3 need 9 or 7 knots, not 8");
-    CHECK(wrong->field() == "/knots");
+    CHECK(wrong->place() == Part::knots);
     CHECK(failure_code([] { knots(0, {0}, 2); }) == ErrorCode::bad_knots);
 }
 
@@ -38,20 +38,20 @@ TEST_CASE("what is wrong with knots is said with index, value and rule", "[knots
     REQUIRE(repeated);
     CHECK(repeated->code() == ErrorCode::bad_knots);
     CHECK(repeated->message() == "knot 5 (1/3) has multiplicity 5, more than degree + 1 = 4");
-    CHECK(repeated->field() == "/knots/5");
+    CHECK(repeated->place() == Part::knots / 5);
 
     const auto decreasing = failure([] { knots(2, {0, 1, 3, 2, 4}, 4); });
     REQUIRE(decreasing);
     CHECK(decreasing->code() == ErrorCode::bad_knots);
     CHECK(decreasing->message() == "knot 3 (2) is less than knot 2 (3); knots must not decrease");
-    CHECK(decreasing->field() == "/knots/3");
+    CHECK(decreasing->place() == Part::knots / 3);
 
     CHECK(failure_code([] { knots(2, {0, 1, 1, 2}, 3); }) == ErrorCode::bad_knots);
     CHECK_FALSE(failure([] { knots(2, {0, 1, 2, 2}, 3); }));
     const auto few = failure([] { knots(3, zero_to_seven, 3); });
     REQUIRE(few);
     CHECK(few->code() == ErrorCode::wrong_arity);
-    CHECK(few->field() == "/control_points");
+    CHECK(few->place() == Part::control_points);
     CHECK(failure_code([] { knots(SIZE_MAX, {0, 1}, 2); }) == ErrorCode::wrong_arity);
     CHECK_FALSE(failure([] { knots(3, {0, 0, 0, 0, 1, 1, 1, 1}, 4); }));
     CHECK(failure_code([] { knots(3, {0, 0, 0, 0, 0, 1, 1, 1, 1}, 5); }) == ErrorCode::bad_knots);
@@ -63,7 +63,7 @@ TEST_CASE("points must be as many as the knots are for, and of one dimension", "
     const auto mixed = failure([&] { BSplineCurve(linear, {{1}, {2, 3}}); });
     REQUIRE(mixed);
     CHECK(mixed->code() == ErrorCode::mismatched_dimensions);
-    CHECK(mixed->field() == "/control_points/1");
+    CHECK(mixed->place() == Part::control_points / 1);
     CHECK(failure_code([&] { BSplineCurve(linear, {{}, {}}); }) == ErrorCode::mismatched_dimensions);
     CHECK(BSplineCurve(linear, {{1}, {2}}) == BSplineCurve(1, {0, 0, 1, 1}, {{1}, {2}}));
     CHECK_FALSE(BSplineCurve(linear, {{1}, {2}}) == BSplineCurve(1, {0, 1}, {{1}, {2}}));
@@ -128,7 +128,7 @@ TEST_CASE("only spans of the domain that are not empty are segments", "[knots]")
         const auto refused = failure([&] { repeated.require_span(span); });
         REQUIRE(refused);
         CHECK(refused->code() == ErrorCode::outside_domain);
-        CHECK(refused->field() == "/segment");
+        CHECK(refused->place() == Part::segment);
     }
 }
 

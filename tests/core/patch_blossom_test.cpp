@@ -104,16 +104,16 @@ TEST_CASE("patch arguments: what does not fit the shape is refused with its plac
     const auto error_of = [&](const PatchArguments& arguments) {
         return failure([&] { blossom_value(triangle, arguments); });
     };
-    CHECK(error_of({})->field() == "/arguments");
+    CHECK(error_of({})->place() == Part::arguments);
     CHECK(error_of({})->code() == ErrorCode::wrong_arity);
-    CHECK(error_of({{point}})->field() == "/arguments/0");
+    CHECK(error_of({{point}})->place() == Part::arguments / 0);
     CHECK(error_of({{point}})->code() == ErrorCode::wrong_arity);
-    CHECK(error_of({{point, {1, 0}}})->field() == "/arguments/0/1");
+    CHECK(error_of({{point, {1, 0}}})->place() == Part::arguments / 0 / 1);
     CHECK(error_of({{point, {1, 0}}})->code() == ErrorCode::mismatched_dimensions);
     CHECK(error_of({{point, point}}) == std::nullopt);
 
     CHECK(failure_code([&] { evaluate(triangle, PatchPoint{{1, 1, 0}}); }) == ErrorCode::not_affine);
-    CHECK(failure([&] { evaluate(triangle, PatchPoint{{1, 1, 0}}); })->field() == "/at/0/0");
+    CHECK(failure([&] { evaluate(triangle, PatchPoint{{1, 1, 0}}); })->place() == Part::at / 0 / 0);
     CHECK(failure_code([&] { evaluate(triangle, PatchPoint{{1, 0}}); }) == ErrorCode::mismatched_dimensions);
     CHECK(failure_code([&] { BezierPatch(NetShape::simplex(2, 2), std::span(net).first(5)); }) ==
           ErrorCode::incomplete_net);

@@ -179,7 +179,7 @@ TEST_CASE("patch frames: dependent elements are named") {
     CHECK(error_of({a, b, middle})->code() == ErrorCode::degenerate_simplex);
     CHECK(error_of({a, b, middle})->message() ==
           "the elements 0, 1 and 2 of the frame are linearly dependent");
-    CHECK(error_of({middle, a, b})->field() == "/elements/2");
+    CHECK(error_of({middle, a, b})->place() == Part::elements / 2);
     CHECK(error_of({a, b, b})->message() == "the elements 1 and 2 of the frame are linearly dependent");
     CHECK(error_of({a, Coordinates(3), b})->message() == "element 1 of the frame is zero");
     CHECK(error_of({a, b})->code() == ErrorCode::wrong_arity);

@@ -214,5 +214,5 @@ TEST_CASE("regrouped polarization is refused beyond its limit", "[polarization][
     REQUIRE(error);
     CHECK(error->code() == ErrorCode::limit_exceeded);
     CHECK(error->message().find("regrouping_work") != std::string::npos);
-    CHECK(error->field() == "/arguments");
+    CHECK(error->place() == Part::arguments);
 }

@@ -198,7 +198,7 @@ TEST_CASE("barycentric frames: coordinates of points and vectors, and what is no
     };
     CHECK(error_of({{0, 0}, {1, 1}, {0, 1}, {2, 2}})->message() ==
           "the vertices 0, 1 and 3 are affinely dependent");
-    CHECK(error_of({{0, 0}, {1, 1}, {0, 1}, {2, 2}})->field() == "/vertices/3");
+    CHECK(error_of({{0, 0}, {1, 1}, {0, 1}, {2, 2}})->place() == Part::vertices / 3);
     CHECK(error_of({{0, 0}, {1, 2}, {0, 0}})->message() == "the vertices 0 and 2 are the same point");
     CHECK(error_of({{0, 0}, {1, 2}, {0, 0}})->code() == ErrorCode::degenerate_simplex);
     CHECK(error_of({{0, 0}, {1}})->code() == ErrorCode::mismatched_dimensions);

@@ -125,7 +125,7 @@ TEST_CASE("batches fill exactly the places they are given", "[blossom][batch]") 
             failure([&] { blossom.values(tuples, std::span(results).first(size), 2); });
         REQUIRE(error);
         CHECK(error->code() == ErrorCode::mismatched_dimensions);
-        CHECK(error->field() == "/results");
+        CHECK(error->place() == Part::results);
     }
     tuples[10].pop_back();
     CHECK(failure_code([&] { blossom.values(tuples, std::span(results).first(22)); }) ==

@@ -177,13 +177,13 @@ TEST_CASE("curves that are not adjacent, not of one dimension or not smooth enou
     REQUIRE(gap);
     CHECK(gap->code() == ErrorCode::not_adjacent);
     CHECK(gap->message() == "the interval [2, 3] of map 1 does not begin where [0, 1] of map 0 ends");
-    CHECK(gap->field() == "/maps/1/interval");
+    CHECK(gap->place() == Part::maps / 1 / Part::interval);
     CHECK(failure_code([&] { join(std::vector{right, left}); }) == ErrorCode::not_adjacent);
     const auto dimensions = failure(
         [&] { join(std::vector{left, BezierCurve(std::vector<Coordinates>{{4, 5}}, Interval(1, 2))}); });
     REQUIRE(dimensions);
     CHECK(dimensions->code() == ErrorCode::mismatched_dimensions);
-    CHECK(dimensions->field() == "/maps/1/control_points");
+    CHECK(dimensions->place() == Part::maps / 1 / Part::control_points);
 
     const auto rough =
         failure([&] { join(std::vector{left, right}, KnotVector(2, {0, 0, 0, 1, 2, 2, 2}, 4)); });
@@ -192,7 +192,7 @@ TEST_CASE("curves that are not adjacent, not of one dimension or not smooth enou
     CHECK(rough->message() ==
           "multiplicity 1 of the knot 1 in degree 2 needs order 1 of maps 0 and 1. The curves meet with "
           "order 0 at 1, sharing the point but not the tangent: the blossom values at (1, 2) are 7 and 6");
-    CHECK(rough->field() == "/maps/1");
+    CHECK(rough->place() == Part::maps / 1);
     CHECK_FALSE(failure([&] { join(std::vector{left, right}, KnotVector(2, {0, 0, 0, 1, 1, 2, 2, 2}, 5)); }));
     CHECK(failure_code([&] { join(std::vector{left, right}, KnotVector(2, {0, 0, 0, 1, 1, 3, 3, 3}, 5)); }) ==
           ErrorCode::bad_knots);

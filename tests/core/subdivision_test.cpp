@@ -67,7 +67,7 @@ TEST_CASE("a pyramid takes as many arguments as the degree", "[subdivision]") {
         const auto error = failure([&] { casteljau_pyramid(curve, with_copies({}, count, Parameter(0))); });
         REQUIRE(error);
         CHECK(error->code() == ErrorCode::wrong_arity);
-        CHECK(error->field() == "/arguments");
+        CHECK(error->place() == Part::arguments);
     }
     Limits limits;
     limits.digits = 5;

@@ -240,6 +240,6 @@ TEST_CASE("tensor B-splines: what does not fit is refused") {
     CHECK(failure_code([] { TensorBSpline({linear}, {{1}, {2}, {3, 4}}); }) ==
           ErrorCode::mismatched_dimensions);
     const TensorBSpline line({linear}, {{1}, {2}, {3}});
-    CHECK(failure([&] { evaluate(line, std::vector<Rational>{7}); })->field() == "/at/0");
+    CHECK(failure([&] { evaluate(line, std::vector<Rational>{7}); })->place() == Part::at / 0);
     CHECK(failure_code([&] { evaluate(line, std::vector<Rational>{1, 1}); }) == ErrorCode::wrong_arity);
 }

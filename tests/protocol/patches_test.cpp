@@ -180,7 +180,7 @@ TEST_CASE("what is no patch is refused with its place") {
     CHECK(refusal(map(simplex + "[[[1, 0], 0], [[0, 1], 1]], \"vertices\": [[1, 1], [1, 2]]")) ==
           "mismatched_dimensions /map/vertices");
     CHECK(refusal(map(simplex + "[]")) == "incomplete_net /map/control_net");
-    CHECK(refusal(map(simplex + "[[1, 2]]")) == "incomplete_net /map/control_net/0");
+    CHECK(refusal(map(simplex + "[[1, 2]]")) == "incomplete_net /map/control_net/0/0");
     const std::string tensor = R"("kind": "tensor", "degrees": [1, 1], "control_net": )";
     CHECK(refusal(map(tensor + "[[0, 1], [2]]")) == "incomplete_net /map/control_net/1");
     CHECK(refusal(map(tensor + "[[0, 1], [2, 3]], \"intervals\": [[0, 1]]")) == "wrong_arity /map/intervals");

@@ -197,7 +197,7 @@ TEST_CASE("what is no certificate is refused") {
         try {
             read_certificates(parse_json(text, Limits{}), Limits{});
         } catch (const Error& error) {
-            return error.field() + " " + error.message();
+            return pointer_of(error.place()) + " " + error.message();
         }
         return std::string();
     };

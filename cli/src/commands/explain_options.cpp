@@ -15,8 +15,9 @@ Option inside_request(const Option& option) {
     const auto apply = [option](Json& request, const std::vector<std::string>& values, const Limits& limits) {
         option.apply(request["request"], values, limits);
     };
-    return {option.name, "/request" + option.field, option.value, option.help,
-            apply,       option.repeated,           option.files};
+    return {
+        option.name, Place{"request"}.around(option.field), option.value, option.help, apply, option.repeated,
+        option.files};
 }
 
 /// The statements of a request.
@@ -27,28 +28,37 @@ Json::Array statements_of(const Json& request) {
 
 /// `prove` has a command of its own, whose options take texts as these do. They are applied in this order.
 std::vector<Option> statement_options() {
-    return {
-        {"-e,--statement", "/statement", "TEXT", "a statement, with or without \"claim\"; may be repeated",
-         [](Json& request, const std::vector<std::string>& values, const Limits&) {
-             Json::Array statements;
-             for (const std::string& value : values) statements.emplace_back(statement_text(value));
-             request["statement"] = std::move(statements);
-         },
-         true},
-        {"--degree", "/statement", "NAME=N", "declares a map for -e: b=2; may be repeated",
-         [](Json& request, const std::vector<std::string>& values, const Limits&) {
-             Json::Array statements = statements_of(request);
-             for (Json& statement : statements) statement = map_lines(values) + *statement.text();
-             request["statement"] = std::move(statements);
-         },
-         true},
-        {"FILE", "/statement", "FILE", "files of statements, or folders with files *.blossom",
-         [](Json& request, const std::vector<std::string>& values, const Limits&) {
-             Json::Array statements(values.begin(), values.end());
-             std::ranges::move(statements_of(request), std::back_inserter(statements));
-             request["statement"] = std::move(statements);
-         },
-         true, true}};
+    return {{"-e,--statement",
+             {"statement"},
+             "TEXT",
+             "a statement, with or without \"claim\"; may be repeated",
+             [](Json& request, const std::vector<std::string>& values, const Limits&) {
+                 Json::Array statements;
+                 for (const std::string& value : values) statements.emplace_back(statement_text(value));
+                 request["statement"] = std::move(statements);
+             },
+             true},
+            {"--degree",
+             {"statement"},
+             "NAME=N",
+             "declares a map for -e: b=2; may be repeated",
+             [](Json& request, const std::vector<std::string>& values, const Limits&) {
+                 Json::Array statements = statements_of(request);
+                 for (Json& statement : statements) statement = map_lines(values) + *statement.text();
+                 request["statement"] = std::move(statements);
+             },
+             true},
+            {"FILE",
+             {"statement"},
+             "FILE",
+             "files of statements, or folders with files *.blossom",
+             [](Json& request, const std::vector<std::string>& values, const Limits&) {
+                 Json::Array statements(values.begin(), values.end());
+                 std::ranges::move(statements_of(request), std::back_inserter(statements));
+                 request["statement"] = std::move(statements);
+             },
+             true,
+             true}};
 }
 
 Operation explained(const Operation& operation) {

@@ -34,7 +34,7 @@ struct ProofText {
         if (offset < prelude)
             return proofs::diagnostic("--degree", std::string_view(content).substr(0, prelude), error);
         return proofs::diagnostic(name, written(),
-                                  Error(error.code(), error.message(), error.field(), offset - prelude));
+                                  Error(error.code(), error.message(), error.place(), offset - prelude));
     }
 
 private:

@@ -107,7 +107,7 @@ std::string warnings_text(const ProofTask& task) {
     std::string text;
     for (const proofs::Warning& warning : task.warnings)
         text += "warning: " +
-                task.text->diagnostic(Error(ErrorCode::syntax, warning.message, "", warning.offset));
+                task.text->diagnostic(Error(ErrorCode::syntax, warning.message, {}, warning.offset));
     return text;
 }
 
@@ -177,7 +177,7 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
         const std::string text = read_all(path == "-" ? streams.input : file_source(path), limits.line_bytes);
         certificates = read_certificates(parse_json(text, limits), limits);
     } catch (const Error& error) {
-        const std::string place = error.field().empty() ? "" : " (at " + error.field() + ")";
+        const std::string place = error.place().empty() ? "" : " (at " + pointer_of(error.place()) + ")";
         throw UsageError(path + " is no certificate: " + error.message() + place);
     }
     bool complete = !certificates.empty();

@@ -32,13 +32,29 @@ std::string with_caret(std::string_view text, std::size_t offset, const Style& s
                        std::string(characters(text.substr(first, offset - first)), ' '), style.bad("^"));
 }
 
-/// The first option that writes what lies at `pointer`, or around it; "" if none does.
-std::string writer_of(std::string_view pointer, const std::vector<Option>& options) {
+/// Whether an option writes what lies at `place`, or around it: at its own field, or at that of the map.
+bool writes(const Option& option, const Place& place) {
+    if (place.begins_with(option.field)) return true;
+    const std::vector<Place::Step>& steps = option.field.steps();
+    Place outer;
+    for (std::size_t i = 0; i + 1 < steps.size(); ++i) outer = outer.around({steps[i]});
+    return place.begins_with((outer / Part::map).around({steps.back()}));
+}
+
+/// The option that wrote what lies at `place`, of those given the one that says most; where none was given,
+/// the first that could have written it; "" if none does.
+std::string writer_of(const Place& place, const Command& command) {
+    if (place.begins_with(Place{"numbers"})) return "--numbers";  // an option of every command
     const Option* writer = nullptr;
-    for (const Option& option : options) {
-        const bool around = pointer.starts_with(option.field) &&
-                            (pointer.size() == option.field.size() || pointer[option.field.size()] == '/');
-        if (around && (!writer || option.field.size() > writer->field.size())) writer = &option;
+    for (const GivenOption& given : command.options) {
+        const Option& option = *given.option;
+        if (!writes(option, place)) continue;
+        if (!writer || option.field.steps().size() >= writer->field.steps().size()) writer = &option;
+    }
+    if (writer) return writer->name;
+    for (const Option& option : command.operation.options) {
+        if (!place.begins_with(option.field)) continue;
+        if (!writer || option.field.steps().size() > writer->field.steps().size()) writer = &option;
     }
     return writer ? writer->name : "";
 }
@@ -62,8 +78,8 @@ Outcome report(const Refusal& refusal, const Command& command, const Streams& st
     if (command.as_json) {
         streams.output(to_text(error_response(Json(), refusal.error)) + "\n");
     } else {
-        streams.errors(readable_error(refusal.error, refusal.request, command.operation.options,
-                                      Style(streams.coloured_errors)));
+        streams.errors(
+            readable_error(refusal.error, refusal.request, command, Style(streams.coloured_errors)));
     }
     return Outcome::refused;
 }
@@ -109,19 +125,18 @@ Outcome answer_and_print(const Command& command, const Json& request, const Stre
 
 }  // namespace
 
-std::string readable_error(const Error& error, const Json& request, const std::vector<Option>& options,
+std::string readable_error(const Error& error, const Json& request, const Command& command,
                            const Style& style) {
     std::string message = fmt::format("{} {}\n", style.bad("error:"), error.message());
-    const Json* place = at_pointer(request, error.field());
+    const Json* place = at_place(request, error.place());
     const std::string* text = place ? place->text() : nullptr;
     if (text && error.offset()) return message + with_caret(*text, *error.offset(), style);
-    if (error.field().empty()) return message;
+    if (error.place().empty()) return message;
     const std::string value = place ? to_text(*place) : "";
     const bool shown = !value.empty() && value.size() <= line_width;
-    const std::string option = writer_of(error.field(), options);
-    return message + fmt::format("  at {}{}{}\n",
-                                 option.empty() ? error.field() : option + ", " + error.field(),
-                                 shown ? ": " : "", shown ? value : "");
+    const std::string option = writer_of(error.place(), command);
+    return message + fmt::format("  at {}{}{}{}{}\n", option, option.empty() ? "" : ", ",
+                                 pointer_of(error.place()), shown ? ": " : "", shown ? value : "");
 }
 
 Outcome run_command(const Command& command, const Streams& streams) {

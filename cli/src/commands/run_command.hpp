@@ -35,7 +35,7 @@ Outcome run_command(const Command& command, const Streams& streams);
 
 /// "error: ..." with the place in the request and the option that wrote it, or a caret below the column of a
 /// text.
-std::string readable_error(const Error& error, const Json& request, const std::vector<Option>& options,
+std::string readable_error(const Error& error, const Json& request, const Command& command,
                            const Style& style);
 
 }  // namespace blossom::cli

@@ -141,7 +141,7 @@ private:
     }
 
     [[noreturn]] void fail_at(std::size_t position, ErrorCode code, const std::string& message) const {
-        throw Error(code, "column " + std::to_string(position + 1) + ": " + message, "", position);
+        throw Error(code, "column " + std::to_string(position + 1) + ": " + message, {}, position);
     }
     [[noreturn]] void fail(const std::string& expected) {
         const std::string found = at_end() ? "the end" : quoted(text_.substr(position_, 1));

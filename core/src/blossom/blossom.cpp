@@ -29,7 +29,7 @@ void throw_wrong_arity(std::size_t degree, std::size_t arguments) {
     throw Error(ErrorCode::wrong_arity,
                 "the blossom of a map of formal degree " + expected + " takes " + expected +
                     " arguments, not " + std::to_string(arguments),
-                "/arguments");
+                Part::arguments);
 }
 
 Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,

@@ -9,19 +9,15 @@ namespace blossom {
 
 namespace {
 
-void require_points(const PatchPoint& point, const std::string& field) {
+void require_affine_point(const NetShape& shape, const PatchPoint& point) {
+    require_point(shape, point);
     for (std::size_t f = 0; f < point.size(); ++f) {
-        require_mass(point[f], 1, "a point", field + "/" + std::to_string(f));
+        within(f, [&] { require_mass(point[f], 1, "a point"); });
     }
 }
 
 void require_vectors(const PatchArguments& directions) {
-    for (std::size_t f = 0; f < directions.size(); ++f) {
-        for (std::size_t i = 0; i < directions[f].size(); ++i) {
-            require_mass(directions[f][i], 0, "a direction",
-                         "/directions/" + std::to_string(f) + "/" + std::to_string(i));
-        }
-    }
+    within(Part::directions, [&] { require_masses(directions, 0, "a direction"); });
 }
 
 }  // namespace
@@ -33,9 +29,7 @@ Coordinates blossom_value(const BezierPatch& patch, const PatchArguments& argume
 std::vector<Coordinates> evaluate(const BezierPatch& patch, std::span<const PatchPoint> points,
                                   const Limits& limits) {
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const std::string field = "/at/" + std::to_string(i);
-        require_point(patch.shape(), points[i], field);
-        require_points(points[i], field);
+        within(Part::at, [&] { within(i, [&] { require_affine_point(patch.shape(), points[i]); }); });
     }
     return form_values(patch.shape(), form_of(patch.shape(), patch.control_net()), points, limits);
 }
@@ -49,8 +43,7 @@ Coordinates derivative(const BezierPatch& patch, const PatchArguments& direction
     const NetShape& shape = patch.shape();
     require_directions(shape, directions);
     require_vectors(directions);
-    require_point(shape, at, "/at");
-    require_points(at, "/at");
+    within(Part::at, [&] { require_affine_point(shape, at); });
     return polar_derivative_at(shape, patch.control_net(), directions, at, limits);
 }
 

@@ -89,7 +89,7 @@ Coordinates polarization_value(const PolynomialMap& map, std::span<const Argumen
     } else {
         require_within(regrouping_work(arguments.size(), limits.regrouping_work), limits.regrouping_work,
                        "regrouping_work", "the number of multiply-adds of a regrouped polarization, at least",
-                       "/arguments");
+                       Part::arguments);
     }
     if (by_primes) {
         if (auto value = value_by_primes(map, cleared, construction)) return *std::move(value);

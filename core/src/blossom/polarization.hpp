@@ -25,7 +25,7 @@ template <class R>
 void require_terms_of_polarization(std::span<const HomogeneousPair<R>> pairs, const Limits& limits) {
     require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms),
                    limits.polarization_terms, "polarization_terms",
-                   "the number of terms of polarization, at least", "/arguments");
+                   "the number of terms of polarization, at least", Part::arguments);
 }
 
 /// The multiply-adds n^2 (n + 1)^2 / 4 of a regrouped polarization, or `limit + 1` when they are more than

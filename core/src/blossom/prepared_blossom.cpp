@@ -158,7 +158,7 @@ struct Blossom::Shared {
 Blossom::Blossom(PolynomialMap map, Limits limits)
     : degree_(degree_of(map)),
       dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
-    require_within(degree_, limits.degree, "degree", "the formal degree", "/degree");
+    require_within(degree_, limits.degree, "degree", "the formal degree", Part::degree);
     shared_ = std::make_shared<const Shared>(std::move(map), limits);
 }
 

@@ -10,8 +10,8 @@ namespace blossom {
 namespace {
 
 void require_degree(std::size_t n, std::size_t r, const Limits& limits) {
-    require_within(r, limits.degree, "degree", "the number of degrees to raise by", "/by");
-    require_within(n + r, limits.degree, "degree", "the raised degree", "/by");
+    require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
+    require_within(n + r, limits.degree, "degree", "the raised degree", Part::by);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ void require_method(std::size_t n, std::size_t m, ReductionMethod method) {
         throw Error(
             ErrorCode::degree_too_low,
             "degree " + std::to_string(n) + " cannot be reduced to " + std::to_string(m) + ": " + rule,
-            "/to");
+            Part::to);
     };
     if (m > n) refuse("the new degree must not be greater; raise it instead");
     if (method == ReductionMethod::uniform && m + 1 < n)

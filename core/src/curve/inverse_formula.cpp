@@ -7,10 +7,10 @@
 namespace blossom {
 
 InverseFormula inverse_formula(std::size_t n, const Interval& interval, const Limits& limits) {
-    require_within(n, limits.degree, "degree", "the degree", "/degree");
+    require_within(n, limits.degree, "degree", "the degree", Part::degree);
     if (n == 0) return {{interval.a()}, {{1}}};
     require_within(n * n * n, limits.expansion_work, "expansion_work",
-                   "the number of weights to compute, at most", "/degree");
+                   "the number of weights to compute, at most", Part::degree);
 
     // weights by the fraction I/N of the way from a to b
     std::map<Rational, std::vector<Integer>> columns;
@@ -63,7 +63,7 @@ BezierCurve control_points_from_samples(std::size_t n, const Interval& interval,
             throw Error(ErrorCode::missing_sample,
                         "the inverse formula of degree " + std::to_string(n) + " needs the value at " +
                             to_string(node) + ", and none is given",
-                        "/values");
+                        Part::values);
         }
         return known->second;
     };

@@ -33,7 +33,7 @@ Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> ar
         throw Error(ErrorCode::wrong_arity,
                     "the pyramid of a curve of degree " + std::to_string(n) + " takes " + std::to_string(n) +
                         " arguments, not " + std::to_string(arguments.size()),
-                    "/arguments");
+                    Part::arguments);
     }
     const ClearedArguments cleared_arguments = cleared_one_by_one(arguments);
     const auto interval = cleared(curve.interval());

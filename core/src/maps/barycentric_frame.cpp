@@ -18,20 +18,19 @@ std::string listed(std::span<const std::size_t> numbers) {
 }
 
 [[noreturn]] void refuse_length(const std::string& what, std::size_t given, std::size_t needed,
-                                const std::string& field) {
+                                const Place& place) {
     throw Error(ErrorCode::mismatched_dimensions,
                 what + " has " + std::to_string(given) + " coordinates, not " + std::to_string(needed),
-                field);
+                place);
 }
 
 void require_one_dimension(const std::vector<Coordinates>& vertices) {
     if (vertices.empty())
-        throw Error(ErrorCode::wrong_arity, "a simplex needs at least one vertex", "/vertices");
+        throw Error(ErrorCode::wrong_arity, "a simplex needs at least one vertex", Part::vertices);
     const std::size_t dimension = vertices.front().size();
     for (std::size_t k = 0; k < vertices.size(); ++k) {
         if (vertices[k].size() == dimension) continue;
-        refuse_length("vertex " + std::to_string(k), vertices[k].size(), dimension,
-                      "/vertices/" + std::to_string(k));
+        refuse_length("vertex " + std::to_string(k), vertices[k].size(), dimension, Part::vertices / k);
     }
 }
 
@@ -70,7 +69,7 @@ std::vector<Coordinates> inverse_of(const std::vector<Coordinates>& vertices) {
                         dependent.size() == 2
                             ? "the vertices " + listed(dependent) + " are the same point"
                             : "the vertices " + listed(dependent) + " are affinely dependent",
-                        "/vertices/" + std::to_string(k));
+                        Part::vertices / k);
         }
         std::swap(rows[k], rows[pivot]);
         std::swap(image[k], image[pivot]);
@@ -102,7 +101,7 @@ BarycentricFrame BarycentricFrame::standard(std::size_t dimension) {
 
 Coordinates BarycentricFrame::of_argument(std::span<const Rational> u, const Rational& mass) const {
     if (u.size() != space_dimension())
-        refuse_length("a point or vector of the space", u.size(), space_dimension(), "");
+        refuse_length("a point or vector of the space", u.size(), space_dimension(), {});
     const Coordinates tuple = homogeneous(u, mass);
     Coordinates coordinates;
     for (const Coordinates& row : inverse_) {
@@ -128,7 +127,7 @@ Coordinates BarycentricFrame::of_vector(std::span<const Rational> vector) const 
 
 Coordinates BarycentricFrame::combination(std::span<const Rational> coordinates) const {
     if (coordinates.size() != vertices_.size()) {
-        refuse_length("a list of barycentric coordinates", coordinates.size(), vertices_.size(), "");
+        refuse_length("a list of barycentric coordinates", coordinates.size(), vertices_.size(), {});
     }
     Coordinates sum(space_dimension());
     for (std::size_t k = 0; k < vertices_.size(); ++k) {

@@ -8,11 +8,7 @@ namespace blossom {
 namespace {
 
 PointArray polygon(std::span<const Coordinates> points) {
-    try {
-        return PointArray(points);
-    } catch (const Error& error) {
-        throw error.below("/control_points");
-    }
+    return within(Part::control_points, [&] { return PointArray(points); });
 }
 
 }  // namespace

@@ -9,11 +9,7 @@ namespace blossom {
 namespace {
 
 PointArray net(std::span<const Coordinates> points) {
-    try {
-        return PointArray(points);
-    } catch (const Error& error) {
-        throw error.below("/control_net");
-    }
+    return within(Part::control_net, [&] { return PointArray(points); });
 }
 
 void require_complete(const NetShape& shape, std::size_t points) {
@@ -21,7 +17,7 @@ void require_complete(const NetShape& shape, std::size_t points) {
     throw Error(ErrorCode::incomplete_net,
                 "the control net has " + std::to_string(points) + " points; its shape needs " +
                     std::to_string(shape.size()),
-                "/control_net");
+                Part::control_net);
 }
 
 }  // namespace
@@ -36,26 +32,25 @@ BezierPatch::BezierPatch(NetShape shape, PointArray control_net)
 
 void require_arguments(const NetShape& shape, const PatchArguments& arguments) {
     const auto refuse = [](ErrorCode code, const std::string& what, std::size_t given, std::size_t needed,
-                           const std::string& field) {
+                           const Place& place) {
         throw Error(code,
                     what + " must have length " + std::to_string(needed) + ", not " + std::to_string(given),
-                    field);
+                    place);
     };
     if (arguments.size() != shape.factors()) {
         refuse(ErrorCode::wrong_arity, "the list of argument lists, one a factor,", arguments.size(),
-               shape.factors(), "/arguments");
+               shape.factors(), Part::arguments);
     }
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        const std::string field = "/arguments/" + std::to_string(f);
         if (arguments[f].size() != shape[f].degree) {
             refuse(ErrorCode::wrong_arity, "the argument list of factor " + std::to_string(f),
-                   arguments[f].size(), shape[f].degree, field);
+                   arguments[f].size(), shape[f].degree, Part::arguments / f);
         }
         for (std::size_t i = 0; i < arguments[f].size(); ++i) {
             if (arguments[f][i].size() == shape[f].dimension + 1) continue;
             refuse(ErrorCode::mismatched_dimensions,
                    "argument " + std::to_string(i) + " of factor " + std::to_string(f),
-                   arguments[f][i].size(), shape[f].dimension + 1, field + "/" + std::to_string(i));
+                   arguments[f][i].size(), shape[f].dimension + 1, Part::arguments / f / i);
         }
     }
 }

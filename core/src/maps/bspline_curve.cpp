@@ -15,7 +15,7 @@ void require_points_of_one_space(std::span<const Coordinates> points) {
                     "control point " + std::to_string(i) + " has " + std::to_string(points[i].size()) +
                         " coordinates; every point needs the same number, at least 1, and point 0 has " +
                         std::to_string(dimension),
-                    "/control_points/" + std::to_string(i));
+                    Part::control_points / i);
     }
 }
 
@@ -33,7 +33,7 @@ BSplineCurve::BSplineCurve(KnotVector knots, std::vector<Coordinates> control_po
         throw Error(ErrorCode::wrong_arity,
                     "the knots are for " + std::to_string(knots_.points()) + " control points, not " +
                         std::to_string(control_points_.size()),
-                    "/control_points");
+                    Part::control_points);
     }
     require_points_of_one_space(control_points_);
 }

@@ -8,8 +8,8 @@ namespace blossom {
 
 namespace {
 
-[[noreturn]] void bad_knots(std::string message, std::string field = "/knots") {
-    throw Error(ErrorCode::bad_knots, std::move(message), std::move(field));
+[[noreturn]] void bad_knots(std::string message, Place place = Part::knots) {
+    throw Error(ErrorCode::bad_knots, std::move(message), std::move(place));
 }
 
 KnotConvention convention_of(std::size_t degree, std::size_t knots, std::size_t points) {
@@ -17,7 +17,7 @@ KnotConvention convention_of(std::size_t degree, std::size_t knots, std::size_t 
         throw Error(ErrorCode::wrong_arity,
                     "a B-spline of degree " + std::to_string(degree) + " needs more than " +
                         std::to_string(degree) + " control points, not " + std::to_string(points),
-                    "/control_points");
+                    Part::control_points);
     }
     if (knots == points + degree + 1) return KnotConvention::textbook;
     if (degree > 0 && knots == points + degree - 1) return KnotConvention::polar;
@@ -37,14 +37,14 @@ void require_legal(std::span<const Rational> knots, std::size_t degree) {
         if (i < knots.size() && knots[i] < knots[i - 1]) {
             bad_knots(named(i, knots[i]) + " is less than " + named(i - 1, knots[i - 1]) +
                           "; knots must not decrease",
-                      "/knots/" + std::to_string(i));
+                      Part::knots / i);
         }
         if (i < knots.size() && knots[i] == knots[run]) continue;
         if (i - run > degree + 1) {
             const std::size_t surplus = run + degree + 1;
             bad_knots(named(surplus, knots[run]) + " has multiplicity " + std::to_string(i - run) +
                           ", more than degree + 1 = " + std::to_string(degree + 1),
-                      "/knots/" + std::to_string(surplus));
+                      Part::knots / surplus);
         }
         run = i;
     }
@@ -102,12 +102,12 @@ void KnotVector::require_span(std::size_t span) const {
         throw Error(ErrorCode::outside_domain,
                     "span " + std::to_string(span) + " is empty: " + named(span, knots_[span]) +
                         " equals knot " + std::to_string(span + 1),
-                    "/segment");
+                    Part::segment);
     }
     throw Error(ErrorCode::outside_domain,
                 "span " + std::to_string(span) + " is outside the domain, whose spans are " +
                     std::to_string(begin_index()) + " to " + std::to_string(end_index() - 1),
-                "/segment");
+                Part::segment);
 }
 
 std::size_t KnotVector::multiplicity(const Rational& t) const {

@@ -50,11 +50,10 @@ Integer derivative_factor(const NetShape& shape, const PatchArguments& direction
     return factor;
 }
 
-void require_length(std::size_t given, std::size_t needed, ErrorCode code, const std::string& what,
-                    const std::string& field) {
+void require_length(std::size_t given, std::size_t needed, ErrorCode code, const std::string& what) {
     if (given == needed) return;
-    throw Error(code, what + " must have length " + std::to_string(needed) + ", not " + std::to_string(given),
-                field);
+    throw Error(code,
+                what + " must have length " + std::to_string(needed) + ", not " + std::to_string(given));
 }
 
 }  // namespace
@@ -74,11 +73,11 @@ Coordinates polar_value(const NetShape& shape, const PointArray& polar, const Pa
 std::vector<Coordinates> form_values(const NetShape& shape, const PointArray& coefficients,
                                      std::span<const PatchPoint> points, const Limits& limits) {
     require_within(points.size(), limits.numbers / coefficients.dimension(), "numbers",
-                   "the number of parameters", "/at");
+                   "the number of parameters", Part::at);
     std::vector<Coordinates> values;
     values.reserve(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
-        require_point(shape, points[i], "/at/" + std::to_string(i));
+        within(Part::at, [&] { within(i, [&] { require_point(shape, points[i]); }); });
         std::size_t bits = bits_of(coefficients);
         std::vector<std::vector<Integer>> factors;
         Integer denominator = 1;
@@ -153,32 +152,46 @@ std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArra
     return {std::move(shape), canonical_points(rows, integers.denominator * polar.denominator())};
 }
 
-void require_mass(const Coordinates& tuple, int mass, const std::string& what, const std::string& field) {
+void require_mass(const Coordinates& tuple, int mass, const std::string& what) {
     const Rational sum = std::accumulate(tuple.begin(), tuple.end(), Rational());
     if (sum == mass) return;
-    throw Error(ErrorCode::not_affine,
-                what + " must have barycentric coordinates of sum " + std::to_string(mass) + ", not " +
-                    to_string(sum),
-                field);
+    throw Error(ErrorCode::not_affine, what + " must have barycentric coordinates of sum " +
+                                           std::to_string(mass) + ", not " + to_string(sum));
 }
 
-void require_point(const NetShape& shape, const PatchPoint& point, const std::string& field) {
+void require_masses(const PatchArguments& lists, int mass, const std::string& what) {
+    for (std::size_t f = 0; f < lists.size(); ++f) {
+        within(f, [&] {
+            for (std::size_t i = 0; i < lists[f].size(); ++i)
+                within(i, [&] { require_mass(lists[f][i], mass, what); });
+        });
+    }
+}
+
+void require_point(const NetShape& shape, const PatchPoint& point) {
     require_length(point.size(), shape.factors(), ErrorCode::wrong_arity,
-                   "a point with one argument a factor", field);
+                   "a point with one argument a factor");
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        require_length(point[f].size(), shape[f].dimension + 1, ErrorCode::mismatched_dimensions,
-                       "the argument of factor " + std::to_string(f), field + "/" + std::to_string(f));
+        within(f, [&] {
+            require_length(point[f].size(), shape[f].dimension + 1, ErrorCode::mismatched_dimensions,
+                           "the argument of factor " + std::to_string(f));
+        });
     }
 }
 
 void require_directions(const NetShape& shape, const PatchArguments& directions) {
-    require_length(directions.size(), shape.factors(), ErrorCode::wrong_arity,
-                   "the list of direction lists, one a factor,", "/directions");
+    within(Part::directions, [&] {
+        require_length(directions.size(), shape.factors(), ErrorCode::wrong_arity,
+                       "the list of direction lists, one a factor,");
+    });
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         for (std::size_t i = 0; i < directions[f].size(); ++i) {
-            require_length(directions[f][i].size(), shape[f].dimension + 1, ErrorCode::mismatched_dimensions,
-                           "direction " + std::to_string(i) + " of factor " + std::to_string(f),
-                           "/directions/" + std::to_string(f) + "/" + std::to_string(i));
+            if (directions[f][i].size() == shape[f].dimension + 1) continue;
+            throw Error(ErrorCode::mismatched_dimensions,
+                        "direction " + std::to_string(i) + " of factor " + std::to_string(f) +
+                            " must have length " + std::to_string(shape[f].dimension + 1) + ", not " +
+                            std::to_string(directions[f][i].size()),
+                        Part::directions / f / i);
         }
     }
 }

@@ -36,12 +36,14 @@ Coordinates polar_derivative_at(const NetShape& shape, const PointArray& polar,
 std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArray& polar,
                                                  const PatchArguments& directions, const Limits& limits);
 
-/// Errors: `wrong_arity`, `mismatched_dimensions`, with fields below `field`.
-void require_point(const NetShape& shape, const PatchPoint& point, const std::string& field);
+/// Errors: `wrong_arity`; `mismatched_dimensions`, at the factor.
+void require_point(const NetShape& shape, const PatchPoint& point);
+/// Errors: the same for each direction, below `Part::directions`.
 void require_directions(const NetShape& shape, const PatchArguments& directions);
 
-/// Errors: `not_affine`, at `field`, unless the coordinates have the sum `mass`; `what` is a point or a
-/// vector.
-void require_mass(const Coordinates& tuple, int mass, const std::string& what, const std::string& field);
+/// Errors: `not_affine` unless the coordinates have the sum `mass`; `what` is a point or a vector.
+void require_mass(const Coordinates& tuple, int mass, const std::string& what);
+/// The same for each of the lists, at the factor and the index in its list.
+void require_masses(const PatchArguments& lists, int mass, const std::string& what);
 
 }  // namespace blossom

@@ -17,7 +17,7 @@ RationalVector transposed(std::span<const Coordinates> points) {
                         "point " + std::to_string(i) + " has " + std::to_string(points[i].size()) +
                             " coordinates; every point needs the same number, at least 1, and point 0 has " +
                             std::to_string(dimension),
-                        "/" + std::to_string(i));
+                        Place{i});
         }
         for (std::size_t j = 0; j < dimension; ++j) numbers[j * points.size() + i] = points[i][j];
     }

@@ -14,7 +14,7 @@ void require_formal_degree(std::size_t actual, std::size_t formal) {
     throw Error(ErrorCode::degree_too_low,
                 "the formal degree " + std::to_string(formal) + " is below the actual degree " +
                     std::to_string(actual),
-                "/degree");
+                Part::degree);
 }
 
 PointArray padded(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree) {

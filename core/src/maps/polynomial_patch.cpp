@@ -16,7 +16,7 @@ void require_complete(const NetShape& shape, std::size_t given) {
     throw Error(ErrorCode::incomplete_net,
                 "the map has " + std::to_string(given) + " coefficients; its shape needs " +
                     std::to_string(shape.size()),
-                "/coefficients");
+                Part::coefficients);
 }
 
 /// One multi-index a factor of the term with these exponents of all variables. Errors: `degree_too_low`.
@@ -32,7 +32,7 @@ std::vector<MultiIndex> indices_of(const NetShape& shape, std::span<const std::s
             throw Error(ErrorCode::degree_too_low,
                         "a term has degree " + std::to_string(total) + " in the variables of factor " +
                             std::to_string(f) + ", more than its formal degree " + std::to_string(degree),
-                        "/degree");
+                        Part::degree);
         }
         index[0] = degree - total;
         indices.push_back(std::move(index));
@@ -145,7 +145,7 @@ Coordinates derivative(const PolynomialPatch& patch, const PatchArguments& direc
     const PatchArguments vector_lists = vectors(directions);
     require_directions(shape, vector_lists);
     const PatchPoint point = with_mass(at, 1);
-    require_point(shape, point, "/at");
+    within(Part::at, [&] { require_point(shape, point); });
     return polar_derivative_at(shape, polar_of(shape, patch.coefficients()), vector_lists, point, limits);
 }
 
@@ -160,7 +160,7 @@ PolynomialPatch derivative_patch(const PolynomialPatch& patch, const PatchArgume
 
 PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,
                         const Limits& limits) {
-    require_within(r, limits.degree, "degree", "the number of degrees to raise by", "/by");
+    require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
     return regrouped(patch, patch.shape().with_degree(factor, patch.shape()[factor].degree + r, limits),
                      limits);
 }

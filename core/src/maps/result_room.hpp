@@ -15,7 +15,7 @@ inline void require_room(std::size_t places, const char* what, std::size_t dimen
                 "the values at " + std::to_string(places) + " " + what + " are " +
                     std::to_string(places * dimension) + " numbers, and there are places for " +
                     std::to_string(results),
-                "/results");
+                Part::results);
 }
 
 }  // namespace blossom

@@ -31,7 +31,7 @@ std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
 std::size_t require_degree(std::size_t n, std::size_t order, const Limits& limits) {
     std::size_t degree = 0;
     if (__builtin_mul_overflow(n, order + 1, &degree)) degree = limits.degree + 1;
-    require_within(degree, limits.degree, "degree", "the degree of the derivative", "/order");
+    require_within(degree, limits.degree, "degree", "the degree of the derivative", Part::order);
     return degree;
 }
 

@@ -13,7 +13,7 @@ Coordinates projected_derivative(std::size_t directions,
     std::size_t products = 1;
     for (std::size_t k = 0; k < directions && products <= limits.polarization_terms; ++k) products *= 3;
     require_within(products, limits.polarization_terms, "polarization_terms",
-                   "the number of products of the quotient rule, at least", "/order");
+                   "the number of products of the quotient rule, at least", Part::order);
     std::vector<Coordinates> values{derivative(0)};
     std::vector<Coordinates> projections{projected(values.front())};
     const Rational weight = values.front().back();

@@ -63,7 +63,7 @@ void require_work(const NetShape& shape, std::size_t dimension, std::size_t step
         work += 2 * k * dimension * shape.size() * NetShape(std::move(factors), limits).size();
     }
     require_within(work, limits.expansion_work, "expansion_work",
-                   "the number of products of the quotient rule, at least", "/order");
+                   "the number of products of the quotient rule, at least", Part::order);
 }
 
 template <class Kind>

@@ -190,11 +190,12 @@ Coordinates blossom_value(const PatchMap& map, const PatchArguments& arguments, 
         throw Error(ErrorCode::wrong_kind,
                     "regrouped-polarization is a construction of curves; a patch has symmetric, polarization "
                     "and casteljau",
-                    "/construction");
+                    Part::construction);
     }
     if (construction == Construction::polarization) {
         require_within(terms_of_polarization(arguments, limits.polarization_terms), limits.polarization_terms,
-                       "polarization_terms", "the number of terms of polarization, at least", "/arguments");
+                       "polarization_terms", "the number of terms of polarization, at least",
+                       Part::arguments);
         const IntegerArguments integers = cleared_together(arguments, bits, limits);
         return reduced(by_polarization(map, integers.tuples), integers.denominator);
     }

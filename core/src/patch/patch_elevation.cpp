@@ -30,17 +30,17 @@ std::vector<std::size_t> places_of_sums(std::span<const MultiIndex> first,
 BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r, const Limits& limits) {
     const NetShape& shape = patch.shape();
     const auto [dimension, degree] = shape[factor];
-    require_within(r, limits.degree, "degree", "the number of degrees to raise by", "/by");
-    require_within(degree + r, limits.degree, "degree", "the raised degree", "/by");
+    require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
+    require_within(degree + r, limits.degree, "degree", "the raised degree", Part::by);
     const NetShape raised = shape.with_degree(factor, degree + r, limits);
     require_within(raised.size(), limits.numbers / patch.dimension(), "numbers",
-                   "the number of points of the raised net", "/by");
+                   "the number of points of the raised net", Part::by);
     if (r == 0) return patch;
     const std::size_t steps = multi_index_count(dimension, r, limits);
     require_within(
         shape.size(), limits.expansion_work / steps, "expansion_work",
         "the number of points, each of which enters " + std::to_string(steps) + " points of the raised net,",
-        "/by");
+        Part::by);
 
     const std::vector<std::size_t> places =
         places_of_sums(multi_indices(dimension, degree), multi_indices(dimension, r));
@@ -71,7 +71,7 @@ BezierPatch elevated_to(const BezierPatch& patch, std::span<const std::size_t> d
             throw Error(ErrorCode::degree_too_low,
                         "the degree of factor " + std::to_string(f) + " is " + std::to_string(degree) +
                             ", more than " + std::to_string(degrees[f]),
-                        "/degree");
+                        Part::degree);
         }
         result = elevate(result, f, degrees[f] - degree, limits);
     }

@@ -60,7 +60,7 @@ SimplexInverseFormula inverse_formula(std::size_t dimension, std::size_t degree,
     const NetShape shape = NetShape::simplex(dimension, degree, limits);
     const std::size_t means = multi_index_count(dimension + 1, degree, limits);
     require_within(means, limits.expansion_work / shape.size(), "expansion_work",
-                   "the number of means, each with a weight for every control point,", "/degree");
+                   "the number of means, each with a weight for every control point,", Part::degree);
     const std::vector<MultiIndex> indices = multi_indices(dimension, degree);
     std::map<Coordinates, std::vector<Integer>, std::greater<>> columns;
     for (std::size_t count = 1; count <= degree; ++count) {
@@ -111,20 +111,17 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
 Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
                                 const PatchArguments& arguments, const Limits& limits) {
     require_arguments(shape, arguments);
+    within(Part::arguments, [&] { require_masses(arguments, 1, "an argument"); });
     std::vector<constructions::Groups<Tuple<Rational>>> groups;
     std::vector<std::size_t> multiplicities;
     Integer divisor = 1;
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        for (std::size_t i = 0; i < arguments[f].size(); ++i) {
-            require_mass(arguments[f][i], 1, "an argument",
-                         "/arguments/" + std::to_string(f) + "/" + std::to_string(i));
-        }
         groups.push_back(constructions::grouped(std::span<const Coordinates>(arguments[f])));
         for (const auto& group : groups.back()) multiplicities.push_back(group.second);
         divisor *= factorial(shape[f].degree);
     }
     require_within(polarization_terms(multiplicities, limits.polarization_terms), limits.polarization_terms,
-                   "polarization_terms", "the number of terms of polarization, at least", "/arguments");
+                   "polarization_terms", "the number of terms of polarization, at least", Part::arguments);
 
     const auto scaled_value_at_mean = [&](const std::vector<Coordinates>& sums,
                                           const std::vector<std::size_t>& sizes) -> Coordinates {

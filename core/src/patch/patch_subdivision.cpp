@@ -78,7 +78,7 @@ BezierPatch permuted(const BezierPatch& patch, std::size_t factor, std::span<con
     throw Error(ErrorCode::degenerate_simplex,
                 elements.size() == 1 ? "element " + names + " of the frame is zero"
                                      : "the elements " + names + " of the frame are linearly dependent",
-                "/elements/" + std::to_string(elements.back()));
+                Part::elements / elements.back());
 }
 
 /// The coordinates of an argument when `element`, with coordinates that do not vanish at `place`, stands
@@ -98,17 +98,18 @@ bool is_unit(const Coordinates& tuple, std::size_t place) {
 
 void require_elements(const NetShape& shape, std::size_t factor, std::span<const Coordinates> elements) {
     const std::size_t vertices = shape[factor].dimension + 1;
-    const auto require = [&](std::size_t given, ErrorCode code, const std::string& what,
-                             const std::string& field) {
-        if (given == vertices) return;
+    const auto refuse = [&](std::size_t given, ErrorCode code, const std::string& what, const Place& place) {
         throw Error(code,
                     what + " must have length " + std::to_string(vertices) + ", not " + std::to_string(given),
-                    field);
+                    place);
     };
-    require(elements.size(), ErrorCode::wrong_arity, "the list of elements of a frame", "/elements");
+    if (elements.size() != vertices) {
+        refuse(elements.size(), ErrorCode::wrong_arity, "the list of elements of a frame", Part::elements);
+    }
     for (std::size_t j = 0; j < elements.size(); ++j) {
-        require(elements[j].size(), ErrorCode::mismatched_dimensions, "element " + std::to_string(j),
-                "/elements/" + std::to_string(j));
+        if (elements[j].size() == vertices) continue;
+        refuse(elements[j].size(), ErrorCode::mismatched_dimensions, "element " + std::to_string(j),
+               Part::elements / j);
     }
 }
 
@@ -156,16 +157,16 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
         throw Error(ErrorCode::mismatched_dimensions,
                     "a point of factor " + std::to_string(factor) + " has " + std::to_string(vertices) +
                         " barycentric coordinates, not " + std::to_string(point.size()),
-                    "/at");
+                    Part::at);
     }
-    require_mass(point, 1, "the point to subdivide at", "/at");
+    within(Part::at, [&] { require_mass(point, 1, "the point to subdivide at"); });
     for (std::size_t k = 0; k < vertices; ++k) {
         if (!point[k].is_zero()) continue;
         throw Error(ErrorCode::degenerate_simplex,
                     "barycentric coordinate " + std::to_string(k) +
                         " of the point is 0: it lies on the face opposite to vertex " + std::to_string(k) +
                         ", with which it spans no simplex",
-                    "/at");
+                    Part::at);
     }
     const Pyramids shared = pyramids(patch, factor, point, limits);
     std::vector<BezierPatch> pieces;

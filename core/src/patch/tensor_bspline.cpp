@@ -14,16 +14,16 @@ namespace blossom {
 
 namespace {
 
-void require_directions(const TensorBSpline& spline, std::size_t given, const std::string& field) {
+void require_directions(const TensorBSpline& spline, std::size_t given, Part part) {
     if (given == spline.directions()) return;
     throw Error(ErrorCode::wrong_arity,
                 std::to_string(given) + " entries for " + std::to_string(spline.directions()) + " directions",
-                field);
+                part);
 }
 
 /// The control points of the box of spans alone.
 PointGrid cropped(const TensorBSpline& spline, std::span<const std::size_t> spans) {
-    require_directions(spline, spans.size(), "/segment");
+    require_directions(spline, spans.size(), Part::segment);
     std::vector<std::size_t> places{0};
     PointGrid grid;
     for (std::size_t d = 0; d < spans.size(); ++d) {
@@ -51,7 +51,7 @@ ProgressiveCurve progressive(const KnotVector& knots, std::size_t span, std::spa
 TensorBSpline::TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordinates> control_points)
     : knots_(std::move(knots)), control_points_(std::move(control_points)) {
     if (knots_.empty())
-        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/knots");
+        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", Part::knots);
     std::size_t count = 1;
     for (const KnotVector& own : knots_) {
         if (__builtin_mul_overflow(count, own.points(), &count)) count = 0;
@@ -60,7 +60,7 @@ TensorBSpline::TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordina
         throw Error(ErrorCode::wrong_arity,
                     "the knots are for " + std::to_string(count) + " control points, not " +
                         std::to_string(control_points_.size()),
-                    "/control_points");
+                    Part::control_points);
     }
     for (std::size_t i = 0; i < count; ++i) {
         if (control_points_[i].size() == dimension() && dimension() > 0) continue;
@@ -68,18 +68,18 @@ TensorBSpline::TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordina
                     "control point " + std::to_string(i) + " has " +
                         std::to_string(control_points_[i].size()) +
                         " coordinates; every point needs the same number, at least 1",
-                    "/control_points/" + std::to_string(i));
+                    Part::control_points / i);
     }
 }
 
 std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters) {
-    require_directions(spline, parameters.size(), "/at");
+    require_directions(spline, parameters.size(), Part::at);
     std::vector<std::size_t> spans;
     for (std::size_t d = 0; d < parameters.size(); ++d) {
         try {
             spans.push_back(spline.knots(d).span_at(parameters[d]));
         } catch (const Error& error) {
-            throw Error(error.code(), error.message(), "/at/" + std::to_string(d));
+            throw error.at(Part::at / d);
         }
     }
     return spans;
@@ -87,7 +87,7 @@ std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const R
 
 Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::size_t> spans,
                             std::span<const std::vector<Argument>> arguments, const Limits& limits) {
-    require_directions(spline, arguments.size(), "/arguments");
+    require_directions(spline, arguments.size(), Part::arguments);
     PointGrid grid = cropped(spline, spans);
     for (std::size_t d = spans.size(); d-- > 0;) {
         grid = along_rows(grid, d, [&](const std::vector<Coordinates>& points) {
@@ -106,7 +106,7 @@ Coordinates evaluate(const TensorBSpline& spline, std::span<const Rational> para
 
 Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t> orders,
                        std::span<const Rational> parameters, const Limits& limits) {
-    require_directions(spline, orders.size(), "/order");
+    require_directions(spline, orders.size(), Part::order);
     const std::vector<std::size_t> spans = spans_at(spline, parameters);
     std::vector<std::vector<Argument>> arguments;
     Integer factor = 1;
@@ -127,7 +127,7 @@ TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
     const std::size_t rows = spline.control_points().size() / spline.knots(direction).points();
     require_within(spline.knots(direction).points() + knots.size(),
                    limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
-                   "/knots");
+                   Part::knots);
     return with_rows(spline, direction,
                      [&](const BSplineCurve& row) { return insert_knots_boehm(row, knots, limits); });
 }

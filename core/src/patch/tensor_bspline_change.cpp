@@ -16,9 +16,9 @@ TensorBSpline elevate(const TensorBSpline& spline, std::size_t direction, std::s
     if (r == 0) return spline;
     const KnotVector& knots = spline.knots(direction);
     const std::size_t rows = spline.control_points().size() / knots.points();
-    require_within(r, limits.degree, "degree", "the number of degrees to raise by", "/by");
+    require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
     require_within(knots.points() + r * knots.spans().size(), limits.numbers / rows / spline.dimension(),
-                   "numbers", "the number of points of a row", "/by");
+                   "numbers", "the number of points of a row", Part::by);
     return with_rows(spline, direction, [&](const BSplineCurve& row) { return elevate(row, r, limits); });
 }
 
@@ -41,7 +41,7 @@ TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std
         throw Error(ErrorCode::wrong_arity,
                     std::to_string(orders.size()) + " orders for " + std::to_string(spline.directions()) +
                         " directions",
-                    "/order");
+                    Part::order);
     }
     TensorBSpline derived = spline;
     for (std::size_t d = 0; d < orders.size(); ++d) {

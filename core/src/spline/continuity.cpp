@@ -54,7 +54,7 @@ std::pair<std::size_t, std::size_t> sides(const KnotVector& knots, const Rationa
         throw Error(ErrorCode::outside_domain,
                     "the curve has no two sides at " + to_string(s) + ", which is not inside its domain [" +
                         to_string(domain.a()) + ", " + to_string(domain.b()) + "]",
-                    "/at");
+                    Part::at);
     }
     return {knots.span_before(s), knots.span_at(s)};
 }

@@ -65,7 +65,7 @@ std::size_t only_span(const KnotVector& knots) {
                 "the curve has " + std::to_string(spans.size()) + " segments, on spans " +
                     std::to_string(spans.front()) + " to " + std::to_string(spans.back()) +
                     "; one must be named",
-                "/segment");
+                Part::segment);
 }
 
 Coordinates segment_blossom(const BSplineCurve& curve, std::size_t span, std::span<const Argument> arguments,
@@ -76,7 +76,7 @@ Coordinates segment_blossom(const BSplineCurve& curve, std::size_t span, std::sp
                     "the blossom of a curve of degree " + std::to_string(curve.degree()) + " takes " +
                         std::to_string(curve.degree()) + " arguments, not " +
                         std::to_string(arguments.size()),
-                    "/arguments");
+                    Part::arguments);
     }
     return frame_of(curve, span, limits).value(arguments);
 }
@@ -99,7 +99,7 @@ Coordinates derivative(const BSplineCurve& curve, std::size_t order, const Param
 }
 
 BSplineCurve derivative_curve(const BSplineCurve& curve, std::size_t order, const Limits& limits) {
-    require_within(curve.degree(), limits.degree, "degree", "the formal degree", "/degree");
+    require_within(curve.degree(), limits.degree, "degree", "the formal degree", Part::degree);
     BSplineCurve result = curve;
     for (std::size_t k = 0; k < order; ++k) {
         if (result.degree() == 0) return zero_of_degree_zero(result);

@@ -6,7 +6,7 @@ namespace blossom {
 std::vector<Rational> greville_abscissae(const KnotVector& knots) {
     if (knots.degree() == 0) {
         throw Error(ErrorCode::degree_too_low,
-                    "the map t needs degree 1, so that degree 0 has no Greville abscissae", "/degree");
+                    "the map t needs degree 1, so that degree 0 has no Greville abscissae", Part::degree);
     }
     std::vector<Rational> abscissae;
     abscissae.reserve(knots.points());

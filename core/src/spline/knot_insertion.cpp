@@ -14,7 +14,7 @@ namespace {
 
 [[noreturn]] void refuse(ErrorCode code, std::size_t i, const Rational& knot, const std::string& rule) {
     throw Error(code, "knot " + std::to_string(i) + " to insert (" + to_string(knot) + ") " + rule,
-                "/knots/" + std::to_string(i));
+                Part::knots / i);
 }
 
 /// The knots to insert in order, each of them legal.
@@ -46,10 +46,10 @@ std::vector<Rational> in_order(const KnotVector& knots, std::span<const Rational
 }
 
 void require_size(const BSplineCurve& curve, std::size_t inserted, const Limits& limits) {
-    require_within(inserted, limits.numbers, "numbers", "the number of knots to insert", "/knots");
+    require_within(inserted, limits.numbers, "numbers", "the number of knots to insert", Part::knots);
     const std::size_t points = curve.control_points().size() + inserted;
     require_within(points * curve.dimension(), limits.numbers, "numbers", "the number of coordinates",
-                   "/knots");
+                   Part::knots);
 }
 
 /// A curve whose knots and points before a moving place are refined already, and behind it still those of

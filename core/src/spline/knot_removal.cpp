@@ -73,7 +73,7 @@ KnotRemoval remove_knot(const BSplineCurve& curve, const Rational& knot, std::si
                     "the knot " + to_string(knot) + " occurs " + std::to_string(available) +
                         " times between those that bound the domain; it cannot be removed " +
                         std::to_string(times) + " times",
-                    available == 0 ? "/knot" : "/times");
+                    available == 0 ? Part::knot : Part::times);
     }
     KnotRemoval removal{curve, 0, {}};
     while (removal.removed < times) {

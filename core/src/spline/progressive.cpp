@@ -10,11 +10,7 @@ namespace blossom {
 namespace {
 
 PointArray values(std::span<const Coordinates> points) {
-    try {
-        return PointArray(points);
-    } catch (const Error& error) {
-        throw error.below("/control_points");
-    }
+    return within(Part::control_points, [&] { return PointArray(points); });
 }
 
 void require_determined(std::span<const Rational> knots, std::size_t n) {
@@ -27,7 +23,7 @@ void require_determined(std::span<const Rational> knots, std::size_t n) {
                             "); progressive values determine a map only if knots j and n + l differ for l <= "
                             "j < n = " +
                             std::to_string(n),
-                        "/knots/" + std::to_string(n + l));
+                        Part::knots / (n + l));
         }
     }
 }
@@ -37,7 +33,7 @@ void require_arity(std::span<const Argument> arguments, std::size_t degree) {
     throw Error(ErrorCode::wrong_arity,
                 "the blossom of a map of formal degree " + std::to_string(degree) + " takes " +
                     std::to_string(degree) + " arguments, not " + std::to_string(arguments.size()),
-                "/arguments");
+                Part::arguments);
 }
 
 }  // namespace
@@ -48,7 +44,7 @@ ProgressiveCurve::ProgressiveCurve(std::vector<Rational> knots, std::span<const 
         throw Error(ErrorCode::wrong_arity,
                     std::to_string(degree() + 1) + " progressive values need " +
                         std::to_string(2 * degree()) + " knots, not " + std::to_string(knots_.size()),
-                    "/knots");
+                    Part::knots);
     }
     require_determined(knots_, degree());
 }
@@ -100,7 +96,7 @@ ProgressiveCurve progressive_form(const PolynomialMap& map, std::vector<Rational
         throw Error(ErrorCode::wrong_arity,
                     "progressive values of degree " + std::to_string(n) + " need " + std::to_string(2 * n) +
                         " knots, not " + std::to_string(knots.size()),
-                    "/knots");
+                    Part::knots);
     }
     return {std::move(knots), points};
 }

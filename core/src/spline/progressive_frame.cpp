@@ -7,7 +7,7 @@ namespace blossom {
 ProgressiveFrame::ProgressiveFrame(std::span<const Rational> knots, std::span<const Coordinates> points,
                                    const Limits& limits)
     : knots_(knots), denominator_(1), limits_(limits) {
-    require_within(degree(), limits.degree, "degree", "the formal degree", "/degree");
+    require_within(degree(), limits.degree, "degree", "the formal degree", Part::degree);
     for (const Coordinates& point : points) {
         for (const Rational& coordinate : point) {
             if (!coordinate.is_integer()) denominator_ = lcm(denominator_, coordinate.denominator());
@@ -29,7 +29,7 @@ ProgressiveFrame::ProgressiveFrame(const ProgressiveCurve& curve, const Limits& 
       denominator_(curve.control_points().denominator()),
       bits_(greatest_bit_length(curve.control_points().numbers().numerators())),
       limits_(limits) {
-    require_within(degree(), limits.degree, "degree", "the formal degree", "/degree");
+    require_within(degree(), limits.degree, "degree", "the formal degree", Part::degree);
     for (const auto row : curve.control_points().rows()) rows_.emplace_back(row.begin(), row.end());
     knot_bits_ = std::max(greatest_bit_length(knots_.numerators()), knots_.denominator().bit_length());
 }

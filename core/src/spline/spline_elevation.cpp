@@ -10,9 +10,10 @@ BSplineCurve elevate(const BSplineCurve& curve, std::size_t r, const Limits& lim
     if (r == 0) return curve;
     const KnotVector& old = curve.knots();
     std::vector<BezierCurve> pieces = bezier_segments(curve, limits);
-    require_within(r, limits.degree, "degree", "the number of degrees to raise by", "/by");
+    require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
     const std::size_t points = old.points() + r * pieces.size();
-    require_within(points * curve.dimension(), limits.numbers, "numbers", "the number of coordinates", "/by");
+    require_within(points * curve.dimension(), limits.numbers, "numbers", "the number of coordinates",
+                   Part::by);
     for (BezierCurve& piece : pieces) piece = elevate(piece, r, limits);
 
     const Interval domain = old.domain();

@@ -25,7 +25,7 @@ BezierCurve increasing(const BezierCurve& curve) {
 }
 
 std::size_t greatest_degree(std::span<const BezierCurve> curves) {
-    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one curve is needed", "/maps");
+    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one curve is needed", Part::maps);
     return std::ranges::max_element(curves, {}, &BezierCurve::degree)->degree();
 }
 
@@ -35,12 +35,11 @@ std::vector<BezierCurve> raised_pieces(std::span<const BezierCurve> curves, std:
     std::vector<BezierCurve> pieces;
     pieces.reserve(curves.size());
     for (std::size_t i = 0; i < curves.size(); ++i) {
-        const std::string field = "/maps/" + std::to_string(i);
         if (curves[i].dimension() != curves.front().dimension()) {
             throw Error(ErrorCode::mismatched_dimensions,
                         "map " + std::to_string(i) + " has " + std::to_string(curves[i].dimension()) +
                             " coordinates, map 0 has " + std::to_string(curves.front().dimension()),
-                        field + "/control_points");
+                        Part::maps / i / Part::control_points);
         }
         pieces.push_back(elevate(increasing(curves[i]), n - curves[i].degree(), limits));
         if (i == 0 || pieces[i].interval().a() == pieces[i - 1].interval().b()) continue;
@@ -48,7 +47,7 @@ std::vector<BezierCurve> raised_pieces(std::span<const BezierCurve> curves, std:
                     "the interval " + text(pieces[i].interval()) + " of map " + std::to_string(i) +
                         " does not begin where " + text(pieces[i - 1].interval()) + " of map " +
                         std::to_string(i - 1) + " ends",
-                    field + "/interval");
+                    Part::maps / i / Part::interval);
     }
     return pieces;
 }
@@ -66,7 +65,7 @@ void require_continuous(std::span<const BezierCurve> pieces, const KnotVector& k
                         " in degree " + std::to_string(knots.degree()) + " needs order " +
                         std::to_string(needed) + " of maps " + std::to_string(i - 1) + " and " +
                         std::to_string(i) + ". " + to_string(joined, joint),
-                    "/maps/" + std::to_string(i));
+                    Part::maps / i);
     }
 }
 
@@ -86,7 +85,7 @@ BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits) {
     knots.insert(knots.end(), n + 1, pieces.back().interval().b());
     const std::size_t points = knots.size() - n - 1;
     require_within(points * pieces.front().dimension(), limits.numbers, "numbers",
-                   "the number of coordinates", "/maps");
+                   "the number of coordinates", Part::maps);
     return spline_of_pieces({n, std::move(knots), points}, pieces, limits);
 }
 
@@ -96,7 +95,7 @@ BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, 
         throw Error(ErrorCode::degree_too_low,
                     "knots of degree " + std::to_string(knots.degree()) + " cannot carry a curve of degree " +
                         std::to_string(greatest),
-                    "/knots");
+                    Part::knots);
     }
     const std::vector<BezierCurve> pieces = raised_pieces(curves, knots.degree(), limits);
     const Interval covered(pieces.front().interval().a(), pieces.back().interval().b());
@@ -104,7 +103,7 @@ BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, 
         throw Error(ErrorCode::bad_knots,
                     "the domain " + text(knots.domain()) + " of the knots is not " + text(covered) +
                         ", which the maps make up",
-                    "/knots");
+                    Part::knots);
     }
     require_continuous(pieces, knots, limits);
     return spline_of_pieces(knots, pieces, limits);
@@ -132,7 +131,7 @@ KnotVector knots_over(std::size_t degree, std::vector<Rational> knots, const Int
     throw Error(ErrorCode::bad_knots,
                 std::to_string(knots.size()) + " knots of degree " + std::to_string(degree) +
                     " have the domain " + text(domain) + " in neither convention",
-                "/knots");
+                Part::knots);
 }
 
 }  // namespace blossom

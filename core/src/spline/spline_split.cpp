@@ -14,7 +14,7 @@ std::pair<BSplineCurve, BSplineCurve> split(const BSplineCurve& curve, const Rat
         throw Error(ErrorCode::outside_domain,
                     "the parameter " + to_string(u) + " does not lie strictly inside the domain [" +
                         to_string(domain.a()) + ", " + to_string(domain.b()) + "]",
-                    "/at");
+                    Part::at);
     }
     const std::size_t n = curve.degree();
     const std::size_t multiplicity = curve.knots().multiplicity(u);

@@ -95,8 +95,7 @@ private:
             const Rational number = within(name, [&] { return read_number(value, limits_); });
             const auto word = number.is_integer() ? number.numerator().to_int64() : std::nullopt;
             if (!word)
-                throw Error(ErrorCode::wrong_kind, "a parameter is an integer of 64 bits",
-                            pointer_token(name));
+                throw Error(ErrorCode::wrong_kind, "a parameter is an integer of 64 bits", Place{name});
             list.emplace_back(name, *word);
         }
         return list;
@@ -168,7 +167,7 @@ std::vector<Certificate> read_certificates(const Json& json, const Limits& limit
         throw Error(ErrorCode::wrong_kind,
                     "this certificate has version " + std::to_string(written) +
                         "; this program reads version " + std::to_string(version),
-                    "/certificate");
+                    Place{"certificate"});
     }
     const CertificateReader reader(limits);
     std::vector<Certificate> certificates = fields.required("proofs", [&](const Json& proofs) {

@@ -25,7 +25,7 @@ using worked::GivenMap;
 
 Error one_parameter(std::size_t asked) {
     return Error(ErrorCode::wrong_arity,
-                 "a worked example is made for one parameter, not for " + std::to_string(asked), "/at");
+                 "a worked example is made for one parameter, not for " + std::to_string(asked), Place{"at"});
 }
 
 /// A request that was answered, so that its fields are known to be right.
@@ -79,7 +79,8 @@ const BSplineCurve* spline_of(const Asked& asked) { return std::get_if<BSplineCu
 /// The spline of an operation that takes only splines here. Errors: `wrong_kind`.
 const BSplineCurve& required_spline(const Asked& asked) {
     const BSplineCurve* spline = spline_of(asked);
-    if (!spline) throw Error(ErrorCode::wrong_kind, "a worked example is made for a bspline here", "/map");
+    if (!spline)
+        throw Error(ErrorCode::wrong_kind, "a worked example is made for a bspline here", Place{"map"});
     return *spline;
 }
 
@@ -100,7 +101,7 @@ Document triangle_chapter(const Asked& asked, TriangleChapter chapter) {
         throw Error(ErrorCode::wrong_kind,
                     "a worked example of a patch is made for one on a triangle, or for a polynomial in two "
                     "variables with a total degree",
-                    "/map");
+                    Place{"map"});
     }
     worked::GivenTriangle given{patch.map, {}, patch.variables, asked.map().form.rational};
     if (!patch.frames.empty()) given.frame = patch.frames.front();
@@ -109,7 +110,8 @@ Document triangle_chapter(const Asked& asked, TriangleChapter chapter) {
     if (list && at->array()->size() > 1) throw one_parameter(at->array()->size());
     if (at->text()) {
         throw Error(ErrorCode::wrong_kind,
-                    "a worked example divides a triangle at a point, not at " + quoted(*at->text()), "/at");
+                    "a worked example divides a triangle at a point, not at " + quoted(*at->text()),
+                    Place{"at"});
     }
     return chapter(given, barycentric_point(patch, list ? at->array()->front() : *at, asked.limits),
                    asked.limits);
@@ -130,7 +132,8 @@ Document evaluation_chapter(const Asked& asked) {
 
 Document derivative_chapter(const Asked& asked) {
     if (!asked.find("at")) {
-        throw Error(ErrorCode::missing_field, "a worked example of a derivative needs a parameter", "/at");
+        throw Error(ErrorCode::missing_field, "a worked example of a derivative needs a parameter",
+                    Place{"at"});
     }
     return worked::derivative_by_delta(one_polynomial_of(asked), asked.count("order", 1), asked.parameter(),
                                        asked.limits);
@@ -158,7 +161,8 @@ Document conversion_chapter(const Asked& asked) {
     if (to == "monomial") return worked::control_points_to_coefficients(given, asked.limits);
     if (to != "bernstein") {
         throw Error(ErrorCode::wrong_kind,
-                    "a worked example is made of a conversion to monomial or bernstein, not to " + to, "/to");
+                    "a worked example is made of a conversion to monomial or bernstein, not to " + to,
+                    Place{"to"});
     }
     const Interval interval = asked.interval(Interval());
     if (std::holds_alternative<PolynomialCurve>(given.map) && interval == Interval()) {
@@ -254,7 +258,7 @@ std::vector<Document> chapters_of(const Json& request, const Limits& limits) {
     if (name && name->text() && *name->text() == prove_operation().name) return proof_pages(request, limits);
     const Answer answer = find_answer(request, limits);
     const auto* chapter = std::ranges::find(chapters, *name->text(), &Chapter::operation);
-    if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(*name->text()), "/op");
+    if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(*name->text()), Place{"op"});
     return {with_weights(chapter->make(Asked(request, answer, limits)), request, answer)};
 }
 

@@ -14,27 +14,55 @@ constexpr const char* only_curves = "only curves are read, and this has more tha
 
 std::vector<Rational> read_doubles(const Json& value) { return read_list(value, read_double); }
 
-std::vector<Coordinates> read_rows(const Json& value) { return read_list(value, read_doubles); }
+/// Points of one dimension.
+std::vector<Coordinates> read_rows(const Json& value) {
+    std::vector<Coordinates> rows = read_list(value, read_doubles);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (rows[i].size() == rows.front().size()) continue;
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "control point " + std::to_string(i) + " has " + std::to_string(rows[i].size()) +
+                        " coordinates; every point needs the same number, at least 1, and point 0 has " +
+                        std::to_string(rows.front().size()),
+                    Place{i});
+    }
+    return rows;
+}
 
 /// Weights are a list of numbers or of lists of one number each.
 std::vector<Rational> read_weights(const Json& value) {
     return read_list(value, [](const Json& weight) {
         const Json::Array* list = weight.array();
-        return read_double(list && list->size() == 1 ? list->front() : weight);
+        if (!list || list->size() != 1) return read_double(weight);
+        return within(std::size_t{0}, [&] { return read_double(list->front()); });
     });
 }
 
+Place place_in_curve(const NumberPlaces& numbers, const Place& of_map) {
+    if (of_map.begins_with(Part::knots)) return numbers.knots.around(of_map.inside(Part::knots));
+    if (of_map.begins_with(Place{"weights"})) return numbers.weights.around(of_map.inside(Place{"weights"}));
+    if (!of_map.begins_with(Part::control_points)) return of_map;
+    if (!numbers.rows) return numbers.control_points;
+    return numbers.control_points.around(of_map.inside(Part::control_points));
+}
+
+/// Errors: those of the engine, at the places of the document.
 Map spline(std::size_t degree, std::vector<Rational> knots, std::vector<Coordinates> points,
-           const std::optional<std::vector<Rational>>& weights) {
-    PointForm form{.scalar = false};
-    if (weights) {
-        form.rational = true;
-        append_weights(points, *weights);
+           const std::optional<std::vector<Rational>>& weights, const NumberPlaces& places) {
+    try {
+        PointForm form{.scalar = false};
+        if (weights) {
+            form.rational = true;
+            within("weights", [&] { append_weights(points, *weights); });
+        }
+        return {BSplineCurve(degree, std::move(knots), std::move(points)), form};
+    } catch (const Error& error) {
+        throw error.at(place_in_curve(places, error.place()));
     }
-    return {BSplineCurve(degree, std::move(knots), std::move(points)), form};
 }
 
 // tinyspline: {"degree", "dimension", "control_points": all coordinates in one list, "knots"}
+
+const NumberPlaces tinyspline_numbers{Part::knots, Part::control_points, {}, false};
 
 std::vector<Map> read_tinyspline(const Json& document, const Limits& limits) {
     Fields fields(document);
@@ -55,7 +83,7 @@ std::vector<Map> read_tinyspline(const Json& document, const Limits& limits) {
             rows.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(dimension));
         return rows;
     });
-    return {spline(degree, std::move(knots), std::move(points), std::nullopt)};
+    return {spline(degree, std::move(knots), std::move(points), std::nullopt, tinyspline_numbers)};
 }
 
 /// The numbers of a bspline map as every format has them.
@@ -113,6 +141,9 @@ Json write_tinyspline(const std::vector<Map>& splines) {
 // geomdl: {"shape": {"type": "curve", "count", "data": [{"degree", "knotvector", "control_points": {"points",
 // "weights"?}, ...}]}}; other members are not needed.
 
+const NumberPlaces geomdl_numbers{
+    {"knotvector"}, {"control_points", "points"}, {"control_points", "weights"}};
+
 Map read_geomdl_curve(const Json& data, const Limits& limits) {
     Fields fields(data);
     const std::size_t degree =
@@ -124,7 +155,7 @@ Map read_geomdl_curve(const Json& data, const Limits& limits) {
         weights = inner.optional("weights", read_weights);
         return inner.required("points", read_rows);
     });
-    return spline(degree, std::move(knots), std::move(points), weights);
+    return spline(degree, std::move(knots), std::move(points), weights, geomdl_numbers);
 }
 
 std::vector<Map> read_geomdl(const Json& document, const Limits& limits) {
@@ -162,12 +193,14 @@ Json write_geomdl(const std::vector<Map>& splines) {
 // "knot_vectors": [[...]], "control_points": [[...]], "weights"?: [[w], ...], "dim", "para_dim"}]}; the
 // Bezier types have no knots.
 
+const NumberPlaces splinepy_numbers{Place{"knot_vectors"} / 0, {"control_points"}, {"weights"}};
+
 Map read_splinepy_spline(const Json& data, const Limits& limits) {
     Fields fields(data);
     const auto degrees = fields.required("degrees", [&](const Json& value) {
         return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
     });
-    if (degrees.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves, "/degrees");
+    if (degrees.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves, Place{"degrees"});
     std::vector<Coordinates> points = fields.required("control_points", read_rows);
     const auto weights = fields.optional("weights", read_weights);
     const auto knots = fields.optional("knot_vectors", [](const Json& value) {
@@ -175,10 +208,10 @@ Map read_splinepy_spline(const Json& data, const Limits& limits) {
         if (vectors.size() != 1) throw Error(ErrorCode::wrong_kind, only_curves);
         return std::move(vectors.front());
     });
-    if (knots) return spline(degrees.front(), *knots, std::move(points), weights);
+    if (knots) return spline(degrees.front(), *knots, std::move(points), weights, splinepy_numbers);
     std::vector<Rational> ends(degrees.front() + 1, Rational(0));
     ends.insert(ends.end(), degrees.front() + 1, Rational(1));
-    return spline(degrees.front(), std::move(ends), std::move(points), weights);
+    return spline(degrees.front(), std::move(ends), std::move(points), weights, splinepy_numbers);
 }
 
 std::vector<Map> read_splinepy(const Json& document, const Limits& limits) {
@@ -187,7 +220,7 @@ std::vector<Map> read_splinepy(const Json& document, const Limits& limits) {
     if (encoded) {
         throw Error(ErrorCode::wrong_kind,
                     "the numbers are written in base 64; export them with base64encoding=False",
-                    "/Base64Encoding");
+                    Place{"Base64Encoding"});
     }
     return fields.required("SplineList", [&](const Json& list) {
         return read_list(list, [&](const Json& data) { return read_splinepy_spline(data, limits); });
@@ -217,10 +250,10 @@ Json write_splinepy(const std::vector<Map>& splines) {
                         {"SplineList", std::move(list)}};
 }
 
-constexpr ForeignFormat formats[] = {
-    {"tinyspline", read_tinyspline, write_tinyspline},
-    {"geomdl", read_geomdl, write_geomdl},
-    {"splinepy", read_splinepy, write_splinepy},
+const ForeignFormat formats[] = {
+    {"tinyspline", read_tinyspline, write_tinyspline, {}, tinyspline_numbers},
+    {"geomdl", read_geomdl, write_geomdl, Place{"shape", "data"} / 0, geomdl_numbers},
+    {"splinepy", read_splinepy, write_splinepy, Place{"SplineList"} / 0, splinepy_numbers},
 };
 
 BSplineCurve textbook(const BSplineCurve& curve) {
@@ -237,6 +270,10 @@ const ForeignFormat& read_format(const Json& name) {
     std::vector<std::string_view> names;
     for (const ForeignFormat& format : formats) names.push_back(format.name);
     return formats[read_alternative(name, names, "a format")];
+}
+
+Place place_in_document(const ForeignFormat& format, const Place& of_map) {
+    return format.first_curve.around(place_in_curve(format.numbers, of_map));
 }
 
 Map as_textbook_spline(const Map& map, const Limits& limits) {

@@ -9,6 +9,14 @@
 
 namespace blossom::protocol {
 
+/// Where a library keeps the numbers of a curve, within what it writes for this curve.
+struct NumberPlaces {
+    Place knots;
+    Place control_points;
+    Place weights;
+    bool rows = true;  ///< the control points are a list of points, not of all their coordinates
+};
+
 /// What a library writes and reads.
 struct ForeignFormat {
     std::string_view name;
@@ -17,7 +25,12 @@ struct ForeignFormat {
     /// A document with these B-splines. Errors: `wrong_kind` for what the format has no place for;
     /// `overflow`.
     Json (*write)(const std::vector<Map>& splines);
+    Place first_curve;  ///< in a document
+    NumberPlaces numbers;
 };
+
+/// Where a document of one curve has what lies at `of_map` in the map that is read from it.
+Place place_in_document(const ForeignFormat& format, const Place& of_map);
 
 /// The format of that name. Errors: `wrong_kind`.
 const ForeignFormat& read_format(const Json& name);

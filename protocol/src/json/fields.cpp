@@ -52,7 +52,7 @@ void Fields::missing(std::string_view name) const {
         message += "; was it meant by " + quoted(written) + "?";
         break;
     }
-    throw Error(ErrorCode::missing_field, message, pointer_token(name));
+    throw Error(ErrorCode::missing_field, message, Place{std::string(name)});
 }
 
 void Fields::finish() const {
@@ -60,7 +60,7 @@ void Fields::finish() const {
         if (is_asked(name)) continue;
         throw Error(ErrorCode::unknown_field,
                     "the field " + quoted(name) + " is not known here" + suggestion(name, asked_),
-                    pointer_token(name));
+                    Place{std::string(name)});
     }
 }
 
@@ -147,7 +147,7 @@ Argument read_argument(const Json& value, const Limits& limits) {
         throw Error(
             ErrorCode::wrong_arity,
             "a homogeneous argument is a pair [u, mass], not " + std::to_string(pair.size()) + " numbers",
-            "/homogeneous");
+            Place{"homogeneous"});
     }
     return {pair[0], pair[1]};
 }

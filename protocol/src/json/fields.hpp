@@ -16,24 +16,29 @@
 
 namespace blossom::protocol {
 
-/// Runs `action`; an error in it lies below the member `name`, or the element `index`.
+using blossom::within;
+
+/// Runs `action`; an error in it lies below the member `name`.
 ///
-/// This is how every error gets its JSON Pointer, those of the engine included: each level that goes into a
-/// value adds its own token on the way out.
+/// This is how every error gets its place in the request, those of the engine included: each level that goes
+/// into a value adds its own step on the way out.
 template <class Action>
-auto within(std::string_view name, const Action& action) {
+decltype(auto) within(std::string_view name, const Action& action) {
     try {
         return action();
     } catch (const Error& error) {
-        throw error.below(pointer_token(name));
+        throw error.below({std::string(name)});
     }
 }
+
+/// Runs `action`, which passes the value that is being read to the engine as its parameter `part`: a place in
+/// this parameter is one in the value.
 template <class Action>
-auto within(std::size_t index, const Action& action) {
+decltype(auto) as_parameter(Part part, const Action& action) {
     try {
         return action();
     } catch (const Error& error) {
-        throw error.below("/" + std::to_string(index));
+        throw error.at(error.place().inside(part));
     }
 }
 
@@ -47,10 +52,10 @@ public:
 
     /// read(member), with errors below it. Errors: `missing_field`.
     template <class Read>
-    auto required(std::string_view name, const Read& read) {
+    decltype(auto) required(std::string_view name, const Read& read) {
         const Json* member = ask(name);
         if (!member) missing(name);
-        return within(name, [&] { return read(*member); });
+        return within(name, [&]() -> decltype(auto) { return read(*member); });
     }
     template <class Read>
     auto optional(std::string_view name, const Read& read) {

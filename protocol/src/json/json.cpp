@@ -29,8 +29,10 @@ std::string_view type_name(const Json& value) {
     return "a string";
 }
 
-std::string pointer_token(std::string_view name) {
-    std::string token = "/";
+namespace {
+
+std::string token_of(std::string_view name) {
+    std::string token;
     for (const char c : name) {
         if (c == '~') {
             token += "~0";
@@ -43,8 +45,6 @@ std::string pointer_token(std::string_view name) {
     return token;
 }
 
-namespace {
-
 const Json* child(const Json& value, std::string_view token) {
     if (const Json::Array* elements = value.array()) {
         std::size_t index = elements->size();
@@ -53,9 +53,7 @@ const Json* child(const Json& value, std::string_view token) {
     }
     const Json::Object* members = value.object();
     if (!members) return nullptr;
-    const auto named = [&](const Json::Member& member) {
-        return std::string_view(pointer_token(member.first)).substr(1) == token;
-    };
+    const auto named = [&](const Json::Member& member) { return token_of(member.first) == token; };
     const auto found = std::ranges::find_if(*members, named);
     return found == members->end() ? nullptr : &found->second;
 }
@@ -71,6 +69,39 @@ const Json* at_pointer(const Json& value, std::string_view pointer) {
         pointer.remove_prefix(length);
     }
     return place;
+}
+
+namespace {
+
+std::string_view member_name(const Place::Step& step) {
+    const Part* part = std::get_if<Part>(&step);
+    return part ? part_name(*part) : std::string_view(std::get<std::string>(step));
+}
+
+}  // namespace
+
+const Json* at_place(const Json& value, const Place& place) {
+    const Json* found = &value;
+    for (const Place::Step& step : place.steps()) {
+        if (const auto* index = std::get_if<std::size_t>(&step)) {
+            const Json::Array* elements = found->array();
+            found = elements && *index < elements->size() ? &(*elements)[*index] : nullptr;
+        } else {
+            found = found->find(member_name(step));
+        }
+        if (!found) return nullptr;
+    }
+    return found;
+}
+
+std::string pointer_of(const Place& place) {
+    std::string pointer;
+    for (const Place::Step& step : place.steps()) {
+        const auto* index = std::get_if<std::size_t>(&step);
+        pointer += '/';
+        pointer += index ? std::to_string(*index) : token_of(member_name(step));
+    }
+    return pointer;
 }
 
 }  // namespace blossom::protocol

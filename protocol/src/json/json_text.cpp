@@ -61,7 +61,9 @@ public:
         message.remove_prefix(start == std::string_view::npos ? 0 : start + 2);
         message = message.substr(0, message.find("; last read"));
         const std::size_t offset = position == 0 ? 0 : position - 1;
-        fail({ErrorCode::syntax, "byte " + std::to_string(position) + ": " + std::string(message), "",
+        fail({ErrorCode::syntax,
+              "byte " + std::to_string(position) + ": " + std::string(message),
+              {},
               offset});
         return false;
     }
@@ -112,14 +114,14 @@ private:
               place()});
         return false;
     }
-    /// The JSON Pointer of the innermost open container.
-    std::string place() const {
-        std::string pointer;
+    /// Of the innermost open container.
+    Place place() const {
+        Place place;
         for (std::size_t i = 0; i + 1 < open_.size(); ++i) {
             const Json::Array* elements = open_[i].array();
-            pointer += pointer_token(elements ? std::to_string(elements->size()) : keys_[i]);
+            place = elements ? place / elements->size() : place / keys_[i];
         }
-        return pointer;
+        return place;
     }
 
     const Limits& limits_;
@@ -166,7 +168,7 @@ JsonReading read_json(std::string_view text, const Limits& limits) {
     Builder builder(limits);
     // The reader takes a zero byte for the end of the text.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-        builder.fail({ErrorCode::syntax, "byte " + std::to_string(zero + 1) + ": a zero byte", "", zero});
+        builder.fail({ErrorCode::syntax, "byte " + std::to_string(zero + 1) + ": a zero byte", {}, zero});
     } else {
         Reader::sax_parse(text.begin(), text.end(), &builder);
     }

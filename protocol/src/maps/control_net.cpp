@@ -145,13 +145,16 @@ Map read_simplex(Fields& fields, const Limits& limits) {
     const auto visit = [&](const Json& value, const auto& leaf) {
         const Json::Array& entries = read_array(value);
         if (entries.empty()) refuse_net("a control net has at least one point");
-        const Json::Array& pair = read_array(entries.front());
-        const std::size_t length = pair.empty() || !pair.front().array() ? 0 : pair.front().array()->size();
-        if (length == 0) {
-            throw Error(ErrorCode::incomplete_net, "an entry of a net is a pair of an index and a value",
-                        "/0");
-        }
-        dimension = length - 1;
+        within(std::size_t{0}, [&] {
+            const Json::Array& pair = read_array(entries.front());
+            if (pair.empty()) refuse_net("an entry of a net is a pair of an index and a value");
+            within(std::size_t{0}, [&] {
+                const Json::Array* index = pair.front().array();
+                if (!index || index->empty())
+                    refuse_net("an entry of a net is a pair of an index and a value");
+                dimension = index->size() - 1;
+            });
+        });
         visit_indexed(value, dimension, degree, limits, leaf);
     };
     WeightedPoints read = read_net(fields, limits, visit);

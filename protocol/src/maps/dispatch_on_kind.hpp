@@ -65,7 +65,7 @@ std::string served_names(std::index_sequence<Indices...>) {
 /// function(value) for the kinds of map that it can be called with.
 /// Errors: `wrong_kind` for every other kind, naming those it can be called with; `place` is the map's.
 template <class Result, class Function>
-Result serve(const Map& map, const Function& function, const std::string& place = "/map") {
+Result serve(const Map& map, const Function& function, const Place& place = Part::map) {
     const auto serve_kind = [&](const auto& value) -> Result {
         if constexpr (std::is_invocable_v<const Function&, decltype(value)>) {
             return function(value);

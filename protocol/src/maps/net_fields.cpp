@@ -30,7 +30,7 @@ void refuse_weights(const Fields& fields) {
     if (!fields.has("weights")) return;
     throw Error(ErrorCode::wrong_kind,
                 R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
-                "/weights");
+                Place{"weights"});
 }
 
 std::vector<std::size_t> read_degrees_of_directions(Fields& fields, const Limits& limits) {
@@ -38,7 +38,7 @@ std::vector<std::size_t> read_degrees_of_directions(Fields& fields, const Limits
         return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
     });
     if (degrees.empty())
-        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", "/degrees");
+        throw Error(ErrorCode::wrong_arity, "a tensor product has at least one direction", Place{"degrees"});
     return degrees;
 }
 

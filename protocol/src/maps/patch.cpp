@@ -158,14 +158,7 @@ BarycentricFrame read_vertices(const Json& value, const Limits& limits) {
     auto vertices = read_list(value, [&](const Json& vertex) { return read_numbers(vertex, limits); });
     // Gauss's elimination takes the cube of their number.
     require_within(vertices.size(), 200, "numbers", "the number of vertices of a simplex");
-    try {
-        return BarycentricFrame(std::move(vertices));
-    } catch (const Error& error) {
-        const std::string field = error.field();
-        const std::string_view prefix = "/vertices";
-        throw Error(error.code(), error.message(),
-                    field.starts_with(prefix) ? field.substr(prefix.size()) : field);
-    }
+    return as_parameter(Part::vertices, [&] { return BarycentricFrame(std::move(vertices)); });
 }
 
 std::vector<BarycentricFrame> read_intervals(const Json& value, const Limits& limits) {

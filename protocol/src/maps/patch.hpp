@@ -52,9 +52,9 @@ auto at_arguments(const Patch& patch, const Action& action) {
     try {
         return action();
     } catch (const Error& error) {
-        const std::string of_factor = "/arguments/0";
-        if (patch.tensor || !error.field().starts_with(of_factor)) throw;
-        throw Error(error.code(), error.message(), "/arguments" + error.field().substr(of_factor.size()));
+        const Place of_factor = Part::arguments / 0;
+        if (patch.tensor || !error.place().begins_with(of_factor)) throw;
+        throw error.at(Place(Part::arguments).around(error.place().inside(of_factor)));
     }
 }
 

@@ -43,7 +43,7 @@ void append_weights(std::vector<Coordinates>& points, const std::vector<Rational
                         "weight " + std::to_string(i) +
                             " is 0; with \"homogeneous\": true, points carry their weight and "
                             "may have weight 0",
-                        "/" + std::to_string(i));
+                        Place{i});
         }
         for (Rational& coordinate : points[i]) coordinate *= weights[i];
         points[i].push_back(weights[i]);
@@ -115,7 +115,7 @@ WeightedPoints read_control_points(Fields& fields, const Limits& limits) {
             throw Error(
                 ErrorCode::wrong_kind,
                 R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
-                "/weights");
+                Place{"weights"});
         }
         form = within("control_points", [&] { return homogeneous_form(points); });
     } else if (weights) {
@@ -172,7 +172,7 @@ void check_degree(Fields& fields, std::size_t points, const Limits& limits) {
     throw Error(ErrorCode::wrong_arity,
                 std::to_string(points) + " points make the degree " + std::to_string(points - 1) + ", not " +
                     std::to_string(*degree),
-                "/degree");
+                Place{"degree"});
 }
 
 void require_numbers(std::size_t count, std::size_t dimension, const Limits& limits) {

@@ -72,7 +72,8 @@ Written read_written(Fields& fields, const Limits& limits) {
                                [&](const Json& value) { return read_coefficients(value, limits); });
     if (fields.has("coefficients")) {
         throw Error(ErrorCode::wrong_kind,
-                    R"(a polynomial is given by "text" or by "coefficients", not by both)", "/coefficients");
+                    R"(a polynomial is given by "text" or by "coefficients", not by both)",
+                    Place{"coefficients"});
     }
     return std::move(*text);
 }
@@ -83,7 +84,7 @@ PointForm form_of(const Written& written, bool has_denominator, bool homogeneous
         throw Error(
             ErrorCode::mismatched_dimensions,
             R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
-            "/homogeneous");
+            Place{"homogeneous"});
     }
     return {.scalar = false, .rational = true, .homogeneous = true};
 }

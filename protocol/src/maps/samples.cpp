@@ -43,7 +43,8 @@ Map read_samples(Fields& fields, const Limits& limits) {
                     std::size_t{1}, [&] { return read_point(list[i].point, form, dimension, limits); });
                 if (samples.values.emplace(list[i].parameter, std::move(point)).second) return;
                 throw Error(ErrorCode::wrong_arity,
-                            "the parameter " + to_string(list[i].parameter) + " occurs twice", "/0");
+                            "the parameter " + to_string(list[i].parameter) + " occurs twice",
+                            Place{std::size_t{0}});
             });
         }
         return true;

@@ -97,7 +97,7 @@ Coordinatewise read_numerators(Fields& fields, const Names& names, const Limits&
     auto text = fields.optional("text", [&](const Json& value) { return read_texts(value, names, limits); });
     if (text && fields.has("terms")) {
         throw Error(ErrorCode::wrong_kind, R"(a polynomial is given by "text" or by "terms", not by both)",
-                    "/terms");
+                    Place{"terms"});
     }
     if (text) return std::move(*text);
     return fields.required("terms", [&](const Json& value) { return read_terms(value, names, limits); });
@@ -135,7 +135,7 @@ NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& name
     if (degrees && degree) {
         throw Error(ErrorCode::wrong_kind,
                     R"(a polynomial has a total "degree" or one of "degrees" a variable, not both)",
-                    "/degree");
+                    Place{"degree"});
     }
     if (degrees) return within("degrees", [&] { return NetShape::tensor(*degrees, limits); });
     const std::size_t total = degree.value_or(actual_degree(map, {}));
@@ -148,7 +148,7 @@ PointForm form_of(const Coordinatewise& map, bool has_denominator, bool homogene
         throw Error(
             ErrorCode::mismatched_dimensions,
             R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
-            "/homogeneous");
+            Place{"homogeneous"});
     }
     return {.scalar = false, .rational = true, .homogeneous = true};
 }
@@ -190,7 +190,7 @@ Map read_several_variables(Fields& fields, const Limits& limits) {
         return {Patch{PolynomialPatch(shape, map.coordinates, limits), tensor, {}, std::move(names)}, form};
     } catch (const Error& error) {
         if (error.code() != ErrorCode::degree_too_low) throw;
-        throw Error(error.code(), error.message(), tensor ? "/degrees" : "/degree");
+        throw Error(error.code(), error.message(), tensor ? Place{"degrees"} : Place{"degree"});
     }
 }
 

@@ -12,13 +12,14 @@ namespace {
 
 /// How many entries the first of the nested arrays on each level has.
 std::vector<std::size_t> counts_of(const Json& net, std::size_t levels) {
-    std::vector<std::size_t> counts;
-    const Json* level = &net;
-    while (counts.size() < levels) {
-        const Json::Array& elements = read_array(*level);
-        if (elements.empty()) refuse_net("a control net has at least one point");
-        counts.push_back(elements.size());
-        level = &elements.front();
+    const Json::Array& elements = read_array(net);
+    if (elements.empty()) refuse_net("a control net has at least one point");
+    std::vector<std::size_t> counts{elements.size()};
+    if (levels > 1) {
+        within(std::size_t{0}, [&] {
+            const std::vector<std::size_t> inner = counts_of(elements.front(), levels - 1);
+            counts.insert(counts.end(), inner.begin(), inner.end());
+        });
     }
     return counts;
 }
@@ -39,15 +40,8 @@ std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std:
         for (std::size_t d = 0; d < lists.size(); ++d) {
             within(d, [&] {
                 std::vector<Rational> numbers = read_numbers(lists[d], limits);
-                try {
-                    knots.emplace_back(degrees[d], std::move(numbers), counts[d]);
-                } catch (const Error& error) {
-                    // The engine's fields are those of a curve, "/knots/i".
-                    const std::string prefix = "/knots";
-                    const std::string& field = error.field();
-                    throw Error(error.code(), error.message(),
-                                field.starts_with(prefix) ? field.substr(prefix.size()) : "");
-                }
+                as_parameter(Part::knots,
+                             [&] { knots.emplace_back(degrees[d], std::move(numbers), counts[d]); });
             });
         }
         return knots;

@@ -66,9 +66,20 @@ constexpr std::string_view audited[] = {"knots",        "control_points", "weigh
                                         "coefficients", "denominator",    "values"};
 
 /// The numbers that the request gives as computed, by field.
-Json read_computed(Fields& request, const Limits& limits) {
+struct Computed {
+    Json numbers;
+    const ForeignFormat* format = nullptr;  ///< of the document that they come from
+
+    /// Where the request has what lies at `of_numbers`.
+    Place place(const Place& of_numbers) const {
+        if (!format) return Place{"computed"}.around(of_numbers);
+        return Place{"document"}.around(place_in_document(*format, of_numbers));
+    }
+};
+
+Computed read_computed(Fields& request, const Limits& limits) {
     if (!request.has("document")) {
-        return request.required("computed", [](const Json& value) {
+        return {request.required("computed", [](const Json& value) {
             Fields fields(value);
             Json computed;
             for (const std::string_view field : audited) {
@@ -78,28 +89,27 @@ Json read_computed(Fields& request, const Limits& limits) {
             fields.finish();
             if (computed.is_null()) fields.missing("control_points");
             return computed;
-        });
+        })};
     }
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
-    return request.required("document", [&](const Json& value) {
+    Json numbers = request.required("document", [&](const Json& value) {
         const std::vector<Map> maps = format.read(value, limits);
         if (maps.size() != 1) {
             throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
         }
         return to_json(maps.front());
     });
+    return {std::move(numbers), &format};
 }
 
 Answer answer(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const auto parameters =
         request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
-    const bool whole_document = request.has("document");
-    const std::string place = whole_document ? "document" : "computed";
-    const Json computed = read_computed(request, limits);
+    const Computed computed = read_computed(request, limits);
     request.finish();
-    Json exact = to_json(whole_document ? as_textbook_spline(map, limits) : map);
+    Json exact = to_json(computed.format ? as_textbook_spline(map, limits) : map);
     if (parameters) {
         exact["values"] = values_at(value_evaluator(map, parameters->size(), limits), *parameters, map.form,
                                     dimension_of(map), limits);
@@ -108,17 +118,19 @@ Answer answer(Request& request, const Limits& limits) {
     Json differences;
     Json ulps;
     for (const std::string_view field : audited) {
-        const Json* numbers = computed.find(field);
+        const Json* numbers = computed.numbers.find(field);
         if (!numbers) continue;
         const Json* expected = exact.find(field);
-        within(place, [&] {
+        try {
             within(field, [&] {
                 if (!expected) throw Error(ErrorCode::wrong_kind, "the exact map has no such numbers");
                 auto [error, in_ulps] = compare(*expected, *numbers, errors);
                 differences[field] = std::move(error);
                 ulps[field] = std::move(in_ulps);
             });
-        });
+        } catch (const Error& error) {
+            throw error.at(computed.place(error.place()));
+        }
     }
     return Json::Object{{"errors", std::move(differences)},
                         {"ulps", std::move(ulps)},
@@ -166,7 +178,9 @@ Operation audit_operation() {
         .example = {"audit", "--control-points", "0; 1/3; 1/10", "--computed",
                     R"({"control_points": [0, 0.333, 0.1]})"},
         .options = with_map_options({
-            {"--computed", "/computed", "JSON",
+            {"--computed",
+             {"computed"},
+             "JSON",
              R"(the numbers of the other program: "control_points", "weights", "knots", "coefficients", )"
              R"(or the "values" at the parameters --at)",
              apply_computed},

@@ -28,7 +28,7 @@ KnotVector read_knots(Fields& request, const Limits& limits) {
         throw Error(ErrorCode::bad_knots,
                     std::to_string(knots.size()) + " knots of degree " + std::to_string(degree) +
                         " are too few for a basis function in this convention",
-                    "/knots");
+                    Place{"knots"});
     }
     const std::size_t points = more - fewer;
     return {degree, std::move(knots), points};

@@ -138,7 +138,7 @@ void certify_derivative(const Question& question) {
             ErrorCode::wrong_kind,
             "a derivative of a rational map comes from the quotient rule and is no blossom value; with "
             "\"homogeneous\": true it has a certificate",
-            "/map");
+            Place{"map"});
     }
     const Json* written = question.request.find("order");
     const std::size_t order = written ? read_count(*written, question.limits) : 1;
@@ -220,7 +220,9 @@ Operation certify_operation() {
         .summary = "Answer requests as a file in which Coq checks every number",
         .example = {"certify",
                     R"({"op":"blossom","map":{"kind":"polynomial","text":"1 + 2t"},"arguments":["1/2"]})"},
-        .options = {{"REQUEST", "/requests", "JSON",
+        .options = {{"REQUEST",
+                     {"requests"},
+                     "JSON",
                      "requests for agree, blossom, control-points or derivative, each on a line",
                      apply_requests}},
         .answer = answer,

@@ -74,12 +74,12 @@ struct OneSide {
 Json continuity_of_maps(std::vector<Map> maps, const Rational& s, const Limits& limits) {
     if (maps.size() != 2) {
         throw Error(ErrorCode::wrong_arity,
-                    "there are two sides, left and right, not " + std::to_string(maps.size()), "/maps");
+                    "there are two sides, left and right, not " + std::to_string(maps.size()), Place{"maps"});
     }
     make_form_common(maps, limits);
     const PointForm& form = maps.front().form;
-    const auto left = serve<PolynomialMap>(maps[0], OneSide{s, true, limits}, "/maps/0");
-    const auto right = serve<PolynomialMap>(maps[1], OneSide{s, false, limits}, "/maps/1");
+    const auto left = serve<PolynomialMap>(maps[0], OneSide{s, true, limits}, Place{"maps"} / 0);
+    const auto right = serve<PolynomialMap>(maps[1], OneSide{s, false, limits}, Place{"maps"} / 1);
     return within("at", [&] {
         return form.separate_weights() ? answer_of(projected_contact(left, right, s, limits), form, s)
                                        : answer_of(contact(left, right, s, limits), form, s);

@@ -47,7 +47,7 @@ struct ControlPoints {
         if (!degree || *degree == part.degree()) return part;
         if (*degree > part.degree()) return elevate(part, *degree - part.degree(), limits);
         throw Error(ErrorCode::degree_too_low, "the spline has degree " + std::to_string(part.degree()),
-                    "/degree");
+                    Place{"degree"});
     }
 };
 
@@ -85,7 +85,9 @@ Operation control_points_operation() {
             field_option("--vertices", "vertices", "P0;P1;...",
                          "for a patch: the vertices of the new simplex", tuple_list),
             field_option("--intervals", "intervals", "A,B;C,D;...", "for a patch: the new box", tuple_list),
-            {"--degree", "/degree", "N",
+            {"--degree",
+             {"degree"},
+             "N",
              "the new formal degree, by default that of the map; with --knots the degree of the spline",
              apply_degree},
             wanted_degrees_option(),

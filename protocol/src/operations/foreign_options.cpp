@@ -14,7 +14,7 @@ Option document_option(std::string help) {
     const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits& limits) {
         request["document"] = parse_json(values.front(), limits);
     };
-    return {"--document", "/document", "JSON", std::move(help), apply};
+    return {"--document", {"document"}, "JSON", std::move(help), apply};
 }
 
 }  // namespace blossom::protocol

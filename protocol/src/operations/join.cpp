@@ -19,8 +19,8 @@ std::vector<BezierCurve> bezier_curves(std::vector<Map>& maps, const Limits& lim
     std::vector<BezierCurve> curves;
     curves.reserve(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        curves.push_back(serve<BezierCurve>(
-            maps[i], [](const BezierCurve& curve) { return curve; }, "/maps/" + std::to_string(i)));
+        curves.push_back(
+            serve<BezierCurve>(maps[i], [](const BezierCurve& curve) { return curve; }, Place{"maps"} / i));
     }
     return curves;
 }
@@ -41,11 +41,11 @@ Answer answer(Request& request, const Limits& limits) {
         request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
     request.finish();
     const std::vector<BezierCurve> curves = bezier_curves(maps, limits);
-    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", "/maps");
+    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", Place{"maps"});
     const std::size_t greatest = std::ranges::max_element(curves, {}, &BezierCurve::degree)->degree();
     if (degree && !knots) {
         throw Error(ErrorCode::wrong_kind, "the degree is that of given knots, and none are given",
-                    "/degree");
+                    Place{"degree"});
     }
     const BSplineCurve spline =
         knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)

@@ -68,7 +68,7 @@ std::vector<Map> read_maps_field(Fields& request, const Limits& limits) {
 void make_form_common(std::vector<Map>& maps, const Limits& limits) {
     const bool rational = std::ranges::any_of(maps, [](const Map& map) { return map.form.rational; });
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const std::string place = "/maps/" + std::to_string(i);
+        const Place place = Place{"maps"} / i;
         const Map& first = maps.front();
         if (maps[i].form.scalar != first.form.scalar || point_dimension(maps[i]) != point_dimension(first) ||
             maps[i].form.homogeneous != first.form.homogeneous) {
@@ -79,7 +79,7 @@ void make_form_common(std::vector<Map>& maps, const Limits& limits) {
     }
     for (std::size_t i = 0; i < maps.size(); ++i) {
         if (!rational || maps[i].form.rational) continue;
-        maps[i].value = serve<AnyMap>(maps[i], WithWeight{limits}, "/maps/" + std::to_string(i));
+        maps[i].value = serve<AnyMap>(maps[i], WithWeight{limits}, Place{"maps"} / i);
         maps[i].form.rational = true;
     }
 }
@@ -89,7 +89,7 @@ Option maps_option(std::string name, std::string help) {
         Json::Array maps;
         for (const std::string& value : values) {
             const Json given = parse_json(value, limits);
-            const Json* of_response = at_pointer(given, "/result/maps");
+            const Json* of_response = at_place(given, {"result", "maps"});
             const Json& found = of_response ? *of_response : given;
             if (const Json::Array* list = found.array()) {
                 maps.insert(maps.end(), list->begin(), list->end());
@@ -99,7 +99,7 @@ Option maps_option(std::string name, std::string help) {
         }
         request["maps"] = std::move(maps);
     };
-    return {std::move(name), "/maps", "JSON", std::move(help), apply};
+    return {std::move(name), {"maps"}, "JSON", std::move(help), apply};
 }
 
 }  // namespace blossom::protocol

@@ -71,7 +71,7 @@ void apply_map(Json& request, const std::vector<std::string>& values, const Limi
             "a map is given by a polynomial, by --control-points or by --map, not by two of them");
     }
     const Json given = parse_json(values.front(), limits);
-    const Json* of_response = at_pointer(given, "/result/map");
+    const Json* of_response = at_place(given, {"result", "map"});
     request["map"] = of_response ? *of_response : given;
 }
 
@@ -84,19 +84,30 @@ Option map_option(std::string name, const std::string& field, std::string value,
         if (!map || !map->object()) throw UsageError(name + " needs a map: a polynomial or --control-points");
         request["map"][field] = values.empty() ? Json(true) : read(values.front());
     };
-    return {std::move(name), "/map/" + field, std::move(value), std::move(help), apply};
+    return {std::move(name), Place{"map", field}, std::move(value), std::move(help), apply};
 }
 
 std::vector<Option> map_options() {
     return {
-        {"POLYNOMIAL", "/map", "TEXT",
+        {"POLYNOMIAL",
+         {"map"},
+         "TEXT",
          "a polynomial, \"1 + 2t\"; for a point-valued map one per coordinate, repeated or separated by ';'",
          apply_polynomial},
-        {"--control-points", "/map/control_points", "P0;P1;...",
-         "the control points of a Bezier curve, \"0,0; 1,2; 3,0\"", apply_control_points},
-        {"--knots", "/map/knots", "T0,T1,...",
-         "with --degree: makes the control points those of a B-spline over these knots", apply_knots},
-        {"--map", "/map", "JSON", "any map of the protocol, or the --json output of another command",
+        {"--control-points",
+         {"map", "control_points"},
+         "P0;P1;...",
+         "the control points of a Bezier curve, \"0,0; 1,2; 3,0\"",
+         apply_control_points},
+        {"--knots",
+         {"map", "knots"},
+         "T0,T1,...",
+         "with --degree: makes the control points those of a B-spline over these knots",
+         apply_knots},
+        {"--map",
+         {"map"},
+         "JSON",
+         "any map of the protocol, or the --json output of another command",
          apply_map},
         map_option("--variables", "variables", "X,Y,...", "makes the polynomial one in several variables",
                    number_list),
@@ -169,7 +180,7 @@ Option field_option(std::string name, const std::string& field, std::string valu
     const auto apply = [field, read](Json& request, const std::vector<std::string>& values, const Limits&) {
         request[field] = read(values.front());
     };
-    return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
+    return {std::move(name), Place{field}, std::move(value), std::move(help), apply};
 }
 
 Option field_option(std::string name, const std::string& field, std::string value, std::string help,
@@ -180,14 +191,14 @@ Option field_option(std::string name, const std::string& field, std::string valu
         request[field] =
             has_patch(request) ? read_patch(values.front(), *request.find("map")) : read(values.front());
     };
-    return {std::move(name), "/" + field, std::move(value), std::move(help), apply};
+    return {std::move(name), Place{field}, std::move(value), std::move(help), apply};
 }
 
 Option flag_option(std::string name, const std::string& field, std::string help) {
     const auto apply = [field](Json& request, const std::vector<std::string>&, const Limits&) {
         request[field] = true;
     };
-    return {std::move(name), "/" + field, "", std::move(help), apply};
+    return {std::move(name), Place{field}, "", std::move(help), apply};
 }
 
 std::vector<Option> with_map_options(std::vector<Option> others) {
@@ -205,7 +216,7 @@ Option own_interval_option(std::string help) {
         Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;
         owner["interval"] = number_list(values.front());
     };
-    return {"--interval", "/interval", "A,B", std::move(help), apply};
+    return {"--interval", {"interval"}, "A,B", std::move(help), apply};
 }
 
 Option wanted_degrees_option() {
@@ -214,7 +225,9 @@ Option wanted_degrees_option() {
         Json& owner = map && map->find("text") ? request["map"] : request;
         owner["degrees"] = number_list(values.front());
     };
-    return {"--degrees", "/degrees", "M,N,...",
+    return {"--degrees",
+            {"degrees"},
+            "M,N,...",
             "for a polynomial, one formal degree per variable; for a patch given by --map, the new degrees",
             apply};
 }

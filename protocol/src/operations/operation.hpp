@@ -18,7 +18,7 @@ namespace blossom::protocol {
 /// One option of a command: what it writes into the request.
 struct Option {
     std::string name;   ///< "--at", or in capitals the name of a positional argument, which may be repeated
-    std::string field;  ///< the JSON Pointer of what it writes
+    Place field;        ///< what it writes
     std::string value;  ///< what to call its value in the help; alternatives as "a|b"; empty for a flag
     std::string help;
     std::function<void(Json& request, const std::vector<std::string>& values, const Limits& limits)> apply;

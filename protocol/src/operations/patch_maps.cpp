@@ -32,13 +32,8 @@ std::vector<Coordinates> corners(std::size_t dimension) {
 /// The pieces with vertex i of the factor replaced by the point, in the order of i.
 std::vector<Patch> pieces_at(const Patch& patch, std::size_t factor, const Coordinates& point,
                              const Limits& limits) {
-    std::vector<BezierPatch> nets;
-    try {
-        nets = subdivide(std::get<BezierPatch>(patch.map), factor, point, limits);
-    } catch (const Error& error) {
-        // The engine calls the field "/at", which the request is at already.
-        throw Error(error.code(), error.message());
-    }
+    std::vector<BezierPatch> nets = as_parameter(
+        Part::at, [&] { return subdivide(std::get<BezierPatch>(patch.map), factor, point, limits); });
     std::vector<Patch> pieces;
     for (BezierPatch& net : nets) {
         std::vector<Coordinates> elements = corners(patch.shape()[factor].dimension);

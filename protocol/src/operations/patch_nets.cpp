@@ -48,7 +48,7 @@ std::vector<std::size_t> read_degrees(Fields& request, const NetShape& shape, bo
     if (!degrees) return usual;
     if (degrees->size() == usual.size()) return *degrees;
     throw Error(ErrorCode::wrong_arity,
-                fmt::format("{} degrees for {} directions", degrees->size(), usual.size()), "/degrees");
+                fmt::format("{} degrees for {} directions", degrees->size(), usual.size()), Place{"degrees"});
 }
 
 /// By monomial coefficients in a shape that may group the variables otherwise.
@@ -79,7 +79,8 @@ WantedDomain read_domain(Fields& request, const Patch& patch, const Limits& limi
     });
     if (over && boxes) {
         throw Error(ErrorCode::wrong_kind,
-                    R"(control points are over "vertices" or over "intervals", not over both)", "/intervals");
+                    R"(control points are over "vertices" or over "intervals", not over both)",
+                    Place{"intervals"});
     }
     if (over) return {false, {*over}};
     if (boxes) return {true, *boxes};
@@ -101,8 +102,9 @@ Patch over_sub_simplex(const Patch& patch, const WantedDomain& wanted,
     return {within("degree", [&] { return elevated_to(result, degrees, limits); }), false, {}, {}};
 }
 
-std::string degree_place(const Error& error, bool tensor) {
-    return error.code() == ErrorCode::degree_too_low ? (tensor ? "/degrees" : "/degree") : error.field();
+Place degree_place(const Error& error, bool tensor) {
+    return error.code() == ErrorCode::degree_too_low ? (tensor ? Place{"degrees"} : Place{"degree"})
+                                                     : error.place();
 }
 
 Patch over_domain(const Patch& patch, const WantedDomain& wanted, const std::vector<std::size_t>& degrees,
@@ -156,7 +158,8 @@ Patch as_polynomial(const Patch& patch, const Limits& limits) {
     if (patch.is_polynomial()) return patch;
     if (patch.is_barycentric()) {
         throw Error(ErrorCode::wrong_kind,
-                    R"(a simplex without "vertices" is no polynomial in coordinates of its points)", "/map");
+                    R"(a simplex without "vertices" is no polynomial in coordinates of its points)",
+                    Place{"map"});
     }
     return {monomial_form(std::get<BezierPatch>(patch.map), patch.frames, limits),
             patch.tensor,
@@ -168,7 +171,7 @@ TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
     if (!patch.tensor) {
         throw Error(ErrorCode::wrong_kind,
                     "B-splines in several directions are over a box; convert the simplex map to tensor first",
-                    "/map");
+                    Place{"map"});
     }
     Patch net = as_net(patch, limits);
     return bspline_of({std::get<BezierPatch>(net.map), std::move(net.frames)}, limits);
@@ -186,7 +189,7 @@ Answer net_over(Fields& request, const Map& map, std::optional<bool> tensor, con
         if (!wanted.frames.empty()) {
             throw Error(ErrorCode::wrong_kind,
                         R"(a tensor product is over "intervals", a simplex over "vertices")",
-                        wanted.tensor ? "/intervals" : "/vertices");
+                        wanted.tensor ? Place{"intervals"} : Place{"vertices"});
         }
         wanted = {*tensor, patch.is_barycentric() ? std::vector<BarycentricFrame>() : other_domain(patch)};
     }
@@ -194,7 +197,7 @@ Answer net_over(Fields& request, const Map& map, std::optional<bool> tensor, con
     request.finish();
     if (patch.is_barycentric() && wanted.tensor) {
         throw Error(ErrorCode::wrong_kind, R"(a simplex without "vertices" has no box of parameters)",
-                    wanted.frames.empty() ? "/map" : "/intervals");
+                    wanted.frames.empty() ? Place{"map"} : Place{"intervals"});
     }
     return answer_of(like(map, patch.is_barycentric() ? over_sub_simplex(patch, wanted, degrees, limits)
                                                       : over_domain(patch, wanted, degrees, limits)));

@@ -87,7 +87,7 @@ PlacedPatch required_net(std::optional<PlacedPatch> net, std::size_t i) {
     throw Error(
         ErrorCode::wrong_kind,
         R"(two tensor or two simplex maps are needed, these with "vertices": their domains say where they meet)",
-        "/maps/" + std::to_string(i));
+        Place{"maps"} / i);
 }
 
 std::optional<PlacedPatch> placed(const Map& map) {
@@ -139,7 +139,7 @@ Json continuity_of_patches(Fields& request, std::vector<Map> maps, const Limits&
     request.finish();
     if (maps.size() != 2) {
         throw Error(ErrorCode::wrong_arity,
-                    "there are two sides, left and right, not " + std::to_string(maps.size()), "/maps");
+                    "there are two sides, left and right, not " + std::to_string(maps.size()), Place{"maps"});
     }
     for (std::size_t i = 0; i < maps.size(); ++i) required_net(placed(maps[i]), i);
     make_form_common(maps, limits);
@@ -169,19 +169,16 @@ Json continuity_of_tensor_bspline(Fields& request, const Map& map, const Limits&
             fmt::format("one entry a direction is needed, {} of them: a number in one and null in the "
                         "others",
                         spline.directions()),
-            "/at");
+            Place{"at"});
     }
     const auto direction = static_cast<std::size_t>(std::ranges::find_if(at, is_given) - at.begin());
     const bool divided = map.form.separate_weights();
     const PatchContact found = within("at", [&] {
         return within(direction, [&] {
-            try {
+            return as_parameter(Part::at, [&] {
                 return divided ? projected_contact(spline, direction, *at[direction], limits)
                                : contact(spline, direction, *at[direction], limits);
-            } catch (const Error& error) {
-                // The engine calls the field "/at", which the request is at already.
-                throw Error(error.code(), error.message());
-            }
+            });
         });
     });
     return contact_json(found, map.form, true);

@@ -22,7 +22,7 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     const auto refuse = [&](const Error& error) {
         if (!error.offset()) throw Error(error);
         const auto [line, column] = proofs::place_of(statement, *error.offset());
-        throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), "",
+        throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), {},
                     error.offset());
     };
     const proofs::Document document = proofs::parse(statement, limits);

@@ -44,7 +44,8 @@ struct Reduce {
     }
     Reduced operator()(const BSplineCurve& curve) const {
         if (interval) {
-            throw Error(ErrorCode::unknown_field, "a spline is reduced over its whole domain", "/interval");
+            throw Error(ErrorCode::unknown_field, "a spline is reduced over its whole domain",
+                        Place{"interval"});
         }
         SplineReduction reduction = reduce(curve, degree, method, limits);
         return {reduction.curve, reduction.exact, reduction.l2_squared, std::move(reduction.maximum)};

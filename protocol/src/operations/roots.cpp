@@ -68,10 +68,10 @@ Answer answer(Request& request, const Limits& limits) {
     request.finish();
     if (!map.form.scalar) {
         throw Error(ErrorCode::wrong_kind,
-                    "only a map whose values are numbers has roots; this one has points", "/map");
+                    "only a map whose values are numbers has roots; this one has points", Place{"map"});
     }
     if (width && width->sign() <= 0) {
-        throw Error(ErrorCode::wrong_kind, "the width of an interval is greater than 0", "/width");
+        throw Error(ErrorCode::wrong_kind, "the width of an interval is greater than 0", Place{"width"});
     }
     const auto found = serve<std::vector<Root>>(map, RootsOf{map.form, interval, width.value_or(0), limits});
     Json::Array list;

@@ -49,7 +49,7 @@ TensorBSpline elevated_to(TensorBSpline spline, const std::vector<std::size_t>& 
             throw Error(
                 ErrorCode::degree_too_low,
                 fmt::format("the B-splines of direction {} have degree {}, above {}", d, own, degrees[d]),
-                "/degrees/" + std::to_string(d));
+                Place{"degrees"} / d);
         }
         spline = elevate(spline, d, degrees[d] - own, limits);
     }
@@ -91,14 +91,7 @@ Answer insert_knots_of_tensor_bspline(Fields& request, const Map& map, const Lim
         within("knots", [&] {
             within(d, [&] {
                 if (knots[d].empty()) return;
-                try {
-                    refined = insert_knots(refined, d, knots[d], limits);
-                } catch (const Error& error) {
-                    const std::string_view prefix = "/knots";
-                    const std::string& field = error.field();
-                    throw Error(error.code(), error.message(),
-                                field.starts_with(prefix) ? field.substr(prefix.size()) : "");
-                }
+                as_parameter(Part::knots, [&] { refined = insert_knots(refined, d, knots[d], limits); });
             });
         });
     }

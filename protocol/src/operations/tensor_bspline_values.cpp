@@ -16,12 +16,7 @@ namespace {
 
 /// The spans at parameters that stand at a place of the request of their own.
 std::vector<std::size_t> spans_at_own_place(const TensorBSpline& spline, const Coordinates& parameters) {
-    try {
-        return spans_at(spline, parameters);
-    } catch (const Error& error) {
-        const std::string_view prefix = "/at";
-        throw Error(error.code(), error.message(), error.field().substr(prefix.size()));
-    }
+    return as_parameter(Part::at, [&] { return spans_at(spline, parameters); });
 }
 
 /// f(parameters) for every entry of "at".
@@ -59,7 +54,7 @@ PartialOrders partial_orders(std::size_t count, const std::vector<Coordinates>& 
                 ErrorCode::wrong_kind,
                 "the derivative of B-splines is again a map of this kind along one parameter only, "
                 "with all entries but one 0; at parameters, with \"at\", it is given in any direction",
-                "/direction");
+                Place{"direction"});
         }
         if (first == direction.end()) {
             result.factor = 0;
@@ -77,7 +72,7 @@ Map derived_map(const Map& map, const std::vector<Coordinates>& directions, cons
         throw Error(ErrorCode::wrong_kind,
                     R"(the derivative of rational B-splines in several directions is given at parameters, )"
                     R"("at" is missing; or take the derivatives of its segments)",
-                    "/map");
+                    Place{"map"});
     }
     const auto [orders, factor] = partial_orders(spline.directions(), directions);
     const TensorBSpline derived = derivative_spline(spline, orders, limits);

@@ -19,7 +19,7 @@ void require_few_dimensions(std::size_t dimension) {
                 "a domain of dimension " + std::to_string(dimension) +
                     " has too many faces to be shown; they are shown up to dimension " +
                     std::to_string(most_dimensions),
-                "/map");
+                Place{"map"});
 }
 
 Coordinates on_segment(std::size_t i, std::size_t steps) {

@@ -15,14 +15,15 @@ namespace blossom::protocol {
 namespace {
 
 /// The first two coordinates; none for a point at infinity.
-std::optional<Place> projected_place(const Coordinates& point, const PointForm& form) {
-    if (!form.rational) return Place{point[0], point[1]};
+std::optional<PlanePoint> projected_place(const Coordinates& point, const PointForm& form) {
+    if (!form.rational) return PlanePoint{point[0], point[1]};
     if (point.back().is_zero()) return std::nullopt;
-    return Place{point[0] / point.back(), point[1] / point.back()};
+    return PlanePoint{point[0] / point.back(), point[1] / point.back()};
 }
 
 /// Appends to the last line, or begins a new one.
-void append(std::vector<std::vector<Place>>& lines, const std::optional<Place>& place, bool& broken) {
+void append(std::vector<std::vector<PlanePoint>>& lines, const std::optional<PlanePoint>& place,
+            bool& broken) {
     if (!place) {
         broken = true;
         return;
@@ -32,8 +33,8 @@ void append(std::vector<std::vector<Place>>& lines, const std::optional<Place>& 
     lines.back().push_back(*place);
 }
 
-std::vector<std::vector<Place>> broken_line(std::span<const Coordinates> points, const PointForm& form) {
-    std::vector<std::vector<Place>> lines;
+std::vector<std::vector<PlanePoint>> broken_line(std::span<const Coordinates> points, const PointForm& form) {
+    std::vector<std::vector<PlanePoint>> lines;
     bool broken = true;
     for (const Coordinates& point : points) append(lines, projected_place(point, form), broken);
     return lines;
@@ -98,7 +99,7 @@ DrawnCurve drawn(const Map& map, const std::optional<Interval>& interval, const 
     return serve<DrawnCurve>(plane, Painter{plane.form, interval, limits});
 }
 
-std::optional<Place> place_of(const Json& value, const Rational& t, const PointForm& form) {
+std::optional<PlanePoint> place_of(const Json& value, const Rational& t, const PointForm& form) {
     Coordinates point = answered_point(value);
     if (form.homogeneous) {
         const Rational weight = point.back();
@@ -106,8 +107,8 @@ std::optional<Place> place_of(const Json& value, const Rational& t, const PointF
         point.pop_back();
         for (Rational& coordinate : point) coordinate /= weight;
     }
-    if (point.size() == 1) return Place{t, point[0]};
-    return Place{point[0], point[1]};
+    if (point.size() == 1) return PlanePoint{t, point[0]};
+    return PlanePoint{point[0], point[1]};
 }
 
 std::optional<Interval> given_interval(const Map& map) {

@@ -39,8 +39,8 @@ struct Bounds {
     }
 };
 
-std::vector<Place> places_of(const Picture& picture) {
-    std::vector<Place> places;
+std::vector<PlanePoint> places_of(const Picture& picture) {
+    std::vector<PlanePoint> places;
     for (const PictureLayer& layer : picture.layers) {
         for (const auto* lines : {&layer.curve.lines, &layer.curve.polygon}) {
             for (const auto& line : *lines) places.insert(places.end(), line.begin(), line.end());
@@ -54,10 +54,10 @@ std::vector<Place> places_of(const Picture& picture) {
 
 Frame::Frame(const Picture& picture) : Frame(places_of(picture), picture.equal_scales) {}
 
-Frame::Frame(const std::vector<Place>& places, bool equal_scales) {
+Frame::Frame(const std::vector<PlanePoint>& places, bool equal_scales) {
     Bounds horizontal;
     Bounds vertical;
-    for (const Place& place : places) {
+    for (const PlanePoint& place : places) {
         horizontal.include(place.x);
         vertical.include(place.y);
     }

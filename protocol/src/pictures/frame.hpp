@@ -16,7 +16,7 @@ public:
     /// Around everything in the picture.
     explicit Frame(const Picture& picture);
     /// Around these places; with `equal_scales` the same length on both axes.
-    Frame(const std::vector<Place>& places, bool equal_scales);
+    Frame(const std::vector<PlanePoint>& places, bool equal_scales);
 
     std::size_t width() const { return width_; }
     std::size_t height() const { return height_; }

@@ -61,7 +61,7 @@ MeshSpace space_of(std::size_t parameters, std::size_t dimension) {
                     what +
                         " cannot be shown in space; points have dimension 2 or 3 there, and a scalar map at "
                         "most two parameters",
-                    "/map");
+                    Place{"map"});
     }
     if (dimension == 1) return parameters < 2 ? MeshSpace::plane_graph : MeshSpace::graph;
     return dimension == 2 ? MeshSpace::plane : MeshSpace::space;
@@ -121,7 +121,7 @@ Mesh mesh_of(const Map& map, const Limits& limits) {
     const Patch* patch = patch_of(map);
     const TensorBSpline* spline = tensor_bspline_of(map);
     if (!patch && !spline)
-        throw Error(ErrorCode::wrong_kind, "only patches are surfaces; this map is a curve", "/map");
+        throw Error(ErrorCode::wrong_kind, "only patches are surfaces; this map is a curve", Place{"map"});
     Mesh mesh;
     mesh.space = space_of(patch ? patch->shape().dimension() : spline->directions(),
                           dimension_of(map) - (map.form.rational ? 1 : 0));

@@ -40,9 +40,9 @@ public:
     }
 
 private:
-    std::string points_text(const std::vector<Place>& line) const {
+    std::string points_text(const std::vector<PlanePoint>& line) const {
         std::string text;
-        for (const Place& place : line)
+        for (const PlanePoint& place : line)
             text += (text.empty() ? "" : " ") + frame_.x(place.x) + "," + frame_.y(place.y);
         return text;
     }
@@ -69,7 +69,7 @@ private:
                                   {"stroke", colour},
                                   {"stroke-width", "1"},
                                   {"stroke-dasharray", layer.faint ? "2 4" : "5 3"}});
-            for (const Place& place : line) {
+            for (const PlanePoint& place : line) {
                 if (dots++ == most_dots) return;
                 svg_.add("circle", {{"cx", frame_.x(place.x)},
                                     {"cy", frame_.y(place.y)},

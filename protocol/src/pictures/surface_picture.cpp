@@ -50,7 +50,7 @@ public:
 
 private:
     std::string pixel(const SpacePoint& point, char separator = ',') const {
-        const Place place = view_.place(point);
+        const PlanePoint place = view_.place(point);
         return frame_.x(place.x) + separator + frame_.y(place.y);
     }
 
@@ -73,7 +73,7 @@ private:
                const std::string& dx, const std::string& dy) {
         const SpacePoint middle{(first.x + last.x) / 2, (first.y + last.y) / 2, (first.z + last.z) / 2};
         const auto text = [&](const SpacePoint& at, const std::string& written, std::string_view style) {
-            const Place place = view_.place(at);
+            const PlanePoint place = view_.place(at);
             svg_.add("text",
                      {{"x", frame_.x(place.x)},
                       {"y", frame_.y(place.y)},
@@ -158,7 +158,7 @@ private:
         }
         for (const auto& point : mesh.net) {
             if (!point) continue;
-            const Place place = view_.place(*point);
+            const PlanePoint place = view_.place(*point);
             svg_.add("circle", {{"cx", frame_.x(place.x)},
                                 {"cy", frame_.y(place.y)},
                                 {"r", "3"},
@@ -169,7 +169,7 @@ private:
     }
 
     void point(const SpaceMark& mark) {
-        const Place place = view_.place(mark.place);
+        const PlanePoint place = view_.place(mark.place);
         const std::string x = frame_.x(place.x);
         const std::string y = frame_.y(place.y);
         svg_.add("circle", {{"cx", x}, {"cy", y}, {"r", "4.5"}, {"fill", std::string(marked_colour)}});

@@ -16,7 +16,7 @@ thread_local std::uint32_t calls = 0;
 }  // namespace
 
 void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
-                    std::string_view field) {
+                    const Place& place) {
     if (value <= limit) return;
     std::string message(what);
     message += ' ';
@@ -25,7 +25,7 @@ void require_within(std::size_t value, std::size_t limit, std::string_view name,
     message += name;
     message += " = ";
     message += std::to_string(limit);
-    throw Error(ErrorCode::limit_exceeded, message, std::string(field));
+    throw Error(ErrorCode::limit_exceeded, message, place);
 }
 
 TimeLimit::TimeLimit(std::size_t seconds) : outer_(deadline) {

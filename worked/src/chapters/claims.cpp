@@ -23,7 +23,7 @@ constexpr std::size_t most_terms = 24;
     throw Error(
         error.code(),
         "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + error.message(),
-        error.field(), error.offset());
+        error.place(), error.offset());
 }
 
 /// The case of the counterexample, written out where it can be.

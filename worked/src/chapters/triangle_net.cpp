@@ -25,7 +25,7 @@ BezierPatch net_of(const PatchMap& map, const Limits& limits) {
             ErrorCode::wrong_kind,
             "a worked example of a patch is made for a map on one triangle, or of total degree in two "
             "variables",
-            "/map");
+            Part::map);
     }
     require_within(shape[0].degree, triangle_page_degree, "degree of a page on a triangle", "formal degree");
     if (const auto* net = std::get_if<BezierPatch>(&map)) return *net;
@@ -48,12 +48,12 @@ void require_point(const Coordinates& u) {
     if (u.size() != 3) {
         throw Error(ErrorCode::mismatched_dimensions,
                     "a point of a triangle has 3 barycentric coordinates, not " + std::to_string(u.size()),
-                    "/at");
+                    Part::at);
     }
     const Rational sum = std::accumulate(u.begin(), u.end(), Rational(0));
     if (sum != Rational(1)) {
         throw Error(ErrorCode::not_affine,
-                    "the barycentric coordinates of a point have the sum 1, not " + to_string(sum), "/at");
+                    "the barycentric coordinates of a point have the sum 1, not " + to_string(sum), Part::at);
     }
 }
 

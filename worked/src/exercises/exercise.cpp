@@ -111,7 +111,7 @@ const Topic& find_topic(const std::string& name) {
     std::string known;
     for (const Topic& topic : topics) known += (known.empty() ? "" : ", ") + std::string(topic.name);
     throw Error(ErrorCode::unknown_op,
-                "there are no exercises on " + quoted(name) + "; there are on " + known, "/topic");
+                "there are no exercises on " + quoted(name) + "; there are on " + known, Part::topic);
 }
 
 /// Everything of a document as the blocks of one step, its own steps under their titles.
@@ -152,10 +152,10 @@ std::vector<std::string_view> exercise_topics() {
 
 Sheet exercise_sheet(const SheetRequest& request) {
     const Topic& topic = find_topic(request.topic);
-    require_within(request.count, most_problems, "problems of a sheet", "number of problems", "/count");
+    require_within(request.count, most_problems, "problems of a sheet", "number of problems", Part::count);
     if (request.level < 1 || request.level > 3) {
         throw Error(ErrorCode::wrong_arity, "the level is 1, 2 or 3, not " + std::to_string(request.level),
-                    "/level");
+                    Part::level);
     }
     ProblemNumbers numbers(request.seed, request.level);
     std::vector<Document> problems;

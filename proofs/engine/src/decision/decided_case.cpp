@@ -102,7 +102,7 @@ std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDe
     for (const Relation* one : relations) {
         for (const NodeId divisor : divisors_below(block_, {one->left, one->right})) {
             if (expander_(divisor).is_zero())
-                throw Error(ErrorCode::division_by_zero, "the denominator is zero", "",
+                throw Error(ErrorCode::division_by_zero, "the denominator is zero", {},
                             place_of_divisor(divisor));
             take(elimination_.factors_of(expander_(divisor).numerator), one->quantified,
                  [&] { return node_text(block_, base_of(divisor)) + " != 0"; });
@@ -136,7 +136,7 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
         if (error.code() != ErrorCode::limit_exceeded || way.agreed == 0) throw;
         throw Error(error.code(),
                     "it holds in the first case of the hypotheses, but of the other cases " + error.message(),
-                    "", error.offset());
+                    {}, error.offset());
     }
     if (outcome.witness) {
         decision.verdict = Verdict::refuted;
@@ -151,7 +151,7 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
             : decision.conditions.empty()
                 ? "the hypotheses contradict each other: they leave no case"
                 : "the hypotheses leave no case in which no divisor vanishes and every assumption holds",
-            "", relation.offset);
+            {}, relation.offset);
     }
     decision.verdict = Verdict::proved;
     return outcome;

@@ -61,7 +61,7 @@ Elimination::Elimination(const GroundBlock& block, Expander& expander) : block_(
         const Fraction difference =
             expander_.field().difference(expander_(assumption.left), expander_(assumption.right));
         if (difference.is_zero()) {
-            throw Error(ErrorCode::syntax, "this condition can never hold: the two sides are equal", "",
+            throw Error(ErrorCode::syntax, "this condition can never hold: the two sides are equal", {},
                         assumption.offset);
         }
         assumed_.merge(factors_of(difference.numerator));
@@ -213,7 +213,7 @@ void Elimination::grow(Branch& branch) {
         throw Error(ErrorCode::limit_exceeded,
                     "the hypotheses lead to more than " + std::to_string(most_branches) +
                         " cases; state with \"assume\" which of their pivots do not vanish",
-                    "", block_.hypotheses.front().offset);
+                    {}, block_.hypotheses.front().offset);
     }
     BranchState state = std::move(branch.state);
     branch.state = {};
@@ -233,7 +233,7 @@ void Elimination::grow(Branch& branch) {
                     ErrorCode::syntax,
                     "this hypothesis cannot be solved: it is linear neither in a value of a map nor in "
                     "a variable, and no variable has its highest power with a constant coefficient",
-                    "", state.equations.front().offset);
+                    {}, state.equations.front().offset);
             }
             branch.end = Branch::End::open;
             return;

@@ -164,7 +164,7 @@ Fraction Expander::expanded(const Node& node) {
             return field_.power(operand(0), node.index);
         case NodeKind::quotient:
             if (operand(1).is_zero()) {
-                throw Error(ErrorCode::division_by_zero, "the denominator is zero", "", node.offset);
+                throw Error(ErrorCode::division_by_zero, "the denominator is zero", {}, node.offset);
             }
             return field_.quotient(operand(0), operand(1));
         case NodeKind::application:

@@ -33,7 +33,7 @@ public:
         for (Decision& decision : decisions_) {
             if (!decision.cases.empty()) continue;
             add_error(decision, {},
-                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", "",
+                      Error(ErrorCode::syntax, "there is no case to decide: a range is empty", {},
                             decision.offset));
         }
         compare_cases();
@@ -61,7 +61,7 @@ private:
     static void record(CaseDecision& decision, const Error& error, std::size_t offset) {
         decision.verdict = Verdict::undecided;
         decision.counterexample.reset();
-        decision.error = error.offset() ? error : Error(error.code(), error.message(), "", offset);
+        decision.error = error.offset() ? error : Error(error.code(), error.message(), {}, offset);
     }
 
     void decide_choice(const Parameters& parameters) {
@@ -103,7 +103,7 @@ private:
                     ErrorCode::limit_exceeded,
                     "the sides differ at a root of the hypotheses that the second reading did not reach: " +
                         *objection,
-                    "", relation.offset);
+                    {}, relation.offset);
             }
             settle(objection, "refuted", relation.offset, decided);
             return;
@@ -127,7 +127,7 @@ private:
             Error(ErrorCode::internal,
                   "the two roads disagree, which is an error of the program: the expansion says \"" +
                       std::string(verdict) + "\", but " + *objection,
-                  "", offset);
+                  {}, offset);
     }
 
     /// A verdict on a range is one on all its cases, as both readers list them.

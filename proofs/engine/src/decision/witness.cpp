@@ -163,7 +163,7 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
         throw Error(
             ErrorCode::limit_exceeded,
             "the sides differ, but no small values of the variables show it where the hypotheses have roots",
-            "", relation.offset);
+            {}, relation.offset);
     }
     std::vector<std::string> names;
     names.reserve(block.symbols.size());
@@ -212,7 +212,7 @@ Witness find_counterexample(const GroundBlock& block, const Relation& relation, 
     result.right = to_string(evaluate(relation.right));
     if (result.left == result.right) {
         throw Error(ErrorCode::internal, "the counterexample found is none: this is an error of the program",
-                    "", relation.offset);
+                    {}, relation.offset);
     }
     for (const std::size_t map : maps) {
         if (block.maps[map].barycentric.empty())

@@ -18,7 +18,7 @@ namespace blossom::proofs {
 
 /// Throws the `syntax` error of what stands at `offset` of the text.
 [[noreturn]] inline void refuse(const std::string& message, std::size_t offset) {
-    throw Error(ErrorCode::syntax, message, "", offset);
+    throw Error(ErrorCode::syntax, message, {}, offset);
 }
 
 using Set = std::vector<long long>;

@@ -92,7 +92,7 @@ NodeId Grounder::blossom(const Expression& e, Application result) {
             throw Error(ErrorCode::wrong_arity,
                         "the blossom of " + e.name + " takes " + std::to_string(map.directions[i].degree) +
                             " arguments, found " + std::to_string(result.arguments[i].size()),
-                        "", e.offset);
+                        {}, e.offset);
         }
     }
     return push(std::move(result));

@@ -24,7 +24,7 @@ public:
             throw Error(ErrorCode::limit_exceeded,
                         "the depth of the expression, abbreviations included, exceeds the limit " +
                             std::to_string(deepest),
-                        "", offset);
+                        {}, offset);
         }
         ++depth_;
     }

@@ -113,7 +113,7 @@ std::vector<Direction> Grounder::directions(const Statement& statement) {
         throw Error(ErrorCode::limit_exceeded,
                     "the number of coefficients of the map exceeds the limit variables = " +
                         std::to_string(limits_.variables),
-                    "", statement.offset);
+                    {}, statement.offset);
     }
     return result;
 }
@@ -188,7 +188,7 @@ void Grounder::declare_polynomial(const Statement& statement) {
     if (map.directions.size() == 1) map.directions[0].dimension = variables;
     if (map.directions.size() != 1 && map.directions.size() != variables) {
         throw Error(ErrorCode::wrong_arity,
-                    std::to_string(variables) + " variables have one degree together or one each", "",
+                    std::to_string(variables) + " variables have one degree together or one each", {},
                     statement.offset);
     }
     std::vector<std::size_t> symbols;
@@ -223,7 +223,7 @@ void Grounder::declare_polynomial(const Statement& statement) {
         map.coefficients.push_back(divide(polynomial_node(coefficient), divisor, statement.sides[0].offset));
     }
     if (used != numerator.size()) {
-        throw Error(ErrorCode::degree_too_low, "the polynomial has a higher degree than declared", "",
+        throw Error(ErrorCode::degree_too_low, "the polynomial has a higher degree than declared", {},
                     statement.sides[0].offset);
     }
     add_map(std::move(map));
@@ -244,13 +244,13 @@ void Grounder::declare_raised(const Statement& statement) {
         throw Error(ErrorCode::wrong_arity,
                     std::to_string(statement.expressions.size()) + " degrees found, " + before.name +
                         " has " + std::to_string(map.directions.size()),
-                    "", statement.offset);
+                    {}, statement.offset);
     }
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
         const std::size_t degree = count(statement.expressions[i]);
         if (degree < map.directions[i].degree) {
             throw Error(ErrorCode::degree_too_low,
-                        "the degree " + std::to_string(degree) + " is lower than that of " + before.name, "",
+                        "the degree " + std::to_string(degree) + " is lower than that of " + before.name, {},
                         statement.expressions[i].offset);
         }
         map.directions[i].degree = degree;
@@ -259,7 +259,7 @@ void Grounder::declare_raised(const Statement& statement) {
         throw Error(ErrorCode::limit_exceeded,
                     "the number of coefficients of the map exceeds the limit variables = " +
                         std::to_string(limits_.variables),
-                    "", statement.offset);
+                    {}, statement.offset);
     }
     const auto known = monomials(before.directions);
     const std::size_t steps =

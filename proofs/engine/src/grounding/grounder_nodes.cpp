@@ -29,7 +29,7 @@ void Grounder::spend(std::size_t steps, std::size_t offset) {
     throw Error(ErrorCode::limit_exceeded,
                 "the number of steps to write the statement out exceeds the limit expansion_work = " +
                     std::to_string(limits_.expansion_work),
-                "", offset);
+                {}, offset);
 }
 
 NodeId Grounder::push(Node node, std::size_t offset) {
@@ -84,7 +84,7 @@ NodeId Grounder::multiply(std::vector<NodeId> operands) {
 NodeId Grounder::divide(NodeId a, NodeId b, std::size_t offset) {
     if (const Rational* divisor = constant_value(b)) {
         if (divisor->is_zero())
-            throw Error(ErrorCode::division_by_zero, "the denominator is zero", "", offset);
+            throw Error(ErrorCode::division_by_zero, "the denominator is zero", {}, offset);
         return multiply({a, constant(Rational(1) / *divisor)});
     }
     return push({NodeKind::quotient, {}, 0, {a, b}, 0}, offset);
@@ -101,7 +101,7 @@ NodeId Grounder::raise(NodeId base, std::size_t exponent, std::size_t offset) {
             return constant(pow(*value, exponent));
         }
     } catch (const Error& error) {
-        throw Error(error.code(), error.message(), "", offset);
+        throw Error(error.code(), error.message(), {}, offset);
     }
     // The power 0 is kept: it is 1 only where its base is defined.
     return exponent == 1 ? base : push({NodeKind::power, {}, exponent, {base}, 0});

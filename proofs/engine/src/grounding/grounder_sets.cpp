@@ -26,7 +26,7 @@ void require_elements(const Integer& elements, const Limits& limits, std::size_t
     throw Error(ErrorCode::limit_exceeded,
                 "the number of elements or cases exceeds the limit expansion_terms = " +
                     std::to_string(limits.expansion_terms),
-                "", offset);
+                {}, offset);
 }
 
 Grounder::Binding::Binding(Grounder& grounder, const std::string& name, Bound value)
@@ -64,7 +64,7 @@ long long Grounder::integer(const Expression& e) {
                     value && word ? "the integer " + to_string(*value) + " is too large here"
                     : value       ? to_string(*value) + " found, expected an integer"
                                   : "an expression with variables found, expected an integer",
-                    "", e.offset);
+                    {}, e.offset);
     }
     return *word;
 }
@@ -73,13 +73,13 @@ std::size_t Grounder::count(const Expression& e) {
     const long long value = integer(e);
     if (value < 0) {
         throw Error(ErrorCode::syntax, "a count or degree is at least 0, this is " + std::to_string(value),
-                    "", e.offset);
+                    {}, e.offset);
     }
     if (static_cast<std::size_t>(value) > limits_.degree) {
         throw Error(ErrorCode::limit_exceeded,
                     "the number " + std::to_string(value) +
                         " exceeds the limit degree = " + std::to_string(limits_.degree),
-                    "", e.offset);
+                    {}, e.offset);
     }
     return static_cast<std::size_t>(value);
 }

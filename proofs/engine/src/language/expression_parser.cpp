@@ -24,7 +24,7 @@ public:
         --depth_;
         throw Error(
             ErrorCode::limit_exceeded,
-            "the nesting of the expression exceeds the limit nesting = " + std::to_string(limits.nesting), "",
+            "the nesting of the expression exceeds the limit nesting = " + std::to_string(limits.nesting), {},
             offset);
     }
     Nesting(const Nesting&) = delete;
@@ -187,7 +187,7 @@ Expression ExpressionParser::derivative(std::size_t offset) {
     if (is("(")) {
         Expression map = std::move(entries.front());
         if (map.kind != ExpressionKind::name) {
-            throw Error(ErrorCode::syntax, "the first entry of D(b, k)(t) is the name of a map", "",
+            throw Error(ErrorCode::syntax, "the first entry of D(b, k)(t) is the name of a map", {},
                         map.offset);
         }
         entries.erase(entries.begin());
@@ -200,7 +200,7 @@ Expression ExpressionParser::derivative(std::size_t offset) {
 
 Expression ExpressionParser::value(Expression map, std::vector<Expression> orders) {
     if (!map.children.empty()) {
-        throw Error(ErrorCode::syntax, "a map has no indices, " + quoted(map.name) + " has", "", map.offset);
+        throw Error(ErrorCode::syntax, "a map has no indices, " + quoted(map.name) + " has", {}, map.offset);
     }
     expect("(", "before the arguments");
     return {ExpressionKind::value, map.offset, std::move(map.name), std::move(orders), {list(")")}};
@@ -208,7 +208,7 @@ Expression ExpressionParser::value(Expression map, std::vector<Expression> order
 
 Expression ExpressionParser::blossom_of(Expression map) {
     if (!map.children.empty()) {
-        throw Error(ErrorCode::syntax, "a map has no indices, " + quoted(map.name) + " has", "", map.offset);
+        throw Error(ErrorCode::syntax, "a map has no indices, " + quoted(map.name) + " has", {}, map.offset);
     }
     expect("[", "before the arguments");
     Expression result{ExpressionKind::blossom, map.offset, std::move(map.name), {}, {{}}};

@@ -51,7 +51,7 @@ bool ExpressionParser::take_word(std::string_view word) {
 }
 
 void ExpressionParser::refuse(std::string_view what) const {
-    throw Error(ErrorCode::syntax, described(next()) + " found, expected " + std::string(what), "",
+    throw Error(ErrorCode::syntax, described(next()) + " found, expected " + std::string(what), {},
                 next().offset);
 }
 

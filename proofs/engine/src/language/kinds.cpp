@@ -24,7 +24,7 @@ std::optional<Kind> joined(const Kind& a, const Kind& b) {
 }  // namespace
 
 void refuse_kind(const std::string& message, std::size_t offset) {
-    throw Error(ErrorCode::syntax, message, "", offset);
+    throw Error(ErrorCode::syntax, message, {}, offset);
 }
 
 std::string to_text(const Kind& kind) {

@@ -13,7 +13,7 @@ namespace blossom::proofs {
 namespace {
 
 [[noreturn]] void wrong_arity(std::size_t found, const std::string& what, std::size_t offset) {
-    throw Error(ErrorCode::wrong_arity, std::to_string(found) + " " + what, "", offset);
+    throw Error(ErrorCode::wrong_arity, std::to_string(found) + " " + what, {}, offset);
 }
 
 const std::string& binder_name(const Expression& call, std::size_t i) {

@@ -13,7 +13,7 @@ namespace blossom::proofs {
 namespace {
 
 [[noreturn]] void refuse_name(const std::string& message, std::size_t offset) {
-    throw Error(ErrorCode::syntax, message, "", offset);
+    throw Error(ErrorCode::syntax, message, {}, offset);
 }
 
 Meaning meaning_of(StatementKind kind) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <blossom/rational/place.hpp>
 #include <blossom/rational/rational.hpp>
 
 #include <cstddef>
@@ -66,8 +67,11 @@ std::string_view type_name(const Json& value);
 /// The value that a JSON Pointer leads to, or nullptr.
 const Json* at_pointer(const Json& value, std::string_view pointer);
 
-/// One token of a JSON Pointer: '~' and '/' escaped, with the '/' in front.
-std::string pointer_token(std::string_view name);
+/// The value at a place, or nullptr.
+const Json* at_place(const Json& value, const Place& place);
+
+/// The JSON Pointer (RFC 6901) of a place; a parameter of the engine is the member of the same name.
+std::string pointer_of(const Place& place);
 
 /// On one line, as valid UTF-8.
 std::string to_text(const Json& value);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include <blossom/rational/place.hpp>
+
 namespace blossom {
 
 /// What went wrong, as a closed list. `error_name` gives the word that the protocol uses for it.
@@ -48,30 +50,48 @@ std::string_view error_name(ErrorCode code);
 
 /// The one exception type of the library.
 ///
-/// `message` is one sentence that names the place, the value and the rule. `field` is a JSON Pointer (RFC
-/// 6901) to the offending part of the input, relative to what was being read or called ("" when it is the
-/// whole). `offset` is the place within a text that was being read, in bytes from its beginning.
+/// `message` is one sentence that names the place, the value and the rule. `place` is the offending part of
+/// the input, relative to what was being read or called. `offset` is where in a text that was being read, in
+/// bytes from its beginning.
 class Error : public std::exception {
 public:
-    Error(ErrorCode code, std::string message, std::string field = "", std::optional<std::size_t> offset = {})
-        : code_(code), message_(std::move(message)), field_(std::move(field)), offset_(offset) {}
+    Error(ErrorCode code, std::string message, Place place = {}, std::optional<std::size_t> offset = {})
+        : code_(code), message_(std::move(message)), place_(std::move(place)), offset_(offset) {}
 
     ErrorCode code() const { return code_; }
     const std::string& message() const { return message_; }
-    const std::string& field() const { return field_; }
+    const Place& place() const { return place_; }
     std::optional<std::size_t> offset() const { return offset_; }
     const char* what() const noexcept override { return message_.c_str(); }
 
-    /// The same error seen from outside: its field lies below `prefix`.
-    Error below(std::string_view prefix) const {
-        return {code_, message_, std::string(prefix) + field_, offset_};
-    }
+    /// The same error seen from outside: its place lies below `outer`.
+    Error below(const Place& outer) const { return {code_, message_, outer.around(place_), offset_}; }
+    /// The same error at another place.
+    Error at(Place place) const { return {code_, message_, std::move(place), offset_}; }
 
 private:
     ErrorCode code_;
     std::string message_;
-    std::string field_;
+    Place place_;
     std::optional<std::size_t> offset_;
 };
+
+/// Runs `action`; an error in it lies below the parameter, or the element of a list.
+template <class Action>
+decltype(auto) within(Part part, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        throw error.below(part);
+    }
+}
+template <class Action>
+decltype(auto) within(std::size_t index, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        throw error.below({index});
+    }
+}
 
 }  // namespace blossom

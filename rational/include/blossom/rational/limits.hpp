@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <blossom/rational/place.hpp>
+
 namespace blossom {
 
 /// Symbolic computations of this thread are given up after so many seconds, as long as the object lives;
@@ -44,7 +46,15 @@ struct Limits {
 /// Throws `limit_exceeded` unless `value <= limit`.
 /// The message reads "<what> <value> exceeds the limit <name> = <limit>".
 void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
-                    std::string_view field = "");
+                    const Place& place);
+inline void require_within(std::size_t value, std::size_t limit, std::string_view name, std::string_view what,
+                           Part part) {
+    if (value > limit) require_within(value, limit, name, what, Place(part));
+}
+inline void require_within(std::size_t value, std::size_t limit, std::string_view name,
+                           std::string_view what) {
+    if (value > limit) require_within(value, limit, name, what, Place());
+}
 
 /// Throws `limit_exceeded` when a result of `count` numbers of at most `bits` binary digits each might have
 /// more than `limits.digits` decimal ones a number, or more than `limits.output_digits` in all.

@@ -23,7 +23,7 @@ Coordinates blossom_value(const BezierPatch& patch, const PatchArguments& argume
 ///
 /// Cost: s multiplications a control point for each point, and one multiply-add a control point and
 /// coordinate. Errors: `not_affine` unless the coordinates in each factor have the sum 1, `wrong_arity`,
-/// `mismatched_dimensions`, with fields below "/at/i"; `limit_exceeded`. Statements: fj-tri-def,
+/// `mismatched_dimensions`, with places below `Part::at / i`; `limit_exceeded`. Statements: fj-tri-def,
 /// fj-tensor-matrix.
 std::vector<Coordinates> evaluate(const BezierPatch& patch, std::span<const PatchPoint> points,
                                   const Limits& limits = {});

@@ -14,8 +14,8 @@ namespace blossom {
 class BarycentricFrame {
 public:
     /// Errors: `wrong_arity` without a vertex; `mismatched_dimensions` unless all have the same number of
-    /// coordinates; `degenerate_simplex` naming the first vertices that are affinely dependent. The field is
-    /// "/vertices/i". Cost: O(d^3) operations.
+    /// coordinates; `degenerate_simplex` naming the first vertices that are affinely dependent. The place is
+    /// `Part::vertices / i`. Cost: O(d^3) operations.
     explicit BarycentricFrame(std::vector<Coordinates> vertices);
     /// The origin and the ends of the s unit vectors.
     static BarycentricFrame standard(std::size_t dimension);

@@ -12,7 +12,7 @@ namespace blossom {
 /// P(t) = sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n. It may be evaluated anywhere.
 class BezierCurve {
 public:
-    /// n + 1 control points. Errors: those of `PointArray`, with fields below "/control_points".
+    /// n + 1 control points. Errors: those of `PointArray`, with places below `Part::control_points`.
     explicit BezierCurve(std::span<const Coordinates> control_points, Interval interval = {});
     BezierCurve(PointArray control_points, Interval interval);
 

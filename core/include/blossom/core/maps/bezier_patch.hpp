@@ -27,7 +27,7 @@ using PatchArguments = std::vector<std::vector<Coordinates>>;
 class BezierPatch {
 public:
     /// Points in the order of `NetShape`. Errors: `incomplete_net` unless there are as many as the shape has;
-    /// those of `PointArray`; the fields lie below "/control_net".
+    /// those of `PointArray`; the places lie below `Part::control_net`.
     BezierPatch(NetShape shape, std::span<const Coordinates> control_net);
     BezierPatch(NetShape shape, PointArray control_net);
 
@@ -43,7 +43,7 @@ private:
 };
 
 /// Errors: `wrong_arity` unless there is one list a factor, as long as its degree; `mismatched_dimensions`
-/// unless each argument has s + 1 coordinates. The fields are "/arguments/...".
+/// unless each argument has s + 1 coordinates. The places lie below `Part::arguments`.
 void require_arguments(const NetShape& shape, const PatchArguments& arguments);
 
 /// `copies` of one argument in each factor.

@@ -17,7 +17,7 @@ namespace blossom {
 /// section 4.6. Statements: derose-46-cubic-scheme, hart-four-points.
 class BSplineCurve {
 public:
-    /// Errors: those of `KnotVector`; `mismatched_dimensions`, below "/control_points".
+    /// Errors: those of `KnotVector`; `mismatched_dimensions`, below `Part::control_points`.
     BSplineCurve(std::size_t degree, std::vector<Rational> knots, std::vector<Coordinates> control_points);
     /// Errors: `wrong_arity` unless there are as many points as the knots are for; `mismatched_dimensions`.
     BSplineCurve(KnotVector knots, std::vector<Coordinates> control_points);

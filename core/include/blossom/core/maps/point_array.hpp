@@ -15,7 +15,7 @@ using Coordinates = std::vector<Rational>;
 /// coefficients) and control polygons are made of. Made canonical on demand, see `RationalVector`.
 class PointArray {
 public:
-    /// Errors: `mismatched_dimensions` unless all points have the same dimension d >= 1; the field is "/i"
+    /// Errors: `mismatched_dimensions` unless all points have the same dimension d >= 1; the place is `i`
     /// for the first that differs. `wrong_arity` if there is none.
     explicit PointArray(std::span<const Coordinates> points);
     /// `numbers` holds `dimension` rows of equal length, one a coordinate.

@@ -20,7 +20,7 @@ namespace blossom {
 /// theorem 3. Statement: derose-thm3.
 class PolynomialPatch {
 public:
-    /// Coefficients in the order of `NetShape`. Errors: as for `BezierPatch`, below "/coefficients".
+    /// Coefficients in the order of `NetShape`. Errors: as for `BezierPatch`, below `Part::coefficients`.
     PolynomialPatch(NetShape shape, PointArray coefficients);
     /// One polynomial a coordinate, in the variables 0, 1, ... Errors: `degree_too_low` if a term has a
     /// degree above that of its factor; `wrong_arity` for no polynomial or a variable beyond those of the

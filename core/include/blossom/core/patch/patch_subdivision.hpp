@@ -16,8 +16,8 @@ namespace blossom {
 /// Elements are exchanged one at a time, as in Gauss's elimination, each exchange by de Casteljau's pyramid.
 /// Cost: C(n + s, s + 1) combinations of points for each element that differs from its predecessor. Errors:
 /// `degenerate_simplex`, naming elements that are linearly dependent; `wrong_arity`, `mismatched_dimensions`,
-/// with fields below "/elements"; `limit_exceeded`. Source: DeRose, section 5. Statements: derose-tri-points,
-/// derose-tensor-allresults.
+/// with places below `Part::elements`; `limit_exceeded`. Source: DeRose, section 5. Statements:
+/// derose-tri-points, derose-tensor-allresults.
 BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<const Coordinates> elements,
                        const Limits& limits = {});
 

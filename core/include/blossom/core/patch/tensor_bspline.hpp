@@ -23,7 +23,7 @@ namespace blossom {
 class TensorBSpline {
 public:
     /// Errors: `wrong_arity` for no direction or another number of points than the knots are for;
-    /// `mismatched_dimensions`; the fields lie below "/control_points".
+    /// `mismatched_dimensions`; the places lie below `Part::control_points`.
     TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordinates> control_points);
 
     std::size_t directions() const { return knots_.size(); }
@@ -48,11 +48,11 @@ Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::si
                             std::span<const std::vector<Argument>> arguments, const Limits& limits = {});
 
 /// The spans with the parameters, to their right, at the end of a domain the last. Errors: `outside_domain`
-/// with the field "/at/d", `wrong_arity`.
+/// at `Part::at / d`, `wrong_arity`.
 std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters);
 
 /// The value at parameters, on the spans to their right, at the end of a domain on the last. Errors: as
-/// there, `outside_domain` with the field "/at/d".
+/// there, `outside_domain` at `Part::at / d`.
 Coordinates evaluate(const TensorBSpline& spline, std::span<const Rational> parameters,
                      const Limits& limits = {});
 

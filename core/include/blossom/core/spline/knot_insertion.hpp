@@ -14,7 +14,7 @@ namespace blossom {
 /// replaced by the first level of de Boor's triangle at x: f(x, t_l, ..., t_(l+n-2)), where each is a
 /// combination of two old neighbours. The new knots may come in any order and repeat. Cost for k knots and m
 /// points: n combinations of points a knot in one pass over the points, O(m + k n), and a sort. Errors:
-/// `outside_domain`; `bad_knots` if a multiplicity would exceed degree + 1; the field is "/knots/i".
+/// `outside_domain`; `bad_knots` if a multiplicity would exceed degree + 1; the place is `Part::knots / i`.
 /// `limit_exceeded`. Source: DeRose, section 4.7; Hart, "Boehm". Statements: derose-boehm-new,
 /// derose-boehm-repeat, hart-knot-insertion.
 BSplineCurve insert_knots_boehm(const BSplineCurve& curve, std::span<const Rational> knots,

@@ -94,7 +94,7 @@ Quotients<R> by_progressive_values(Rows<R> values, std::span<const Integer> knot
 class ProgressiveCurve {
 public:
     /// n + 1 points. Errors: `wrong_arity` unless there are 2n knots; `bad_knots` if two knots are equal that
-    /// must not be; those of `PointArray`, with fields below "/control_points".
+    /// must not be; those of `PointArray`, with places below `Part::control_points`.
     ProgressiveCurve(std::vector<Rational> knots, std::span<const Coordinates> control_points);
 
     std::size_t degree() const { return control_points_.size() - 1; }

@@ -16,8 +16,8 @@ namespace blossom {
 /// both are the same polynomial. Control point j is the blossom value, at its window of n knots, of any curve
 /// on which it has influence. The intervals increase; each may be given reversed. One curve alone becomes a
 /// spline of one segment. Cost for m curves: O(m n) blossom values, and O(m n^2) more for the raising.
-/// Errors: `wrong_arity` for no curve; `not_adjacent`, `mismatched_dimensions`, with fields "/maps/i";
-/// `limit_exceeded`. Source: DeRose, theorem 2 and section 4.6. Statement: derose-thm2.
+/// Errors: `wrong_arity` for no curve; `not_adjacent`, `mismatched_dimensions`, with places below `Part::maps
+/// / i`; `limit_exceeded`. Source: DeRose, theorem 2 and section 4.6. Statement: derose-thm2.
 BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits = {});
 
 /// The same over given knots of degree n, the greatest of the curves or more: `knots` may have further knots

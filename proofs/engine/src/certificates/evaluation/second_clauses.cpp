@@ -70,7 +70,7 @@ std::size_t Counting::dimension(const Declaration& declaration) {
         if (count(other, scope, reading_.limits().variables, "a dimension") == found) continue;
         throw Error(
             ErrorCode::mismatched_dimensions,
-            "the family " + quoted(reading_.name(declaration.name)) + " is declared with two dimensions", "",
+            "the family " + quoted(reading_.name(declaration.name)) + " is declared with two dimensions", {},
             declaration.offset);
     }
     return found;

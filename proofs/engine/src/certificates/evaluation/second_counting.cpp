@@ -25,7 +25,7 @@ Rational integer_power(const Rational& base, const Rational& exponent, const Lim
                        std::size_t offset) {
     const std::optional<std::int64_t> power = exponent.numerator().to_int64();
     if (!exponent.is_integer() || !power) {
-        throw Error(ErrorCode::wrong_kind, "the exponent " + to_string(exponent) + " is no small integer", "",
+        throw Error(ErrorCode::wrong_kind, "the exponent " + to_string(exponent) + " is no small integer", {},
                     offset);
     }
     const auto size = static_cast<std::size_t>(*power < 0 ? -*power : *power);
@@ -106,7 +106,7 @@ Rational Counting::value(NodeId id, Scope& scope) {
             return function(node, scope);
     }
     throw Error(ErrorCode::wrong_kind,
-                quoted(reading_.name(node.text)) + " has no value where this integer is needed", "",
+                quoted(reading_.name(node.text)) + " has no value where this integer is needed", {},
                 node.offset);
 }
 
@@ -119,7 +119,7 @@ Rational Counting::iteration(const Node& node, Scope& scope) {
         ++members;
     });
     if (node.form != Form::mean) return total;
-    if (members == 0) throw Error(ErrorCode::division_by_zero, "a mean of nothing", "", node.offset);
+    if (members == 0) throw Error(ErrorCode::division_by_zero, "a mean of nothing", {}, node.offset);
     return total / Rational(members);
 }
 
@@ -130,14 +130,14 @@ Rational Counting::abbreviation(const Node& node, Scope& scope) {
     if (clause == nullptr) {
         throw Error(
             ErrorCode::wrong_kind,
-            name_of_member(reading_.name(node.text), key) + " has no value where this integer is needed", "",
+            name_of_member(reading_.name(node.text), key) + " has no value where this integer is needed", {},
             node.offset);
     }
     key.push_back(static_cast<long long>(node.target));
     const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
     if (!in_work_.insert(key).second) {
-        throw Error(ErrorCode::syntax, quoted(reading_.name(node.text)) + " is an abbreviation of itself", "",
+        throw Error(ErrorCode::syntax, quoted(reading_.name(node.text)) + " is an abbreviation of itself", {},
                     node.offset);
     }
     const AtEnd forget([&] { in_work_.erase(key); });
@@ -159,7 +159,7 @@ Rational Counting::function(const Node& node, Scope& scope) {
             const long long n = integer(node.children[0], scope);
             const long long k = integer(node.children[1], scope);
             if (n < 0)
-                throw Error(ErrorCode::outside_domain, "a binomial of a negative number", "", node.offset);
+                throw Error(ErrorCode::outside_domain, "a binomial of a negative number", {}, node.offset);
             require_within(static_cast<std::size_t>(n), reading_.limits().degree, "degree", "a binomial");
             if (k < 0 || k > n) return 0;
             return blossom::binomial(static_cast<std::size_t>(n), static_cast<std::size_t>(k));
@@ -174,7 +174,7 @@ Rational Counting::function(const Node& node, Scope& scope) {
                 throw Error(ErrorCode::outside_domain,
                             "a permutation of 1.." + std::to_string(images.size()) + " has no image of " +
                                 std::to_string(place),
-                            "", node.offset);
+                            {}, node.offset);
             }
             return images[static_cast<std::size_t>(place - 1)];
         }
@@ -187,7 +187,7 @@ Rational Counting::function(const Node& node, Scope& scope) {
             return odd ? -1 : 1;
         }
         default:
-            throw Error(ErrorCode::wrong_kind, "an integer is expected here", "", node.offset);
+            throw Error(ErrorCode::wrong_kind, "an integer is expected here", {}, node.offset);
     }
 }
 
@@ -199,7 +199,7 @@ long long Counting::integer(NodeId id, Scope& scope) {
     constexpr long long most = 1LL << 40;
     const std::optional<std::int64_t> word = found.numerator().to_int64();
     if (!found.is_integer() || !word || *word > most || *word < -most) {
-        throw Error(ErrorCode::wrong_kind, to_string(found) + " is no integer that counts", "", node.offset);
+        throw Error(ErrorCode::wrong_kind, to_string(found) + " is no integer that counts", {}, node.offset);
     }
     return *word;
 }
@@ -208,7 +208,7 @@ std::size_t Counting::count(NodeId id, Scope& scope, std::size_t limit, const ch
     const long long found = integer(id, scope);
     if (found < 0) {
         throw Error(ErrorCode::outside_domain, std::string(what) + " is negative, " + std::to_string(found),
-                    "", reading_.node(id).offset);
+                    {}, reading_.node(id).offset);
     }
     require_within(static_cast<std::size_t>(found), limit, "degree", what);
     return static_cast<std::size_t>(found);

@@ -154,7 +154,7 @@ private:
     Element one() { return field_.number(Rational(1)); }
     Element difference(const Element& a, const Element& b) { return field_.sum(a, field_.negative(b)); }
     [[noreturn]] static void fail(ErrorCode code, const std::string& message, std::size_t offset) {
-        throw Error(code, message, "", offset);
+        throw Error(code, message, {}, offset);
     }
 
     const Reading& reading_;

@@ -92,12 +92,12 @@ MapShape shape_of_map(const Reading& reading, std::uint32_t map, Counting& count
         const MapShape source = shape_of_map(reading, declaration.source, counting);
         if (source.directions.size() != degrees.size()) {
             throw Error(ErrorCode::wrong_arity,
-                        "the raised map has " + std::to_string(source.directions.size()) + " directions", "",
+                        "the raised map has " + std::to_string(source.directions.size()) + " directions", {},
                         declaration.offset);
         }
         for (std::size_t i = 0; i < degrees.size(); ++i) {
             if (degrees[i] < source.directions[i].degree) {
-                throw Error(ErrorCode::degree_too_low, "a map is raised to a degree below its own", "",
+                throw Error(ErrorCode::degree_too_low, "a map is raised to a degree below its own", {},
                             declaration.offset);
             }
             shape.directions.push_back(direction_of(source.directions[i].dimension, degrees[i], limits));

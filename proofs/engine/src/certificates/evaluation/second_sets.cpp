@@ -36,7 +36,7 @@ IntegerSet Counting::set(NodeId id, Scope& scope) {
         }
         return members;
     }
-    throw Error(ErrorCode::wrong_kind, "a set of integers is expected here", "", node.offset);
+    throw Error(ErrorCode::wrong_kind, "a set of integers is expected here", {}, node.offset);
 }
 
 void Counting::each(NodeId domain, std::uint32_t slot, Scope& scope, const std::function<void()>& body) {

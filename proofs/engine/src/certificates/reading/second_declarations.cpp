@@ -38,10 +38,10 @@ void Parser::parse_map(std::size_t offset) {
     }
     if (take_word("net")) parse_net(map);
     if ((map.dimension || map.kind == MapDeclaration::Kind::net) && map.degrees.size() != 1) {
-        throw Error(ErrorCode::syntax, "a map on a simplex has one degree", "", offset);
+        throw Error(ErrorCode::syntax, "a map on a simplex has one degree", {}, offset);
     }
     if (map.kind == MapDeclaration::Kind::net && names.size() != 1) {
-        throw Error(ErrorCode::syntax, "a net belongs to one map", "", offset);
+        throw Error(ErrorCode::syntax, "a net belongs to one map", {}, offset);
     }
     for (const auto& [name, at] : names) {
         map.name = name;
@@ -69,11 +69,11 @@ std::pair<std::vector<NodeId>, std::vector<NodeId>> Parser::parse_member_run(std
     if (!take_mark("..")) return {first, first};
     const std::size_t offset = next().offset;
     if (expect_name() != name) {
-        throw Error(ErrorCode::syntax, "a run goes from one member of a family to another", "", offset);
+        throw Error(ErrorCode::syntax, "a run goes from one member of a family to another", {}, offset);
     }
     std::vector<NodeId> last = parse_indices();
     if (first.size() != last.size()) {
-        throw Error(ErrorCode::syntax, "both ends of a run have the same number of indices", "", offset);
+        throw Error(ErrorCode::syntax, "both ends of a run have the same number of indices", {}, offset);
     }
     return {std::move(first), std::move(last)};
 }
@@ -108,7 +108,7 @@ void Parser::parse_frame(std::size_t offset) {
         const Declaration& declaration = reading_.declarations_[reading_.declarations_.size() - 1 - count];
         if (declaration.kind != Declaration::Kind::frame || declaration.dimension != dimension) break;
         if (!declaration.bare) {
-            throw Error(ErrorCode::syntax, "the points of a frame have bare names", "", declaration.offset);
+            throw Error(ErrorCode::syntax, "the points of a frame have bare names", {}, declaration.offset);
         }
         ++count;
     }
@@ -129,14 +129,14 @@ void Parser::parse_polynomial(std::size_t offset) {
     do {
         const std::uint32_t variable = expect_name();
         if (std::ranges::find(map.variables, variable) != map.variables.end()) {
-            throw Error(ErrorCode::syntax, "the variables of a polynomial have different names", "", offset);
+            throw Error(ErrorCode::syntax, "the variables of a polynomial have different names", {}, offset);
         }
         map.variables.push_back(variable);
     } while (take_mark(","));
     expect_mark(")");
     map.degrees = parse_degrees();
     if (map.degrees.size() > 1 && map.degrees.size() != map.variables.size()) {
-        throw Error(ErrorCode::wrong_arity, "a tensor product has one degree for each variable", "", offset);
+        throw Error(ErrorCode::wrong_arity, "a tensor product has one degree for each variable", {}, offset);
     }
     expect_mark("=");
     map.body = parse_expression();
@@ -160,7 +160,7 @@ void Parser::parse_raise(std::size_t offset) {
         reading_.maps_.push_back(std::move(map));
         return;
     }
-    throw Error(ErrorCode::syntax, quoted(reading_.names_[source]) + " is no map that is declared above", "",
+    throw Error(ErrorCode::syntax, quoted(reading_.names_[source]) + " is no map that is declared above", {},
                 offset);
 }
 
@@ -187,7 +187,7 @@ void Parser::parse_abbreviation(std::size_t offset) {
     clause.body = parse_expression();
     Abbreviation& family = abbreviation(name, bare);
     if (bare && !family.clauses.empty()) {
-        throw Error(ErrorCode::syntax, quoted(reading_.names_[name]) + " is declared twice", "", offset);
+        throw Error(ErrorCode::syntax, quoted(reading_.names_[name]) + " is declared twice", {}, offset);
     }
     family.clauses.push_back(std::move(clause));
 }

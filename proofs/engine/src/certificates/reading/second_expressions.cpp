@@ -20,7 +20,7 @@ public:
             throw Error(ErrorCode::limit_exceeded,
                         "the expressions within expressions exceed the limit nesting = " +
                             std::to_string(limits.nesting),
-                        "", offset);
+                        {}, offset);
         }
     }
     NestingLevel(const NestingLevel&) = delete;
@@ -164,7 +164,7 @@ NodeId Parser::parse_primes(std::uint32_t name, std::size_t offset) {
 
 NodeId Parser::derivative_of_map(NodeId map, std::vector<NodeId> orders, std::size_t offset) {
     if (node(map).form != Form::name) {
-        throw Error(ErrorCode::syntax, "D( ... )( ... ) differentiates a map, and this is no name of one", "",
+        throw Error(ErrorCode::syntax, "D( ... )( ... ) differentiates a map, and this is no name of one", {},
                     node(map).offset);
     }
     const std::uint32_t name = node(map).text;
@@ -189,7 +189,7 @@ NodeId Parser::parse_derivative(std::size_t offset) {
     require_count(children, 2, 3, "D", offset);
     const Form form = node(children[1]).form;
     if (form != Form::name && form != Form::member) {
-        throw Error(ErrorCode::syntax, "D differentiates with respect to a name", "",
+        throw Error(ErrorCode::syntax, "D differentiates with respect to a name", {},
                     node(children[1]).offset);
     }
     return add(Form::derivative, offset, std::move(children));
@@ -229,7 +229,7 @@ NodeId Parser::parse_argument() {
         const Node& to = node(last);
         if (from.form != Form::member || to.form != Form::member || from.text != to.text ||
             from.children.size() != to.children.size()) {
-            throw Error(ErrorCode::syntax, "a run goes from one member of a family to another", "", offset);
+            throw Error(ErrorCode::syntax, "a run goes from one member of a family to another", {}, offset);
         }
         return add(Form::run, offset, {expression, last});
     }

@@ -61,7 +61,7 @@ void Parser::require_count(const std::vector<NodeId>& found, std::size_t least, 
     throw Error(ErrorCode::wrong_arity,
                 std::string(what) + " has " + std::to_string(least) + " arguments, not " +
                     std::to_string(found.size()),
-                "", offset);
+                {}, offset);
 }
 
 NodeId Parser::parse_iteration(Form form, std::size_t offset) {
@@ -95,7 +95,7 @@ NodeId Parser::parse_determinant(std::size_t offset) {
     const NodeId column_node = add(Form::name, column_offset);
     node(column_node).text = column;
     if (row == column) {
-        throw Error(ErrorCode::syntax, "rows and columns of a determinant have different names", "",
+        throw Error(ErrorCode::syntax, "rows and columns of a determinant have different names", {},
                     column_offset);
     }
     return add(Form::determinant, offset, {row_node, column_node, children[0], children[1]});
@@ -106,7 +106,7 @@ NodeId Parser::parse_basis(std::size_t offset) {
     const std::vector<NodeId> children = parse_list(")");
     require_count(children, 5, 5, "bspline", offset);
     if (node(children[2]).form != Form::name) {
-        throw Error(ErrorCode::syntax, "the knots of bspline are the bare name of a family", "",
+        throw Error(ErrorCode::syntax, "the knots of bspline are the bare name of a family", {},
                     node(children[2]).offset);
     }
     const std::uint32_t knots = node(children[2]).text;

@@ -81,7 +81,7 @@ Kind NameTable::join(Kind one, Kind other, std::size_t offset) const {
     const Kind greater = std::max(one, other);
     const Kind lesser = std::min(one, other);
     if (greater == Kind::geometric && lesser != Kind::geometric && lesser != Kind::unknown && check_) {
-        throw Error(ErrorCode::wrong_kind, "a number here and a point or vector there", "", offset);
+        throw Error(ErrorCode::wrong_kind, "a number here and a point or vector there", {}, offset);
     }
     return greater;
 }
@@ -182,7 +182,7 @@ Kind NameTable::infer_factors(const Node& factors) {
         const Kind child = require_value(factors.children[i]);
         if (child == Kind::geometric && check_ && (kind == Kind::geometric || factors.flags[i])) {
             throw Error(ErrorCode::wrong_kind,
-                        "points and vectors are multiplied and divided by numbers only", "",
+                        "points and vectors are multiplied and divided by numbers only", {},
                         node(factors.children[i]).offset);
         }
         kind = std::max(kind, child);
@@ -215,7 +215,7 @@ Kind NameTable::require(NodeId id, Kind kind, const char* what) {
     if (!fits && check_) {
         throw Error(ErrorCode::wrong_kind,
                     std::string(what) + (kind == Kind::integer ? " must be an integer" : " has another kind"),
-                    "", node(id).offset);
+                    {}, node(id).offset);
     }
     return found;
 }
@@ -223,7 +223,7 @@ Kind NameTable::require(NodeId id, Kind kind, const char* what) {
 Kind NameTable::require_value(NodeId id) {
     const Kind found = infer(id);
     if (found > Kind::geometric && check_) {
-        throw Error(ErrorCode::wrong_kind, "a number, a point or a vector is expected here", "",
+        throw Error(ErrorCode::wrong_kind, "a number, a point or a vector is expected here", {},
                     node(id).offset);
     }
     return found;

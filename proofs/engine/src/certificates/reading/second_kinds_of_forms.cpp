@@ -26,7 +26,7 @@ Kind NameTable::infer_other(const Node& other) {
             require_integers({children[0], children[1], children[2]});
             require(children[3], Kind::number, "the variable of a B-spline");
             if (check_ && infer_name(other) > Kind::number) {
-                throw Error(ErrorCode::wrong_kind, "the knots of bspline are numbers", "", other.offset);
+                throw Error(ErrorCode::wrong_kind, "the knots of bspline are numbers", {}, other.offset);
             }
             return Kind::number;
         case Form::sign:
@@ -98,7 +98,7 @@ Kind NameTable::require_set(NodeId id) {
         case Form::partitions:
             kind = infer(children[0]);
             if (kind > Kind::integer && kind != Kind::set && check_) {
-                throw Error(ErrorCode::wrong_kind, "a number of members or a set is expected here", "",
+                throw Error(ErrorCode::wrong_kind, "a number of members or a set is expected here", {},
                             node(children[0]).offset);
             }
             if (children.size() > 1) require_integers({children[1]});
@@ -111,7 +111,7 @@ Kind NameTable::require_set(NodeId id) {
         default:
             kind = infer(id);
             if (kind != Kind::set && kind != Kind::set_of_sets && check_) {
-                throw Error(ErrorCode::wrong_kind, "a set is expected here", "", node(id).offset);
+                throw Error(ErrorCode::wrong_kind, "a set is expected here", {}, node(id).offset);
             }
     }
     node(id).kind = kind;

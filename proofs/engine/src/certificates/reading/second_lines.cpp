@@ -58,7 +58,7 @@ void Parser::fail(const std::string& expected) const {
     throw Error(
         ErrorCode::syntax,
         (ends ? std::string("the end of the line") : quoted(next().text)) + " found, expected " + expected,
-        "", next().offset);
+        {}, next().offset);
 }
 
 std::uint32_t Parser::intern(std::string_view name) {

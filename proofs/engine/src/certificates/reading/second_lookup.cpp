@@ -79,7 +79,7 @@ void NameTable::resolve_name(NodeId id) {
     name.target = known->second.target;
     if (name.meaning == Meaning::map) {
         throw Error(ErrorCode::wrong_kind,
-                    quoted_name(name.text) + " is a map and has no value without arguments", "", name.offset);
+                    quoted_name(name.text) + " is a map and has no value without arguments", {}, name.offset);
     }
 }
 
@@ -121,7 +121,7 @@ Kind NameTable::kind_of_members(NodeId domain) {
         if (set.kind == Kind::set) return Kind::integer;
         if (set.kind == Kind::set_of_sets) return Kind::set;
     }
-    throw Error(ErrorCode::wrong_kind, "a set is expected here", "", set.offset);
+    throw Error(ErrorCode::wrong_kind, "a set is expected here", {}, set.offset);
 }
 
 void NameTable::resolve_binder(NodeId id) {
@@ -138,7 +138,7 @@ void NameTable::resolve_binder(NodeId id) {
     resolve(children.front());
     const Kind kind = kind_of_members(children.front());
     if (form == Form::family && kind != Kind::integer) {
-        throw Error(ErrorCode::wrong_kind, "a family runs through a set of integers", "",
+        throw Error(ErrorCode::wrong_kind, "a family runs through a set of integers", {},
                     node(children.front()).offset);
     }
     for (std::size_t i = 1; i + 1 < children.size(); ++i) resolve(children[i]);
@@ -154,7 +154,7 @@ void NameTable::resolve_map_use(NodeId id) {
         if (locals_[slot].name != node(id).text) continue;
         if (locals_[slot].kind != Kind::permutation || node(id).form != Form::map_value ||
             children.size() != 1) {
-            throw Error(ErrorCode::wrong_kind, quoted_name(node(id).text) + " is no map", "",
+            throw Error(ErrorCode::wrong_kind, quoted_name(node(id).text) + " is no map", {},
                         node(id).offset);
         }
         node(id).form = Form::image;
@@ -163,11 +163,11 @@ void NameTable::resolve_map_use(NodeId id) {
     }
     const auto known = bare_.find(node(id).text);
     if (known == bare_.end() || known->second.meaning != Meaning::map) {
-        throw Error(ErrorCode::syntax, quoted_name(node(id).text) + " is no map", "", node(id).offset);
+        throw Error(ErrorCode::syntax, quoted_name(node(id).text) + " is no map", {}, node(id).offset);
     }
     if (reading_.maps_[known->second.target].line >= map_line_) {
         throw Error(ErrorCode::syntax, "the map " + quoted_name(node(id).text) + " is declared only below",
-                    "", node(id).offset);
+                    {}, node(id).offset);
     }
     node(id).meaning = Meaning::map;
     node(id).target = known->second.target;
@@ -184,7 +184,7 @@ void NameTable::resolve_derivative(NodeId id) {
     // Whether a member is an abbreviation is known only with its indices.
     if (variable.meaning == Meaning::abbreviation) is_number = variable.form == Form::member;
     if (!is_number) {
-        throw Error(ErrorCode::wrong_kind, "D differentiates with respect to a number", "", variable.offset);
+        throw Error(ErrorCode::wrong_kind, "D differentiates with respect to a number", {}, variable.offset);
     }
 }
 

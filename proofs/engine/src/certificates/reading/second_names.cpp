@@ -33,10 +33,10 @@ void NameTable::resolve() {
 
 void NameTable::enter_bare(std::uint32_t name, Meaning meaning, std::size_t target, std::size_t offset) {
     if (std::ranges::find(words_of_functions, reading_.names_[name]) != words_of_functions.end()) {
-        throw Error(ErrorCode::syntax, quoted_name(name) + " is a word of the language", "", offset);
+        throw Error(ErrorCode::syntax, quoted_name(name) + " is a word of the language", {}, offset);
     }
     if (!bare_.emplace(name, BareName{meaning, static_cast<std::uint32_t>(target)}).second) {
-        throw Error(ErrorCode::syntax, quoted_name(name) + " is declared twice", "", offset);
+        throw Error(ErrorCode::syntax, quoted_name(name) + " is declared twice", {}, offset);
     }
 }
 
@@ -77,7 +77,7 @@ void NameTable::merge_declaration(std::uint32_t later) {
     Declaration& first = reading_.declarations_[*family.own];
     if (first.kind != declaration.kind) {
         throw Error(ErrorCode::syntax,
-                    "the family " + quoted_name(declaration.name) + " is declared with two kinds", "",
+                    "the family " + quoted_name(declaration.name) + " is declared with two kinds", {},
                     declaration.offset);
     }
     if (declaration.dimension) first.other_dimensions.push_back(*declaration.dimension);
@@ -139,7 +139,7 @@ void NameTable::resolve_maps() {
             if (known != bare_.end() && !is_number) {
                 throw Error(ErrorCode::syntax,
                             quoted_name(variable) + " is declared, so that it is no variable of a polynomial",
-                            "", map.offset);
+                            {}, map.offset);
             }
             push(variable, Kind::number);
         }
@@ -191,7 +191,7 @@ void NameTable::resolve_statement(Statement& statement) {
 void NameTable::resolve_quantified(Statement& statement, Quantified& quantified) {
     const auto refuse = [&](const std::string& what) {
         throw Error(ErrorCode::syntax,
-                    "\"for all\" binds " + quoted_name(quantified.name) + ", which is " + what, "",
+                    "\"for all\" binds " + quoted_name(quantified.name) + ", which is " + what, {},
                     statement.offset);
     };
     const auto take_kind_of = [&](std::uint32_t place) {
@@ -222,7 +222,7 @@ void NameTable::resolve_quantified(Statement& statement, Quantified& quantified)
 void NameTable::undeclared(std::uint32_t name, const std::string& shown, std::size_t offset) const {
     static_cast<void>(name);
     if (!reading_.strict_) return;
-    throw Error(ErrorCode::syntax, shown + " is not declared", "", offset);
+    throw Error(ErrorCode::syntax, shown + " is not declared", {}, offset);
 }
 
 }  // namespace blossom::proofs::second

@@ -73,7 +73,7 @@ private:
         const std::string_view word = first_word();
         if (word == "theorem") {
             if (!block_.tokens.empty() || has_head_) {
-                throw Error(ErrorCode::syntax, "a second theorem begins within one block", "", place_);
+                throw Error(ErrorCode::syntax, "a second theorem begins within one block", {}, place_);
             }
             has_head_ = true;
             skip_line();
@@ -88,7 +88,7 @@ private:
                     break;
                 }
                 if (text_[place_] != ' ' && text_[place_] != '\t' && text_[place_] != '\r') {
-                    throw Error(ErrorCode::syntax, "the line strict has nothing behind this word", "",
+                    throw Error(ErrorCode::syntax, "the line strict has nothing behind this word", {},
                                 place_);
                 }
                 ++place_;
@@ -143,7 +143,7 @@ private:
             return;
         }
         throw Error(ErrorCode::syntax, quoted(rest().substr(0, 1)) + " belongs to no word of the language",
-                    "", place_);
+                    {}, place_);
     }
 
     void push(TokenKind kind, std::size_t length) {

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace blossom {
+
+/// The parameters of the library's functions that an error can lie in.
+enum class Part {
+    arguments,
+    at,
+    by,
+    coefficients,
+    construction,
+    control_net,
+    control_points,
+    count,
+    degree,
+    directions,
+    elements,
+    interval,
+    knot,
+    knots,
+    level,
+    map,
+    maps,
+    order,
+    results,
+    segment,
+    statement,
+    times,
+    to,
+    topic,
+    values,
+    vertices,
+};
+
+/// The parameter's name in the declarations, for instance "control_points".
+std::string_view part_name(Part part);
+
+/// Where in its input an error lies: the steps that lead to it from what was being read or called. No steps
+/// mean the whole.
+///
+/// Functions of the library write `Part::arguments / f / i`. Only a reader of documents, whose members have
+/// names of their own, writes those: `Place{"map", "kind"}`. A member that has the name of a parameter is the
+/// same step.
+class Place {
+public:
+    /// A parameter, an index into a list, or the name of a member of a document.
+    using Step = std::variant<Part, std::size_t, std::string>;
+
+    Place() = default;
+    Place(Part part) : steps_{part} {}  // NOLINT(google-explicit-constructor)
+    Place(std::initializer_list<Step> steps) : steps_(steps) {}
+
+    const std::vector<Step>& steps() const { return steps_; }
+    bool empty() const { return steps_.empty(); }
+
+    bool begins_with(const Place& outer) const;
+    /// The same place seen from inside `outer`, or the whole of it where this place does not lie in it.
+    Place inside(const Place& outer) const;
+    /// This place, where `inner` is seen from it.
+    Place around(const Place& inner) const;
+
+    friend bool operator==(const Place& one, const Place& other) {
+        return one.steps_.size() == other.steps_.size() && one.begins_with(other);
+    }
+
+private:
+    std::vector<Step> steps_;
+};
+
+inline Place operator/(Part outer, std::size_t index) { return {outer, index}; }
+inline Place operator/(const Place& outer, std::size_t index) { return outer.around({index}); }
+inline Place operator/(const Place& outer, Part part) { return outer.around(part); }
+inline Place operator/(const Place& outer, std::string member) { return outer.around({std::move(member)}); }
+
+}  // namespace blossom
