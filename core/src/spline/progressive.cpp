@@ -83,6 +83,11 @@ Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Li
     return blossom_value(curve, with_copies({}, curve.degree(), t), limits);
 }
 
+std::optional<Interval> own_interval(const ProgressiveCurve& curve) {
+    const std::size_t n = curve.degree();
+    return n == 0 ? Interval() : Interval(curve.knots()[n - 1], curve.knots()[n]);
+}
+
 BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval, const Limits& limits) {
     return ProgressiveFrame(curve, limits).control_points(interval);
 }

@@ -241,12 +241,11 @@ const ForeignFormat& read_format(const Json& name) {
 
 Map as_textbook_spline(const Map& map, const Limits& limits) {
     const auto of_polynomial = [&](const OnePolynomial auto& curve) {
-        const auto over = [&](const auto& one) { return control_points(one, own_interval(curve), limits); };
-        const BezierCurve bezier = std::visit(over, polynomial_map(curve, limits));
+        const BezierCurve bezier = control_points(polynomial_map(curve, limits), interval_of(curve), limits);
         return join(std::span(&bezier, 1), limits);
     };
     const auto of_spline = [](const BSplineCurve& curve) { return textbook(curve); };
-    return {serve<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
+    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
 }
 
 }  // namespace blossom::protocol

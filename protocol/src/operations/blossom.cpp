@@ -47,7 +47,7 @@ Answer answer(Request& request, const Limits& limits) {
     const auto span = read_span(request, map, limits);
     request.finish();
 
-    const auto value = serve<Coordinates>(map, Value{arguments, construction, span, limits});
+    const auto value = dispatch_on_kind<Coordinates>(map, Value{arguments, construction, span, limits});
     return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
 }
 

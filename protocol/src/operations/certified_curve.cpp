@@ -38,7 +38,7 @@ struct GivenCurve {
 
     CertifiedMap operator()(const PolynomialCurve& curve) const { return {curve, {}}; }
     CertifiedMap operator()(const OnePolynomial auto& curve) const {
-        CertifiedMap given{monomial_curve(polynomial_map(curve, limits), limits), {}};
+        CertifiedMap given{monomial_form(polynomial_map(curve, limits), limits), {}};
         given.values = StatedValues{given.curve.degree(), 0}(curve);
         for (CertifiedValue& value : given.values) value.name.insert(0, "given ");
         return given;
@@ -83,7 +83,7 @@ std::vector<CertifiedValue> StatedValues::operator()(const PolynomialCurve& curv
 }
 
 CertifiedMap certified_map(const Map& map, std::optional<std::size_t> span, const Limits& limits) {
-    return serve<CertifiedMap>(map, GivenCurve{span, limits});
+    return dispatch_on_kind<CertifiedMap>(map, GivenCurve{span, limits});
 }
 
 }  // namespace blossom::protocol

@@ -3,6 +3,7 @@
 #include <blossom/core/spline/progressive.hpp>
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "certificates/certificate.hpp"
@@ -24,6 +25,10 @@ struct StatedValues {
     std::vector<CertifiedValue> operator()(const ProgressiveCurve& curve) const;
     std::vector<CertifiedValue> operator()(const TaylorCurve& curve) const;
     std::vector<CertifiedValue> operator()(const PolynomialCurve& curve) const;
+    /// Of every other representation: what the one to which it is converted says.
+    std::vector<CertifiedValue> operator()(const OnePolynomial auto& curve) const {
+        return std::visit(*this, polynomial_map(curve));
+    }
 };
 
 /// The polynomial of a map, of a B-spline that on one span, with the claims that its points are the given

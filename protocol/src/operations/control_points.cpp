@@ -34,9 +34,8 @@ struct ControlPoints {
         }
         return curve.interval() == wanted ? curve : control_points(curve, wanted, limits);
     }
-    AnyMap operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
-    AnyMap operator()(const ProgressiveCurve& curve) const {
-        return (*this)(control_points(curve, interval.value_or(own_interval(curve)), limits));
+    AnyMap operator()(const OnePolynomial auto& curve) const {
+        return std::visit(*this, polynomial_map(curve, limits));
     }
     AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
     /// A Bezier curve where there is only one polynomial, otherwise a spline.
@@ -62,7 +61,7 @@ Answer answer(Request& request, const Limits& limits) {
     request.finish();
     require_numbers(degree.value_or(0) + 1, dimension_of(map), limits);
 
-    return answer_of(like(map, serve<AnyMap>(map, ControlPoints{degree, interval, limits})));
+    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, ControlPoints{degree, interval, limits})));
 }
 
 /// A B-spline has to say its degree, so that --degree says this one.

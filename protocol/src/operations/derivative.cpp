@@ -40,7 +40,7 @@ struct DerivativeMap {
 
 Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
     const DerivativeMap derive{order, map.form.separate_weights(), limits};
-    return like(map, serve<AnyMap>(map, derive));
+    return like(map, dispatch_on_kind<AnyMap>(map, derive));
 }
 
 Answer answer_about(const Map& map, Fields& request, const Limits& limits) {

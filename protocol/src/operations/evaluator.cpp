@@ -29,7 +29,7 @@ Evaluator value_evaluator(const Map& map, std::size_t parameters, const Limits& 
         if (prepares) return prepared(SplineValues(curve, limits));
         return [&](const Rational& t) { return evaluate(curve, t, limits); };
     };
-    return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});
+    return dispatch_on_kind<Evaluator>(map, Overloads{of_polynomial, of_spline});
 }
 
 Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& limits) {
@@ -46,7 +46,7 @@ Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& 
                            : derivative(curve, order, t, limits);
         };
     };
-    return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});
+    return dispatch_on_kind<Evaluator>(map, Overloads{of_polynomial, of_spline});
 }
 
 Json values_at(const Evaluator& evaluator, const std::vector<Rational>& parameters, const PointForm& form,

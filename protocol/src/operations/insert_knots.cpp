@@ -29,7 +29,7 @@ Answer answer(Request& request, const Limits& limits) {
                       [](const Json& value) { return read_alternative(value, method_names, "a method"); })
             .value_or(0);
     request.finish();
-    auto refined = serve<BSplineCurve>(
+    auto refined = dispatch_on_kind<BSplineCurve>(
         map, [&](const BSplineCurve& curve) { return methods[method](curve, knots, limits); });
     return answer_of(like(map, std::move(refined)));
 }

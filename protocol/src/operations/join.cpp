@@ -19,7 +19,7 @@ std::vector<BezierCurve> bezier_curves(std::vector<Map>& maps, const Limits& lim
     std::vector<BezierCurve> curves;
     curves.reserve(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        curves.push_back(serve<BezierCurve>(
+        curves.push_back(dispatch_on_kind<BezierCurve>(
             maps[i], [](const BezierCurve& curve) { return curve; }, "/maps/" + std::to_string(i)));
     }
     return curves;

@@ -16,7 +16,7 @@ Answer answer(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     if (tensor_bspline_of(map)) return segments_of_tensor_bspline(request, map, limits);
     request.finish();
-    const auto segments = serve<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
+    const auto segments = dispatch_on_kind<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
         require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);
         return bezier_segments(curve, limits);
     });

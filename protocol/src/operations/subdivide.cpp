@@ -24,9 +24,7 @@ struct Subdivide {
         return within("at", [&] { return subdivide(curve, t, limits); });
     }
     TwoMaps operator()(const OnePolynomial auto& curve) const {
-        const PolynomialMap map = polynomial_map(curve, limits);
-        return std::visit(
-            [&](const auto& one) { return (*this)(control_points(one, own_interval(curve), limits)); }, map);
+        return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
     TwoMaps operator()(const BSplineCurve& curve) const { return split(curve, t, limits); }
 };
@@ -37,7 +35,7 @@ Answer answer(Request& request, const Limits& limits) {
     if (tensor_bspline_of(map)) return subdivide_tensor_bspline(request, map, limits);
     const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
-    auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});
+    auto [left, right] = dispatch_on_kind<TwoMaps>(map, Subdivide{t, limits});
     return answer_of(std::vector{like(map, std::move(left)), like(map, std::move(right))}, "at");
 }
 
