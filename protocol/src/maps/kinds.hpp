@@ -2,6 +2,7 @@
 
 #include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/maps/hermite_curve.hpp>
 #include <blossom/core/maps/polynomial_curve.hpp>
 #include <blossom/core/maps/taylor_curve.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
@@ -19,8 +20,8 @@ namespace blossom::protocol {
 
 struct Kind;
 
-extern const Kind polynomial_kind, bezier_kind, taylor_kind, bspline_kind, progressive_kind, samples_kind,
-    patch_kind, tensor_bspline_kind;
+extern const Kind polynomial_kind, bezier_kind, taylor_kind, bspline_kind, progressive_kind, hermite_kind,
+    samples_kind, patch_kind, tensor_bspline_kind;
 
 template <class Type, const Kind& kind>
 struct Registered {};
@@ -39,6 +40,7 @@ using Kinds = KindList<Registered<PolynomialCurve, polynomial_kind>,    //
                        Registered<TaylorCurve, taylor_kind>,            //
                        Registered<BSplineCurve, bspline_kind>,          //
                        Registered<ProgressiveCurve, progressive_kind>,  //
+                       Registered<HermiteCurve, hermite_kind>,          //
                        Registered<Samples, samples_kind>,               //
                        Registered<Patch, patch_kind>,                   //
                        Registered<TensorBSpline, tensor_bspline_kind>>;
