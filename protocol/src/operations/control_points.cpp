@@ -50,10 +50,7 @@ struct ControlPoints {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return control_net_of_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return control_net_of_tensor_bspline(request, map, limits);
+Answer control_points_of_curve(Fields& request, const Map& map, const Limits& limits) {
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     const auto degree =
@@ -89,7 +86,8 @@ Operation control_points_operation() {
              apply_degree},
             wanted_degrees_option(),
         }),
-        .answer = answer,
+        .answer =
+            answer_by_shape<control_points_of_curve, control_net_of_patch, control_net_of_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

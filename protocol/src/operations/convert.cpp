@@ -48,10 +48,7 @@ struct Conversion {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return convert_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return convert_tensor_bspline(request, map, limits);
+Answer convert_curve(Fields& request, const Map& map, const Limits& limits) {
     const Kind& to = request.required("to", read_target);
     Target::Convert convert = to.target.read(request, limits);
     const auto span = read_span(request, map, limits);
@@ -95,11 +92,10 @@ std::vector<Option> options() {
 Operation convert_operation() {
     return {
         .name = "convert",
-        .summary =
-            "Convert a map to another basis or form: monomial, Bernstein, Taylor, B-spline, tensor, simplex",
+        .summary = "Convert a map to another basis or form",
         .example = {"convert", "--control-points", "1; 5/3; 11/3; 6", "--to", "monomial"},
         .options = options(),
-        .answer = answer,
+        .answer = answer_by_shape<convert_curve, convert_patch, convert_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

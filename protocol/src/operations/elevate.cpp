@@ -28,10 +28,7 @@ struct Elevate {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return elevate_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return elevate_tensor_bspline(request, map, limits);
+Answer elevate_curve(Fields& request, const Map& map, const Limits& limits) {
     const std::size_t by =
         request.required("by", [&](const Json& value) { return read_count(value, limits); });
     request.finish();
@@ -54,7 +51,7 @@ Operation elevate_operation() {
             {field_option("--by", "by", "R",
                           "by how much to raise the degree; for a tensor product one number per direction",
                           count, degrees_to_raise_by)}),
-        .answer = answer,
+        .answer = answer_by_shape<elevate_curve, elevate_patch, elevate_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

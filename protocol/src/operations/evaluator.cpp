@@ -52,14 +52,7 @@ Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& 
 Json values_at(const Evaluator& evaluator, const std::vector<Rational>& parameters, const PointForm& form,
                std::size_t dimension, const Limits& limits) {
     require_numbers(parameters.size(), dimension, limits);
-    Json::Array values;
-    values.reserve(parameters.size());
-    within("at", [&] {
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
-            within(i, [&] { values.push_back(to_json(evaluator(parameters[i]), form)); });
-        }
-    });
-    return values;
+    return written_at(parameters.size(), form, [&](std::size_t i) { return evaluator(parameters[i]); });
 }
 
 }  // namespace blossom::protocol
