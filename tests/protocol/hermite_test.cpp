@@ -137,8 +137,11 @@ TEST_CASE("a hermite map is shown, explained, certified and rounded") {
               .starts_with(R"({"values": [["1/2", "1/2"]], "pyramids": [[[["0", "0"], )"));
     CHECK(served_at("/ok", R"({"op": "explain", "request": {"op": "evaluate", "at": ["1/2"], )" + plane +
                                "}}") == "true");
-    CHECK(served_at("/ok", R"({"op": "certify", "requests": [{"op": "blossom", "arguments": [1, 2], )" +
-                               plane + "}]}") == "true");
+    const std::string certificate = served_at(
+        "/result/document",
+        R"({"op": "certify", "requests": [{"op": "blossom", "arguments": [1, 2], )" + plane + "}]}");
+    CHECK(certificate.find("given left derivative 1 = 2 p[0, delta] = (1, 2)") != std::string::npos);
+    CHECK(certificate.find("given right derivative 0 = p[1 (2 times)] = (1, 0)") != std::string::npos);
     CHECK(served_at("/result/map/left_double", R"({"op": "convert", "to": "hermite", "numbers": "double", )" +
                                                    plane + "}") == "[[0, 0], [1, 2]]");
 }

@@ -3,10 +3,12 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "integer_frame.hpp"
+#include "stated_points.hpp"
 
 namespace blossom {
 
@@ -117,6 +119,22 @@ HermiteCurve hermite_form(const BezierCurve& curve, std::size_t left_count, cons
         rows.push_back({std::move(all), denominator});
     }
     return {point_array(std::move(rows), curve.control_points().denominator()), left_count, curve.interval()};
+}
+
+std::vector<StatedValue> stated_values(const HermiteCurve& curve) {
+    const std::size_t n = curve.degree();
+    const std::vector<Coordinates> points = curve.derivatives().to_points();
+    const auto at = [&](std::string_view name, std::span<const Coordinates> derivatives,
+                        const Rational& end) {
+        return stated_points(
+            name, derivatives, [&](std::size_t k) { return two_arguments(n, k, Parameter(end), delta); },
+            [n](std::size_t k) { return falling_factorial(n, k); });
+    };
+    const std::span all(points);
+    auto stated = at("left derivative", all.first(curve.left_count()), curve.interval().a());
+    std::ranges::move(at("right derivative", all.subspan(curve.left_count()), curve.interval().b()),
+                      std::back_inserter(stated));
+    return stated;
 }
 
 }  // namespace blossom

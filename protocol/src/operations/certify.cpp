@@ -106,7 +106,7 @@ struct CertifyPoints {
     std::size_t order;
 
     void operator()(const OnePolynomial auto& curve) const {
-        question.claim_all(StatedValues{question.degree(), order}(curve));
+        question.claim_all(claims(stated_values(curve), question.degree(), order));
     }
     void operator()(const BSplineCurve& curve) const {
         for (const std::size_t span : curve.knots().spans()) {

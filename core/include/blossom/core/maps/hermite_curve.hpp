@@ -64,5 +64,7 @@ inline PolynomialMap polynomial_map(const HermiteCurve& curve, const Limits& lim
     return bezier_form(curve, limits);
 }
 inline std::optional<Interval> own_interval(const HermiteCurve& curve) { return curve.interval(); }
+/// P^(k)(a) = n!/(n-k)! p(a^(n-k), delta^k), and the same at b.
+std::vector<StatedValue> stated_values(const HermiteCurve& curve);
 
 }  // namespace blossom

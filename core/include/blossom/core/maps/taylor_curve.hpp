@@ -29,5 +29,7 @@ inline PolynomialMap polynomial_map(const TaylorCurve& curve, const Limits& limi
     return monomial_form(curve, limits);
 }
 inline std::optional<Interval> own_interval(const TaylorCurve&) { return std::nullopt; }
+/// m_k = C(n, k) p(center^(n-k), delta^k).
+std::vector<StatedValue> stated_values(const TaylorCurve& curve);
 
 }  // namespace blossom
