@@ -41,7 +41,7 @@ Points read_ends(Fields& fields, Ends& ends, const Limits& limits) {
 }
 
 /// The derivatives of the denominator at one end as last coordinates.
-void append_denominator(std::vector<Coordinates>& points, const std::vector<Rational>& denominator) {
+void append_derivatives(std::vector<Coordinates>& points, const std::vector<Rational>& denominator) {
     if (denominator.size() != points.size()) {
         throw Error(ErrorCode::wrong_arity, fmt::format("{} derivatives of the denominator for {} of the map",
                                                         denominator.size(), points.size()));
@@ -54,9 +54,9 @@ bool read_denominator(const Json& value, Ends& ends, const Limits& limits) {
     Fields fields(value);
     bool zero = true;
     for (const auto& [name, points] : {std::pair("left", &ends.left), std::pair("right", &ends.right)}) {
-        fields.required(name, [&, points = points](const Json& list) {
+        fields.required(name, [&, at_end = points](const Json& list) {
             const std::vector<Rational> numbers = read_numbers(list, limits);
-            append_denominator(*points, numbers);
+            append_derivatives(*at_end, numbers);
             zero = zero && std::ranges::all_of(numbers, &Rational::is_zero);
             return true;
         });
