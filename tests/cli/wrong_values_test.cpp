@@ -50,6 +50,7 @@ const std::vector<Arguments> command_lines{
     {"control-points", "x*y", "--variables", "x,y", "--vertices", "0,0; 1,0; 0,1", "--degree", "2"},
     {"control-points", "x*y", "--variables", "x,y", "--degrees", "1,1", "--intervals", "0,1; 0,2"},
     {"convert", "t", "--to", "taylor", "--center", "2"},
+    {"convert", "t^2", "--to", "hermite", "--counts", "2,1"},
     {"convert", "t", "--to", "bernstein", "--interval", "0,2"},
     {"elevate", "--map", box, "--by", "1,0"},
     {"subdivide", "--map", triangle, "--at", "1/2,1/4,1/4"},

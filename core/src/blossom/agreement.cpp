@@ -14,11 +14,10 @@ namespace {
 
 /// The term operations of polarization on n distinct symbols: a power of a sum of N symbols has C(n + N, N)
 /// terms.
-std::size_t symbolic_work(std::size_t n) {
+Integer symbolic_work(std::size_t n) {
     Integer work;
     for (std::size_t size = 0; size <= n; ++size) work += binomial(n, size) * binomial(n + size, size);
-    const auto small = work.to_int64();
-    return small ? static_cast<std::size_t>(*small) : std::numeric_limits<std::size_t>::max();
+    return work;
 }
 
 /// Bounds the bits of a coefficient of the blossom written out: a change of basis and the common denominator
@@ -36,9 +35,9 @@ std::string polarization_excess(std::size_t terms, const Limits& limits) {
     return "more terms than the limit polarization_terms = " + std::to_string(limits.polarization_terms);
 }
 
-std::string symbolic_excess(std::size_t work, const Limits& limits) {
-    if (work <= limits.expansion_work) return {};
-    return std::to_string(work) +
+std::string symbolic_excess(const Integer& work, const Limits& limits) {
+    if (work <= Integer(limits.expansion_work)) return {};
+    return to_string(work) +
            " term operations, more than the limit expansion_work = " + std::to_string(limits.expansion_work);
 }
 
@@ -84,14 +83,9 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Polyn
     symbols.reserve(n);
     for (std::size_t i = 0; i < n; ++i) symbols.push_back({SparsePolynomial::variable(i), 1});
 
-    const std::size_t work = symbolic_work(n);
-    const auto excess = [&](Construction construction) -> std::string {
-        return construction == Construction::polarization ? symbolic_excess(work, limits) : "";
-    };
-    const auto run = [&](Construction construction) {
-        return quotients(run_construction<SparsePolynomial>(map, construction, symbols, limits));
-    };
-    return collected_agreement<std::vector<SparsePolynomial>>(excess, run);
+    return symbolic_agreement(symbolic_work(n), limits, [&](Construction construction) {
+        return run_construction<SparsePolynomial>(map, construction, symbols, limits);
+    });
 }
 
 std::vector<SparsePolynomial> elementary_symmetric_form(const PolynomialMap& map, const Limits& limits) {

@@ -47,4 +47,13 @@ PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits) {
     return PolynomialCurve(point_array(std::move(rows), curve.control_points().denominator()));
 }
 
+BezierCurve control_points(const PolynomialMap& map, const Interval& interval, const Limits& limits) {
+    return std::visit([&](const auto& curve) { return control_points(curve, interval, limits); }, map);
+}
+
+PolynomialCurve monomial_form(const PolynomialMap& map, const Limits& limits) {
+    const auto* curve = std::get_if<PolynomialCurve>(&map);
+    return curve ? *curve : monomial_form(std::get<BezierCurve>(map), limits);
+}
+
 }  // namespace blossom

@@ -1,7 +1,9 @@
 #include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/rational/combinatorics.hpp>
 
 #include "change_of_interval.hpp"
 #include "integer_frame.hpp"
+#include "stated_points.hpp"
 
 namespace blossom {
 
@@ -27,6 +29,15 @@ TaylorCurve taylor_form(const PolynomialCurve& curve, const Rational& center, co
 
 PolynomialCurve monomial_form(const TaylorCurve& curve, const Limits& limits) {
     return PolynomialCurve(shifted(curve.coefficients, -curve.center, limits));
+}
+
+std::vector<StatedValue> stated_values(const TaylorCurve& curve) {
+    const std::size_t n = curve.degree();
+    const std::vector<Coordinates> points = curve.coefficients.to_points();
+    return stated_points(
+        "coefficient", points,
+        [&](std::size_t k) { return two_arguments(n, k, Parameter(curve.center), delta); },
+        [n](std::size_t k) { return binomial(n, k); });
 }
 
 }  // namespace blossom

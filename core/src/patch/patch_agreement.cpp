@@ -2,7 +2,6 @@
 #include <blossom/core/patch/patch_subdivision.hpp>
 #include <blossom/rational/error.hpp>
 
-#include <limits>
 #include <numeric>
 #include <string>
 
@@ -153,7 +152,7 @@ std::size_t terms_of_polarization(const PatchArguments& arguments, std::size_t l
 
 /// The term operations of polarization on distinct symbolic points: the value at a sum of N points of
 /// dimension s has C(N s + n, n) terms.
-std::size_t symbolic_work(const NetShape& shape) {
+Integer symbolic_work(const NetShape& shape) {
     Integer work = 1;
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         const auto [s, n] = shape[f];
@@ -161,8 +160,7 @@ std::size_t symbolic_work(const NetShape& shape) {
         for (std::size_t size = 0; size <= n; ++size) own += binomial(n, size) * binomial(size * s + n, n);
         work *= own;
     }
-    const auto small = work.to_int64();
-    return small ? static_cast<std::size_t>(*small) : std::numeric_limits<std::size_t>::max();
+    return work;
 }
 
 TupleLists<SparsePolynomial> symbolic_points(const NetShape& shape, bool barycentric) {
@@ -229,14 +227,9 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Patch
 
     const TupleLists<SparsePolynomial> symbols =
         symbolic_points(shape, std::holds_alternative<BezierPatch>(map));
-    const std::size_t work = symbolic_work(shape);
-    const auto excess = [&](Construction construction) -> std::string {
-        return construction == Construction::polarization ? symbolic_excess(work, limits) : "";
-    };
-    const auto value = [&](Construction construction) {
-        return quotients(run(map, symbols, construction, limits));
-    };
-    return collected_agreement<std::vector<SparsePolynomial>>(excess, value);
+    return symbolic_agreement(symbolic_work(shape), limits, [&](Construction construction) {
+        return run(map, symbols, construction, limits);
+    });
 }
 
 }  // namespace blossom

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "maps/stated_points.hpp"
 #include "progressive_frame.hpp"
 
 namespace blossom {
@@ -77,6 +78,22 @@ std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& cu
 
 Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Limits& limits) {
     return blossom_value(curve, with_copies({}, curve.degree(), t), limits);
+}
+
+std::optional<Interval> own_interval(const ProgressiveCurve& curve) {
+    const std::size_t n = curve.degree();
+    return n == 0 ? Interval() : Interval(curve.knots()[n - 1], curve.knots()[n]);
+}
+
+std::vector<StatedValue> stated_values(const ProgressiveCurve& curve) {
+    const std::vector<Coordinates> points = curve.control_points().to_points();
+    const auto arguments = [&](std::size_t k) {
+        std::vector<Argument> window;
+        for (const Rational& knot : std::span(curve.knots()).subspan(k, curve.degree()))
+            window.emplace_back(Parameter(knot));
+        return window;
+    };
+    return stated_points("control point", points, arguments, [](std::size_t) { return Integer(1); });
 }
 
 BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval, const Limits& limits) {

@@ -278,12 +278,11 @@ Place place_in_document(const ForeignFormat& format, const Place& of_map) {
 
 Map as_textbook_spline(const Map& map, const Limits& limits) {
     const auto of_polynomial = [&](const OnePolynomial auto& curve) {
-        const auto over = [&](const auto& one) { return control_points(one, own_interval(curve), limits); };
-        const BezierCurve bezier = std::visit(over, polynomial_map(curve, limits));
+        const BezierCurve bezier = control_points(polynomial_map(curve, limits), interval_of(curve), limits);
         return join(std::span(&bezier, 1), limits);
     };
     const auto of_spline = [](const BSplineCurve& curve) { return textbook(curve); };
-    return {serve<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
+    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
 }
 
 }  // namespace blossom::protocol

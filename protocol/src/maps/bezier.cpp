@@ -1,10 +1,14 @@
 #include <fmt/format.h>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/rational/number_text.hpp>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 
 namespace blossom::protocol {
 
+namespace {
+
+/// {"kind": "bezier", "control_points", "interval"?, "weights"?, "degree"?, "homogeneous"?}
 Map read_bezier(Fields& fields, const Limits& limits) {
     WeightedPoints read = read_control_points(fields, limits);
     const auto interval =
@@ -25,5 +29,28 @@ std::string formula(const BezierCurve& curve, const Map& map, std::string_view n
     return fmt::format("{}: control points over [{}, {}]: {}", name, to_string(curve.interval().a()),
                        to_string(curve.interval().b()), control_points_text(write(curve, map.form)));
 }
+
+/// "to": "bernstein", "interval"?
+Target::Convert read_bernstein_target(Fields& request, const Limits& limits) {
+    return [wanted = read_wanted_interval(request, limits)](const PolynomialMap& map, const Interval& own,
+                                                            const Limits& allowed) -> AnyMap {
+        return control_points(map, wanted.value_or(own), allowed);
+    };
+}
+
+std::string bezier_degree(const Map& map) {
+    return ", degree " + std::to_string(std::get<BezierCurve>(map.value).degree());
+}
+
+}  // namespace
+
+constinit const Kind bezier_kind{
+    .name = "bezier",
+    .words = {{{"bezier", read_bezier}}},
+    .write = write_value<BezierCurve, write>,
+    .formula = formula_of_value<BezierCurve, formula>,
+    .target = {"bernstein", read_bernstein_target},
+    .degree_text = bezier_degree,
+};
 
 }  // namespace blossom::protocol

@@ -1,12 +1,16 @@
 #include <fmt/format.h>
+#include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/spline/spline_join.hpp>
 #include <blossom/rational/number_text.hpp>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 
 namespace blossom::protocol {
 
+namespace {
+
+/// {"kind": "bspline", "degree", "knots", "control_points", "weights"?, "homogeneous"?}
 Map read_bspline(Fields& fields, const Limits& limits) {
-    if (fields.has("degrees")) return read_tensor_bspline(fields, limits);
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
     std::vector<Rational> knots =
@@ -30,5 +34,24 @@ std::string formula(const BSplineCurve& curve, const Map& map, std::string_view 
                        curve.degree(), to_string(domain.a()), to_string(domain.b()),
                        numbers_text(*written.find("knots")), control_points_text(written));
 }
+
+/// "to": "bspline", "interval"?
+Target::Convert read_bspline_target(Fields& request, const Limits& limits) {
+    return [wanted = read_wanted_interval(request, limits)](const PolynomialMap& map, const Interval& own,
+                                                            const Limits& allowed) -> AnyMap {
+        const BezierCurve curve = control_points(map, wanted.value_or(own), allowed);
+        return join(std::span(&curve, 1), allowed);
+    };
+}
+
+}  // namespace
+
+constinit const Kind bspline_kind{
+    .name = "bspline",
+    .words = {{{"bspline", read_bspline}}},
+    .write = write_value<BSplineCurve, write>,
+    .formula = formula_of_value<BSplineCurve, formula>,
+    .target = {"bspline", read_bspline_target},
+};
 
 }  // namespace blossom::protocol

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 #include "net_fields.hpp"
+#include "several_variables.hpp"
 #include "text/readable.hpp"
 
 namespace blossom::protocol {
@@ -113,8 +114,7 @@ Json write_simplex(const BezierPatch& patch, const std::vector<BarycentricFrame>
     return map;
 }
 
-}  // namespace
-
+/// {"kind": "tensor", "degrees", "control_net", "intervals"?, "weights"?, "homogeneous"?}
 Map read_tensor(Fields& fields, const Limits& limits) {
     const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
     const NetShape shape = within("degrees", [&] { return NetShape::tensor(degrees, limits); });
@@ -137,6 +137,7 @@ Map read_tensor(Fields& fields, const Limits& limits) {
     return {Patch{BezierPatch(shape, read.points), true, std::move(*frames), {}}, read.form};
 }
 
+/// {"kind": "simplex", "degree", "control_net", "vertices"?, "weights"?, "homogeneous"?}
 Map read_simplex(Fields& fields, const Limits& limits) {
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
@@ -179,14 +180,14 @@ Map read_simplex(Fields& fields, const Limits& limits) {
 
 Json write(const Patch& patch, const PointForm& form) {
     if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
-        return write(*polynomial, patch, form);
+        return protocol::write(*polynomial, patch, form);
     const auto& net = std::get<BezierPatch>(patch.map);
     return patch.tensor ? write_tensor(net, patch.frames, form) : write_simplex(net, patch.frames, form);
 }
 
 std::string formula(const Patch& patch, const Map& map, std::string_view name) {
     if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
-        return formula(*polynomial, map, name);
+        return protocol::formula(*polynomial, map, name);
     std::string domain;
     for (const BarycentricFrame& frame : patch.frames) {
         std::string vertices;
@@ -202,5 +203,22 @@ std::string formula(const Patch& patch, const Map& map, std::string_view name) {
                        patch.tensor ? "tensor product" : "simplex", degrees.size() == 1 ? "" : "s",
                        fmt::join(degrees, ", "), domain, patch.shape().size());
 }
+
+std::string patch_degree(const Map& map) {
+    const Patch& patch = std::get<Patch>(map.value);
+    return patch.is_polynomial() ? ", " + degree_text(patch) : "";
+}
+
+}  // namespace
+
+constinit const Kind patch_kind{
+    .name = "patch",
+    .words = {{{"tensor", read_tensor},
+               {"simplex", read_simplex},
+               {"polynomial", read_several_variables, "variables"}}},
+    .write = write_value<Patch, write>,
+    .formula = formula_of_value<Patch, formula>,
+    .degree_text = patch_degree,
+};
 
 }  // namespace blossom::protocol

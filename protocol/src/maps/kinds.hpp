@@ -1,58 +1,51 @@
 #pragma once
 
-#include "map.hpp"
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/maps/hermite_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/patch/tensor_bspline.hpp>
+#include <blossom/core/spline/progressive.hpp>
 
-/// What each kind of map defines: how it is read, how it is written as JSON, and how a person reads it.
+#include <variant>
+
+#include "patch.hpp"
+#include "samples.hpp"
+
+/// The only list of the kinds of maps. A kind is registered by the type of its maps and its description,
+/// which the file of the kind defines.
 
 namespace blossom::protocol {
 
-/// {"kind": "polynomial", "coefficients" or "text", "degree"?, "denominator"?, "homogeneous"?}
-Map read_polynomial(Fields& fields, const Limits& limits);
-Json write(const PolynomialCurve& curve, const PointForm& form);
-std::string formula(const PolynomialCurve& curve, const Map& map, std::string_view name);
+struct Kind;
 
-/// {"kind": "bezier", "control_points", "interval"?, "weights"?, "degree"?, "homogeneous"?}
-Map read_bezier(Fields& fields, const Limits& limits);
-Json write(const BezierCurve& curve, const PointForm& form);
-std::string formula(const BezierCurve& curve, const Map& map, std::string_view name);
+extern const Kind polynomial_kind, bezier_kind, taylor_kind, bspline_kind, progressive_kind, hermite_kind,
+    samples_kind, patch_kind, tensor_bspline_kind;
 
-/// {"kind": "taylor", "center", "coefficients", "degree"?, "denominator"?, "homogeneous"?}
-Map read_taylor(Fields& fields, const Limits& limits);
-Json write(const TaylorCurve& curve, const PointForm& form);
-std::string formula(const TaylorCurve& curve, const Map& map, std::string_view name);
+template <class Type, const Kind& kind>
+struct Registered {};
 
-/// {"kind": "bspline", "degree", "knots", "control_points", "weights"?, "homogeneous"?}
-Map read_bspline(Fields& fields, const Limits& limits);
-Json write(const BSplineCurve& curve, const PointForm& form);
-std::string formula(const BSplineCurve& curve, const Map& map, std::string_view name);
+template <class... Registrations>
+struct KindList;
 
-/// {"kind": "bspline", "degrees", "knots", "control_net", "weights"?, "homogeneous"?}
-Map read_tensor_bspline(Fields& fields, const Limits& limits);
-Json write(const TensorBSpline& spline, const PointForm& form);
-std::string formula(const TensorBSpline& spline, const Map& map, std::string_view name);
+template <class... Types, const Kind&... kinds>
+struct KindList<Registered<Types, kinds>...> {
+    using Value = std::variant<Types...>;
+    static constexpr const Kind* all[] = {&kinds...};
+};
 
-/// {"kind": "progressive", "knots", "control_points", "weights"?, "degree"?, "homogeneous"?}
-Map read_progressive(Fields& fields, const Limits& limits);
-Json write(const ProgressiveCurve& curve, const PointForm& form);
-std::string formula(const ProgressiveCurve& curve, const Map& map, std::string_view name);
+using Kinds = KindList<Registered<PolynomialCurve, polynomial_kind>,    //
+                       Registered<BezierCurve, bezier_kind>,            //
+                       Registered<TaylorCurve, taylor_kind>,            //
+                       Registered<BSplineCurve, bspline_kind>,          //
+                       Registered<ProgressiveCurve, progressive_kind>,  //
+                       Registered<HermiteCurve, hermite_kind>,          //
+                       Registered<Samples, samples_kind>,               //
+                       Registered<Patch, patch_kind>,                   //
+                       Registered<TensorBSpline, tensor_bspline_kind>>;
 
-/// {"kind": "samples", "degree", "interval"?, "values": [[t, point], ...]}
-Map read_samples(Fields& fields, const Limits& limits);
-Json write(const Samples& samples, const PointForm& form);
-std::string formula(const Samples& samples, const Map& map, std::string_view name);
-
-/// {"kind": "polynomial", "variables", "text" or "terms", "degree" or "degrees"?, "denominator"?, ...}
-Map read_several_variables(Fields& fields, const Limits& limits);
-Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form);
-std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name);
-/// "formal degree 2", or "formal degrees 2, 1".
-std::string degree_text(const Patch& patch);
-
-/// {"kind": "tensor", "degrees", "control_net", "intervals"?, "weights"?, "homogeneous"?}
-Map read_tensor(Fields& fields, const Limits& limits);
-/// {"kind": "simplex", "degree", "control_net", "vertices"?, "weights"?, "homogeneous"?}
-Map read_simplex(Fields& fields, const Limits& limits);
-Json write(const Patch& patch, const PointForm& form);
-std::string formula(const Patch& patch, const Map& map, std::string_view name);
+/// What a map is made of.
+using AnyMap = Kinds::Value;
 
 }  // namespace blossom::protocol

@@ -1,34 +1,16 @@
 #pragma once
 
-#include <blossom/core/maps/bezier_curve.hpp>
-#include <blossom/core/maps/bspline_curve.hpp>
-#include <blossom/core/maps/polynomial_curve.hpp>
-#include <blossom/core/maps/taylor_curve.hpp>
-#include <blossom/core/patch/tensor_bspline.hpp>
-#include <blossom/core/spline/progressive.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include <blossom/protocol/json.hpp>
 #include "json/fields.hpp"
-#include "patch.hpp"
+#include "kinds.hpp"
 #include "points.hpp"
-#include "samples.hpp"
 
 namespace blossom::protocol {
-
-/// What a map is made of, one alternative a kind.
-using AnyMap = std::variant<PolynomialCurve, BezierCurve, TaylorCurve, BSplineCurve, ProgressiveCurve,
-                            Samples, Patch, TensorBSpline>;
-
-/// What messages call each alternative of `AnyMap`.
-inline constexpr std::string_view map_names[] = {
-    "polynomial",  "bezier",  "taylor", "bspline",
-    "progressive", "samples", "patch",  "bspline in several directions"};
-static_assert(std::size(map_names) == std::variant_size_v<AnyMap>, "one name an alternative");
 
 /// A map as a request gives it. A rational one is a polynomial map into one dimension more: (w x, w), the
 /// weight last.

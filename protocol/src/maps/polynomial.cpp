@@ -1,9 +1,10 @@
 #include <fmt/format.h>
 #include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/blossom/conversion.hpp>
 
 #include <algorithm>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 
 namespace blossom::protocol {
 
@@ -99,10 +100,8 @@ std::string tuple_of_polynomials(const PolynomialCurve& curve, std::size_t count
     return scalar ? text : "(" + text + ")";
 }
 
-}  // namespace
-
+/// {"kind": "polynomial", "coefficients" or "text", "degree"?, "denominator"?, "homogeneous"?}
 Map read_polynomial(Fields& fields, const Limits& limits) {
-    if (fields.has("variables")) return read_several_variables(fields, limits);
     Written written = read_written(fields, limits);
     const auto denominator = fields.optional(
         "denominator", [&](const Json& value) { return read_denominator(value, written.variable, limits); });
@@ -137,5 +136,27 @@ std::string formula(const PolynomialCurve& curve, const Map& map, std::string_vi
     }
     return fmt::format("{}({}) = {}", name, map.variable, text);
 }
+
+/// "to": "monomial".
+Target::Convert read_monomial_target(Fields&, const Limits&) {
+    return [](const PolynomialMap& map, const Interval&, const Limits& limits) -> AnyMap {
+        return monomial_form(map, limits);
+    };
+}
+
+std::string polynomial_degree(const Map& map) {
+    return ", formal degree " + std::to_string(std::get<PolynomialCurve>(map.value).degree());
+}
+
+}  // namespace
+
+constinit const Kind polynomial_kind{
+    .name = "polynomial",
+    .words = {{{"polynomial", read_polynomial}}},
+    .write = write_value<PolynomialCurve, write>,
+    .formula = formula_of_value<PolynomialCurve, formula>,
+    .target = {"monomial", read_monomial_target},
+    .degree_text = polynomial_degree,
+};
 
 }  // namespace blossom::protocol

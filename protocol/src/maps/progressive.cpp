@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 
 namespace blossom::protocol {
 
+namespace {
+
+/// {"kind": "progressive", "knots", "control_points", "weights"?, "degree"?, "homogeneous"?}
 Map read_progressive(Fields& fields, const Limits& limits) {
     std::vector<Rational> knots =
         fields.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
@@ -26,5 +29,14 @@ std::string formula(const ProgressiveCurve& curve, const Map& map, std::string_v
     return fmt::format("{}: progressive curve of degree {}, knots {}, control points {}", name,
                        curve.degree(), numbers_text(*written.find("knots")), control_points_text(written));
 }
+
+}  // namespace
+
+constinit const Kind progressive_kind{
+    .name = "progressive",
+    .words = {{{"progressive", read_progressive}}},
+    .write = write_value<ProgressiveCurve, write>,
+    .formula = formula_of_value<ProgressiveCurve, formula>,
+};
 
 }  // namespace blossom::protocol

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <blossom/rational/number_text.hpp>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 
 namespace blossom::protocol {
 
@@ -23,8 +23,7 @@ Sample read_sample(const Json& value, const Limits& limits) {
     return {within(std::size_t{0}, [&] { return read_number(pair[0], limits); }), pair[1]};
 }
 
-}  // namespace
-
+/// {"kind": "samples", "degree", "interval"?, "values": [[t, point], ...]}
 Map read_samples(Fields& fields, const Limits& limits) {
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
@@ -67,5 +66,14 @@ std::string formula(const Samples& samples, const Map&, std::string_view name) {
     return fmt::format("{}: {} samples of a map for degree {} on [{}, {}]", name, samples.values.size(),
                        samples.degree, to_string(samples.interval.a()), to_string(samples.interval.b()));
 }
+
+}  // namespace
+
+constinit const Kind samples_kind{
+    .name = "samples",
+    .words = {{{"samples", read_samples}}},
+    .write = write_value<Samples, write>,
+    .formula = formula_of_value<Samples, formula>,
+};
 
 }  // namespace blossom::protocol

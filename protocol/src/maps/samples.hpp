@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 
 namespace blossom::protocol {
 
@@ -16,5 +17,7 @@ struct Samples {
 
     std::size_t dimension() const { return values.begin()->second.size(); }
 };
+
+inline std::optional<Interval> own_interval(const Samples& samples) { return samples.interval; }
 
 }  // namespace blossom::protocol

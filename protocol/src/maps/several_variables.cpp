@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-#include "kinds.hpp"
+#include "several_variables.hpp"
 
 namespace blossom::protocol {
 

@@ -1,9 +1,10 @@
 #include <fmt/format.h>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 #include "text/readable.hpp"
 
 namespace blossom::protocol {
@@ -21,8 +22,7 @@ void append_denominator(std::vector<Coordinates>& coefficients, std::vector<Rati
     for (std::size_t k = 0; k < length; ++k) coefficients[k].push_back(std::move(denominator[k]));
 }
 
-}  // namespace
-
+/// {"kind": "taylor", "center", "coefficients", "degree"?, "denominator"?, "homogeneous"?}
 Map read_taylor(Fields& fields, const Limits& limits) {
     const Rational center =
         fields.required("center", [&](const Json& value) { return read_number(value, limits); });
@@ -57,5 +57,27 @@ std::string formula(const TaylorCurve& curve, const Map& map, std::string_view n
         "{}: coefficients {}{} of the powers of t - ({})", name, numbers_text(*written.find("coefficients")),
         denominator ? " divided by " + numbers_text(*denominator) : "", to_string(curve.center));
 }
+
+/// "to": "taylor", "center"?
+Target::Convert read_taylor_target(Fields& request, const Limits& limits) {
+    const auto center =
+        request.optional("center", [&](const Json& value) { return read_number(value, limits); });
+    return [center = center.value_or(0)](const PolynomialMap& map, const Interval&,
+                                         const Limits& allowed) -> AnyMap {
+        return taylor_form(monomial_form(map, allowed), center, allowed);
+    };
+}
+
+}  // namespace
+
+constinit const Kind taylor_kind{
+    .name = "taylor",
+    .words = {{{"taylor", read_taylor}}},
+    .write = write_value<TaylorCurve, write>,
+    .formula = formula_of_value<TaylorCurve, formula>,
+    .target = {"taylor",
+               read_taylor_target,
+               {"center", "A", "the centre of the powers for taylor; by default 0"}},
+};
 
 }  // namespace blossom::protocol

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "kinds.hpp"
+#include "kind.hpp"
 #include "net_fields.hpp"
 #include "text/readable.hpp"
 
@@ -48,8 +48,7 @@ std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std:
     });
 }
 
-}  // namespace
-
+/// {"kind": "bspline", "degrees", "knots", "control_net", "weights"?, "homogeneous"?}
 Map read_tensor_bspline(Fields& fields, const Limits& limits) {
     const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
     const auto counts =
@@ -91,5 +90,14 @@ std::string formula(const TensorBSpline& spline, const Map&, std::string_view na
     return fmt::format("{}: tensor product of B-splines of degree{} {} over {}, {} control points", name,
                        spline.directions() == 1 ? "" : "s", degrees, domain, counts);
 }
+
+}  // namespace
+
+constinit const Kind tensor_bspline_kind{
+    .name = "bspline in several directions",
+    .words = {{{"bspline", read_tensor_bspline, "degrees"}}},
+    .write = write_value<TensorBSpline, write>,
+    .formula = formula_of_value<TensorBSpline, formula>,
+};
 
 }  // namespace blossom::protocol

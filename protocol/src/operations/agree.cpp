@@ -21,58 +21,27 @@ std::string_view readable_name(std::string_view construction) {
     return construction;
 }
 
-/// One text a coordinate, or the text of the only one. A rational map has one more, its denominator.
-Json texts(const std::vector<SparsePolynomial>& coordinates, const PointForm& form, std::string_view letter,
-           std::size_t degree) {
-    const std::vector<std::string> names = numbered_names(letter, degree);
-    if (form.scalar && !form.rational) return to_text(coordinates.front(), names);
-    Json::Array list;
-    for (const SparsePolynomial& coordinate : coordinates) list.emplace_back(to_text(coordinate, names));
-    return list;
-}
-
 std::size_t degree_of(const PolynomialMap& map) {
     return std::visit([](const auto& curve) { return curve.degree(); }, map);
 }
 
-Json agree_at(const PolynomialMap& map, const PointForm& form, std::span<const Argument> arguments,
-              const Limits& limits) {
-    const Agreement<Coordinates> agreement = blossom::agreement(map, arguments, limits);
-    Json values = construction_values(agreement, [&](const Coordinates& value) {
-        return within("arguments", [&] { return to_json(value, form); });
-    });
-    return Json::Object{{"agree", agreement.agree()},
-                        {"degree", degree_of(map)},
-                        {"values", std::move(values)},
-                        {"skipped", skipped_constructions(agreement)}};
-}
-
 Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, const Limits& limits) {
+    const std::size_t degree = degree_of(map);
     const auto agreement = within("map", [&] { return agreement_for_all_arguments(map, limits); });
-    Json result = Json::Object{
-        {"agree", agreement.agree()},
-        {"for_all_arguments", agreement.agree()},
-        {"degree", degree_of(map)},
-        {"elementary", texts(elementary_symmetric_form(map, limits), form, "e", degree_of(map))}};
-    Json expansions = construction_values(agreement, [&](const std::vector<SparsePolynomial>& value) {
-        return texts(value, form, "u", degree_of(map));
-    });
-    result["expansion"] = expansions.object()->front().second;
-    // Where they differ, each of them is needed to see how.
-    if (!agreement.agree()) result["expansions"] = std::move(expansions);
-    result["skipped"] = skipped_constructions(agreement);
-    return result;
+    const Json elementary =
+        expansion_texts(elementary_symmetric_form(map, limits), form, numbered_names("e", degree));
+    return agreement_for_all(agreement, {{"degree", degree}, {"elementary", elementary}}, form,
+                             numbered_names("u", degree));
 }
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return agree_on_patch(request, map, limits);
+Answer agree_on_curve(Fields& request, const Map& map, const Limits& limits) {
     const auto arguments = request.optional(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     request.finish();
     const PolynomialMap curve = one_polynomial(map, limits);
-    return arguments ? agree_at(curve, map.form, *arguments, limits)
-                     : agree_for_all_arguments(curve, map.form, limits);
+    if (!arguments) return agree_for_all_arguments(curve, map.form, limits);
+    return agreement_at_arguments(agreement(curve, *arguments, limits), {{"degree", degree_of(curve)}},
+                                  map.form);
 }
 
 /// The names of the constructions that have a value.
@@ -162,7 +131,7 @@ Operation agree_operation() {
         .example = {"agree", "1 + 2t + 4t^2 - t^3", "--at", "1,2,3"},
         .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; by "
                                                       "default agreement is proved for all arguments")}),
-        .answer = answer,
+        .answer = answer_by_shape<agree_on_curve, agree_on_patch, nullptr>,
         .render = render,
     };
 }

@@ -36,19 +36,19 @@ struct Value {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return blossom_of_patch(request, map, limits);
-    if (tensor_bspline_of(map))
-        return blossom_of_patch(request, chosen_segment(request, map, limits), limits);
+Answer blossom_of_curve(Fields& request, const Map& map, const Limits& limits) {
     const std::vector<Argument> arguments = request.required(
         "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
     const auto construction = request.optional("construction", read_construction);
     const auto span = read_span(request, map, limits);
     request.finish();
 
-    const auto value = serve<Coordinates>(map, Value{arguments, construction, span, limits});
+    const auto value = dispatch_on_kind<Coordinates>(map, Value{arguments, construction, span, limits});
     return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
+}
+
+Json blossom_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
+    return blossom_of_patch(request, chosen_segment(request, map, limits), limits);
 }
 
 std::string render(const Answered& answered) {
@@ -71,7 +71,7 @@ Operation blossom_operation() {
                          "the construction to use; by default the one that suits the map", plain_text),
             segment_option(),
         }),
-        .answer = answer,
+        .answer = answer_by_shape<blossom_of_curve, blossom_of_patch, blossom_of_tensor_bspline>,
         .render = render,
     };
 }

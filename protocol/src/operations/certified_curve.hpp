@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/spline/progressive.hpp>
+#include <blossom/core/maps/stated_value.hpp>
 
 #include <optional>
 #include <vector>
@@ -12,19 +12,10 @@
 
 namespace blossom::protocol {
 
-/// What the numbers of a map say about the blossom p of degree n of the map of which it is the derivative of
-/// that order, m = n - order. Bezier curves: P_k = n!/m! p(a^(m-k), b^k, delta^order). Progressive curves:
-/// P_k = n!/m! p(t_k, ..., t_(k+m-1), delta^order). Taylor forms, polynomials about 0: c_k = n!/m! C(m, k)
-/// p(a^(m-k), delta^(order+k)). Source: Goldman, theorems 4 and 9, equation 4.4; DeRose, section 4.6.
-struct StatedValues {
-    std::size_t degree;
-    std::size_t order;
-
-    std::vector<CertifiedValue> operator()(const BezierCurve& curve) const;
-    std::vector<CertifiedValue> operator()(const ProgressiveCurve& curve) const;
-    std::vector<CertifiedValue> operator()(const TaylorCurve& curve) const;
-    std::vector<CertifiedValue> operator()(const PolynomialCurve& curve) const;
-};
+/// What the points of a map, which is the derivative of some order of a map of a formal degree n, say about
+/// the blossom p of that map: point = multiple n!/(n-order)! p(arguments, delta^order), where multiple and
+/// arguments are those of the `stated_values`. Source: Goldman, theorem 9.
+std::vector<CertifiedValue> claims(std::vector<StatedValue> stated, std::size_t degree, std::size_t order);
 
 /// The polynomial of a map, of a B-spline that on one span, with the claims that its points are the given
 /// ones: they determine it. Monomial coefficients need no claim.

@@ -106,7 +106,7 @@ struct CertifyPoints {
     std::size_t order;
 
     void operator()(const OnePolynomial auto& curve) const {
-        question.claim_all(StatedValues{question.degree(), order}(curve));
+        question.claim_all(claims(stated_values(curve), question.degree(), order));
     }
     void operator()(const BSplineCurve& curve) const {
         for (const std::size_t span : curve.knots().spans()) {
@@ -129,7 +129,7 @@ void certify_control_points(const Question& question) {
         if (question.spline()) question.turn_to(std::min(curve->interval().a(), curve->interval().b()));
         certify.raise_to(curve->degree());
     }
-    serve<void>(points, certify);
+    dispatch_on_kind<void>(points, certify);
 }
 
 void certify_derivative(const Question& question) {
@@ -143,7 +143,7 @@ void certify_derivative(const Question& question) {
     const Json* written = question.request.find("order");
     const std::size_t order = written ? read_count(*written, question.limits) : 1;
     if (!question.answer.maps.empty()) {
-        serve<void>(question.answer.maps.front(), CertifyPoints{question, order});
+        dispatch_on_kind<void>(question.answer.maps.front(), CertifyPoints{question, order});
         return;
     }
     const std::vector<Rational> parameters = read_numbers(*question.request.find("at"), question.limits);

@@ -2,7 +2,11 @@
 
 #include <blossom/core/blossom/agreement.hpp>
 
+#include <string>
+#include <vector>
+
 #include <blossom/protocol/json.hpp>
+#include "maps/points.hpp"
 
 namespace blossom::protocol {
 
@@ -27,5 +31,18 @@ Json construction_values(const Agreement<Value>& agreement, const Write& write) 
     }
     return values;
 }
+
+/// What all of them gave at arguments; `degree` is the member of this name, or "degrees".
+Json agreement_at_arguments(const Agreement<Coordinates>& agreement, const Json::Object& degree,
+                            const PointForm& form);
+
+/// One text a coordinate, or the text of the only one. A rational map has one more, its denominator.
+Json expansion_texts(const std::vector<SparsePolynomial>& coordinates, const PointForm& form,
+                     const std::vector<std::string>& names);
+
+/// What they gave on symbolic arguments with these names. `members` are the degree and what else is said
+/// before the expansion.
+Json agreement_for_all(const Agreement<std::vector<SparsePolynomial>>& agreement, Json::Object members,
+                       const PointForm& form, const std::vector<std::string>& names);
 
 }  // namespace blossom::protocol

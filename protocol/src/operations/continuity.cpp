@@ -78,8 +78,8 @@ Json continuity_of_maps(std::vector<Map> maps, const Rational& s, const Limits& 
     }
     make_form_common(maps, limits);
     const PointForm& form = maps.front().form;
-    const auto left = serve<PolynomialMap>(maps[0], OneSide{s, true, limits}, Place{"maps"} / 0);
-    const auto right = serve<PolynomialMap>(maps[1], OneSide{s, false, limits}, Place{"maps"} / 1);
+    const auto left = dispatch_on_kind<PolynomialMap>(maps[0], OneSide{s, true, limits}, Place{"maps"} / 0);
+    const auto right = dispatch_on_kind<PolynomialMap>(maps[1], OneSide{s, false, limits}, Place{"maps"} / 1);
     return within("at", [&] {
         return form.separate_weights() ? answer_of(projected_contact(left, right, s, limits), form, s)
                                        : answer_of(contact(left, right, s, limits), form, s);
@@ -87,7 +87,7 @@ Json continuity_of_maps(std::vector<Map> maps, const Rational& s, const Limits& 
 }
 
 Json continuity_of_spline(const Map& map, const Rational& s, const Limits& limits) {
-    return serve<Json>(map, [&](const BSplineCurve& curve) {
+    return dispatch_on_kind<Json>(map, [&](const BSplineCurve& curve) {
         return map.form.separate_weights() ? answer_of(projected_contact(curve, s, limits), map.form, s)
                                            : answer_of(contact(curve, s, limits), map.form, s);
     });

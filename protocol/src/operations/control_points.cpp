@@ -34,9 +34,8 @@ struct ControlPoints {
         }
         return curve.interval() == wanted ? curve : control_points(curve, wanted, limits);
     }
-    AnyMap operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
-    AnyMap operator()(const ProgressiveCurve& curve) const {
-        return (*this)(control_points(curve, interval.value_or(own_interval(curve)), limits));
+    AnyMap operator()(const OnePolynomial auto& curve) const {
+        return std::visit(*this, polynomial_map(curve, limits));
     }
     AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
     /// A Bezier curve where there is only one polynomial, otherwise a spline.
@@ -51,10 +50,7 @@ struct ControlPoints {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return control_net_of_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return control_net_of_tensor_bspline(request, map, limits);
+Answer control_points_of_curve(Fields& request, const Map& map, const Limits& limits) {
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     const auto degree =
@@ -62,7 +58,7 @@ Answer answer(Request& request, const Limits& limits) {
     request.finish();
     require_numbers(degree.value_or(0) + 1, dimension_of(map), limits);
 
-    return answer_of(like(map, serve<AnyMap>(map, ControlPoints{degree, interval, limits})));
+    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, ControlPoints{degree, interval, limits})));
 }
 
 /// A B-spline has to say its degree, so that --degree says this one.
@@ -92,7 +88,8 @@ Operation control_points_operation() {
              apply_degree},
             wanted_degrees_option(),
         }),
-        .answer = answer,
+        .answer =
+            answer_by_shape<control_points_of_curve, control_net_of_patch, control_net_of_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

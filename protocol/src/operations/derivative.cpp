@@ -40,12 +40,10 @@ struct DerivativeMap {
 
 Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
     const DerivativeMap derive{order, map.form.separate_weights(), limits};
-    return like(map, serve<AnyMap>(map, derive));
+    return like(map, dispatch_on_kind<AnyMap>(map, derive));
 }
 
-Answer answer_about(const Map& map, Fields& request, const Limits& limits) {
-    if (patch_of(map)) return derivative_of_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return derivative_of_tensor_bspline(request, map, limits);
+Answer derivative_of_curve(Fields& request, const Map& map, const Limits& limits) {
     const std::size_t order =
         request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
     const auto parameters =
@@ -56,10 +54,6 @@ Answer answer_about(const Map& map, Fields& request, const Limits& limits) {
     const PointForm form = map.form.separate_weights() ? PointForm{.scalar = map.form.scalar} : map.form;
     return Json::Object{{"values", values_at(derivative_evaluator(map, order, limits), *parameters, form,
                                              dimension_of(map), limits)}};
-}
-
-Answer answer(Request& request, const Limits& limits) {
-    return answer_about(request.map(limits), request, limits);
 }
 
 /// P', P'', P''', P^(4), ...
@@ -96,7 +90,8 @@ std::string of_derived_map(const Answered& answered) {
     }
     const Json without_parameters = std::move(members);
     Fields fields(without_parameters);
-    Answer derived = answer_about(answered.given(), fields, answered.limits);
+    Answer derived = answer_about<derivative_of_curve, derivative_of_patch, derivative_of_tensor_bspline>(
+        fields, answered.given(), answered.limits);
     derived.given = answered.answer.given;
     return show({answered.request, derived, answered.limits, answered.style});
 }
@@ -118,7 +113,7 @@ Operation derivative_operation() {
             field_option("--directions", "directions", "D1;D2;...",
                          "for a patch: one direction per order of a mixed derivative", tuple_list),
         }),
-        .answer = answer,
+        .answer = answer_by_shape<derivative_of_curve, derivative_of_patch, derivative_of_tensor_bspline>,
         .render = render,
         .plot = of_derived_map<plot_of_result>,
         .mesh = of_derived_map<obj_of>,

@@ -1,4 +1,3 @@
-#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/maps/taylor_curve.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
@@ -19,26 +18,22 @@ struct Elevate {
     std::size_t by;
     const Limits& limits;
 
-    AnyMap operator()(const PolynomialCurve& curve) const { return elevate(curve, by, limits); }
-    AnyMap operator()(const BezierCurve& curve) const { return elevate(curve, by, limits); }
-    AnyMap operator()(const BSplineCurve& curve) const { return elevate(curve, by, limits); }
-    AnyMap operator()(const ProgressiveCurve& curve) const {
-        return elevate(control_points(curve, own_interval(curve), limits), by, limits);
+    AnyMap operator()(const OnePolynomial auto& curve) const {
+        const auto raised = [&](const auto& one) -> AnyMap { return elevate(one, by, limits); };
+        return std::visit(raised, polynomial_map(curve, limits));
     }
+    AnyMap operator()(const BSplineCurve& curve) const { return elevate(curve, by, limits); }
     AnyMap operator()(const TaylorCurve& curve) const {
         return taylor_form(elevate(monomial_form(curve, limits), by, limits), curve.center, limits);
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return elevate_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return elevate_tensor_bspline(request, map, limits);
+Answer elevate_curve(Fields& request, const Map& map, const Limits& limits) {
     const std::size_t by =
         request.required("by", [&](const Json& value) { return read_count(value, limits); });
     request.finish();
     require_numbers(by, dimension_of(map), limits);
-    return answer_of(like(map, serve<AnyMap>(map, Elevate{by, limits})));
+    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, Elevate{by, limits})));
 }
 
 Json degrees_to_raise_by(std::string_view text, const Json&) {
@@ -56,7 +51,7 @@ Operation elevate_operation() {
             {field_option("--by", "by", "R",
                           "by how much to raise the degree; for a tensor product one number per direction",
                           count, degrees_to_raise_by)}),
-        .answer = answer,
+        .answer = answer_by_shape<elevate_curve, elevate_patch, elevate_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -12,10 +12,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return evaluate_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return evaluate_tensor_bspline(request, map, limits);
+Answer evaluate_curve(Fields& request, const Map& map, const Limits& limits) {
     const auto parameters =
         request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
     const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);
@@ -51,7 +48,7 @@ Operation evaluate_operation() {
                          number_list, patch_parameters),
             flag_option("--pyramid", "pyramid", "show every point of de Casteljau's or de Boor's algorithm"),
         }),
-        .answer = answer,
+        .answer = answer_by_shape<evaluate_curve, evaluate_patch, evaluate_tensor_bspline>,
         .render = render,
         .plot = plot_of_values,
         .mesh = obj_of,

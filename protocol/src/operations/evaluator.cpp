@@ -29,7 +29,7 @@ Evaluator value_evaluator(const Map& map, std::size_t parameters, const Limits& 
         if (prepares) return prepared(SplineValues(curve, limits));
         return [&](const Rational& t) { return evaluate(curve, t, limits); };
     };
-    return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});
+    return dispatch_on_kind<Evaluator>(map, Overloads{of_polynomial, of_spline});
 }
 
 Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& limits) {
@@ -46,20 +46,13 @@ Evaluator derivative_evaluator(const Map& map, std::size_t order, const Limits& 
                            : derivative(curve, order, t, limits);
         };
     };
-    return serve<Evaluator>(map, Overloads{of_polynomial, of_spline});
+    return dispatch_on_kind<Evaluator>(map, Overloads{of_polynomial, of_spline});
 }
 
 Json values_at(const Evaluator& evaluator, const std::vector<Rational>& parameters, const PointForm& form,
                std::size_t dimension, const Limits& limits) {
     require_numbers(parameters.size(), dimension, limits);
-    Json::Array values;
-    values.reserve(parameters.size());
-    within("at", [&] {
-        for (std::size_t i = 0; i < parameters.size(); ++i) {
-            within(i, [&] { values.push_back(to_json(evaluator(parameters[i]), form)); });
-        }
-    });
-    return values;
+    return written_at(parameters.size(), form, [&](std::size_t i) { return evaluator(parameters[i]); });
 }
 
 }  // namespace blossom::protocol

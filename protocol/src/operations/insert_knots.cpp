@@ -18,9 +18,7 @@ using Insertion = BSplineCurve (*)(const BSplineCurve& curve, std::span<const Ra
 constexpr std::string_view method_names[] = {"boehm", "oslo"};
 constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (tensor_bspline_of(map)) return insert_knots_of_tensor_bspline(request, map, limits);
+Answer insert_knots_of_curve(Fields& request, const Map& map, const Limits& limits) {
     const auto knots =
         request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
     const auto method =
@@ -29,7 +27,7 @@ Answer answer(Request& request, const Limits& limits) {
                       [](const Json& value) { return read_alternative(value, method_names, "a method"); })
             .value_or(0);
     request.finish();
-    auto refined = serve<BSplineCurve>(
+    auto refined = dispatch_on_kind<BSplineCurve>(
         map, [&](const BSplineCurve& curve) { return methods[method](curve, knots, limits); });
     return answer_of(like(map, std::move(refined)));
 }
@@ -56,7 +54,7 @@ Operation insert_knots_operation() {
                          number_list, lists_of_knots),
             field_option("--method", "method", "boehm|oslo", "the algorithm; by default boehm", plain_text),
         }),
-        .answer = answer,
+        .answer = answer_by_shape<insert_knots_of_curve, nullptr, insert_knots_of_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

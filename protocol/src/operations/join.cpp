@@ -19,8 +19,8 @@ std::vector<BezierCurve> bezier_curves(std::vector<Map>& maps, const Limits& lim
     std::vector<BezierCurve> curves;
     curves.reserve(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        curves.push_back(
-            serve<BezierCurve>(maps[i], [](const BezierCurve& curve) { return curve; }, Place{"maps"} / i));
+        curves.push_back(dispatch_on_kind<BezierCurve>(
+            maps[i], [](const BezierCurve& curve) { return curve; }, Place{"maps"} / i));
     }
     return curves;
 }

@@ -22,7 +22,9 @@ struct WithWeight {
     AnyMap operator()(const BezierCurve& curve) const {
         return BezierCurve(weighted(curve.control_points().to_points()), curve.interval());
     }
-    AnyMap operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    AnyMap operator()(const OnePolynomial auto& curve) const {
+        return std::visit(*this, polynomial_map(curve, limits));
+    }
     AnyMap operator()(const ProgressiveCurve& curve) const {
         return ProgressiveCurve(curve.knots(), weighted(curve.control_points().to_points()));
     }
@@ -79,7 +81,7 @@ void make_form_common(std::vector<Map>& maps, const Limits& limits) {
     }
     for (std::size_t i = 0; i < maps.size(); ++i) {
         if (!rational || maps[i].form.rational) continue;
-        maps[i].value = serve<AnyMap>(maps[i], WithWeight{limits}, Place{"maps"} / i);
+        maps[i].value = dispatch_on_kind<AnyMap>(maps[i], WithWeight{limits}, Place{"maps"} / i);
         maps[i].form.rational = true;
     }
 }

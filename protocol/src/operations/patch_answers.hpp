@@ -1,5 +1,6 @@
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "operation.hpp"
@@ -15,6 +16,25 @@ inline const Patch* patch_of(const Map& map) { return std::get_if<Patch>(&map.va
 /// The B-splines in several directions of a map, or nullptr for any other.
 inline const TensorBSpline* tensor_bspline_of(const Map& map) {
     return std::get_if<TensorBSpline>(&map.value);
+}
+
+/// Answers by the shape of the map: of a curve, of a patch, and of B-splines in several directions. Where one
+/// of the last two is nullptr, the first answers, which refuses the kinds that it does not take.
+template <auto of_curve, auto of_patch, auto of_tensor_bspline>
+Answer answer_about(Fields& request, const Map& map, const Limits& limits) {
+    if constexpr (!std::is_null_pointer_v<decltype(of_patch)>) {
+        if (patch_of(map)) return of_patch(request, map, limits);
+    }
+    if constexpr (!std::is_null_pointer_v<decltype(of_tensor_bspline)>) {
+        if (tensor_bspline_of(map)) return of_tensor_bspline(request, map, limits);
+    }
+    return of_curve(request, map, limits);
+}
+
+/// The same of field "map", as the answer of an operation.
+template <auto of_curve, auto of_patch, auto of_tensor_bspline>
+Answer answer_by_shape(Request& request, const Limits& limits) {
+    return answer_about<of_curve, of_patch, of_tensor_bspline>(request, request.map(limits), limits);
 }
 
 /// The patch as a control net with its domain, a polynomial over the unit box or simplex.

@@ -39,47 +39,12 @@ std::vector<std::string> symbol_names(const Patch& patch) {
     return names;
 }
 
-void add_degrees(Json& result, const Patch& patch) {
-    if (!patch.tensor) {
-        result["degree"] = patch.shape()[0].degree;
-        return;
-    }
+/// The member "degree" or "degrees".
+Json::Object degree_member(const Patch& patch) {
+    if (!patch.tensor) return {{"degree", patch.shape()[0].degree}};
     Json::Array degrees;
     for (std::size_t f = 0; f < patch.shape().factors(); ++f) degrees.emplace_back(patch.shape()[f].degree);
-    result["degrees"] = std::move(degrees);
-}
-
-Json agree_at(const Map& map, const PatchArguments& arguments, const Limits& limits) {
-    const Patch& patch = *patch_of(map);
-    const auto agreement =
-        at_arguments(patch, [&] { return blossom::agreement(patch.map, arguments, limits); });
-    Json result = Json::Object{{"agree", agreement.agree()}};
-    add_degrees(result, patch);
-    result["values"] = construction_values(agreement, [&](const Coordinates& value) {
-        return within("arguments", [&] { return to_json(value, map.form); });
-    });
-    result["skipped"] = skipped_constructions(agreement);
-    return result;
-}
-
-Json agree_for_all(const Map& map, const Limits& limits) {
-    const Patch& patch = *patch_of(map);
-    const auto agreement = within("map", [&] { return agreement_for_all_arguments(patch.map, limits); });
-    Json result = Json::Object{{"agree", agreement.agree()}, {"for_all_arguments", agreement.agree()}};
-    add_degrees(result, patch);
-    const std::vector<std::string> names = symbol_names(patch);
-    const Json expansions =
-        construction_values(agreement, [&](const std::vector<SparsePolynomial>& coordinates) -> Json {
-            if (map.form.scalar && !map.form.rational) return to_text(coordinates.front(), names);
-            Json::Array list;
-            for (const SparsePolynomial& coordinate : coordinates)
-                list.emplace_back(to_text(coordinate, names));
-            return list;
-        });
-    result["expansion"] = expansions.object()->front().second;
-    if (!agreement.agree()) result["expansions"] = expansions;
-    result["skipped"] = skipped_constructions(agreement);
-    return result;
+    return {{"degrees", std::move(degrees)}};
 }
 
 PlacedPatch required_net(std::optional<PlacedPatch> net, std::size_t i) {
@@ -116,11 +81,16 @@ Json contact_json(const PatchContact& contact, const PointForm& form, bool tenso
 }  // namespace
 
 Json agree_on_patch(Fields& request, const Map& map, const Limits& limits) {
-    const auto arguments = request.optional("arguments", [&](const Json& value) {
-        return read_patch_arguments(value, *patch_of(map), map.form, limits);
-    });
+    const Patch& patch = *patch_of(map);
+    const auto arguments = request.optional(
+        "arguments", [&](const Json& value) { return read_patch_arguments(value, patch, map.form, limits); });
     request.finish();
-    return arguments ? agree_at(map, *arguments, limits) : agree_for_all(map, limits);
+    if (!arguments) {
+        const auto found = within("map", [&] { return agreement_for_all_arguments(patch.map, limits); });
+        return agreement_for_all(found, degree_member(patch), map.form, symbol_names(patch));
+    }
+    const auto found = at_arguments(patch, [&] { return agreement(patch.map, *arguments, limits); });
+    return agreement_at_arguments(found, degree_member(patch), map.form);
 }
 
 std::string patch_expansion_text(const Answered& answered) {

@@ -9,6 +9,7 @@
 
 #include "blossom_arguments.hpp"
 #include "directions.hpp"
+#include "evaluator.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "patch_answers.hpp"
 
@@ -71,16 +72,6 @@ std::vector<PatchPoint> read_parameters(Fields& request, const Patch& patch, con
         return read_list(value, [&](const Json& element) {
             return engine_arguments(patch, read_tuple(element, patch.parameters(), limits), 1);
         });
-    });
-}
-
-Json written(const std::vector<Coordinates>& values, const PointForm& form) {
-    return within("at", [&] {
-        Json::Array list;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            list.push_back(within(i, [&] { return to_json(values[i], form); }));
-        }
-        return list;
     });
 }
 
@@ -182,7 +173,9 @@ Json evaluate_patch(Fields& request, const Map& map, const Limits& limits) {
     const Patch& patch = *patch_of(map);
     const std::vector<PatchPoint> points = read_parameters(request, patch, limits);
     request.finish();
-    return Json::Object{{"values", written(std::visit(Values{points, limits}, patch.map), map.form)}};
+    const std::vector<Coordinates> values = std::visit(Values{points, limits}, patch.map);
+    return Json::Object{
+        {"values", written_at(values.size(), map.form, [&](std::size_t i) { return values[i]; })}};
 }
 
 Json blossom_of_patch(Fields& request, const Map& map, const Limits& limits) {
@@ -214,16 +207,10 @@ Answer derivative_of_patch(Fields& request, const Map& map, const Limits& limits
                               : derivative_map(patch, directions, limits);
         return answer_of(like(map, std::move(derived)));
     }
-    std::vector<Coordinates> values;
-    within("at", [&] {
-        for (std::size_t i = 0; i < points->size(); ++i) {
-            const PatchPoint& at = (*points)[i];
-            values.push_back(
-                within(i, [&] { return derivative_value(patch, directions, at, divided, limits); }));
-        }
-    });
-    return Json::Object{
-        {"values", written(values, divided ? PointForm{.scalar = map.form.scalar} : map.form)}};
+    const PointForm form = divided ? PointForm{.scalar = map.form.scalar} : map.form;
+    return Json::Object{{"values", written_at(points->size(), form, [&](std::size_t i) {
+                             return derivative_value(patch, directions, (*points)[i], divided, limits);
+                         })}};
 }
 
 }  // namespace blossom::protocol

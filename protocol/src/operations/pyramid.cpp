@@ -25,9 +25,11 @@ struct PyramidAt {
         return levels;
     }
     Levels operator()(const PolynomialCurve& curve) const {
-        return (*this)(control_points(curve, own_interval(curve), limits));
+        return (*this)(control_points(curve, interval_of(curve), limits));
     }
-    Levels operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    Levels operator()(const OnePolynomial auto& curve) const {
+        return std::visit(*this, polynomial_map(curve, limits));
+    }
     Levels operator()(const ProgressiveCurve& curve) const {
         return de_boor_pyramid(curve, with_copies({}, curve.degree(), Parameter(t)), limits);
     }
@@ -64,7 +66,7 @@ void add_pyramids(Json& result, const Map& map, const std::vector<Rational>& par
     within("at", [&] {
         for (std::size_t i = 0; i < parameters.size(); ++i) {
             within(i, [&] {
-                const auto levels = serve<Levels>(map, PyramidAt{parameters[i], limits});
+                const auto levels = dispatch_on_kind<Levels>(map, PyramidAt{parameters[i], limits});
                 nodes += levels.size() * (levels.size() + 1) / 2;
                 require_numbers(nodes, dimension_of(map), limits);
                 append_pyramid(levels, map.form, pyramids, weights);

@@ -37,9 +37,9 @@ struct Reduce {
     const Limits& limits;
 
     Reduced operator()(const OnePolynomial auto& curve) const {
-        const Interval where = interval.value_or(own_interval(curve));
-        const auto over = [&](const auto& one) { return control_points(one, where, limits); };
-        Reduction reduction = reduce(std::visit(over, polynomial_map(curve, limits)), degree, method, limits);
+        const Interval where = interval.value_or(interval_of(curve));
+        Reduction reduction =
+            reduce(control_points(polynomial_map(curve, limits), where, limits), degree, method, limits);
         return {reduction.curve, reduction.exact, reduction.l2_squared, std::move(reduction.maximum)};
     }
     Reduced operator()(const BSplineCurve& curve) const {
@@ -60,7 +60,7 @@ Answer answer(Request& request, const Limits& limits) {
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     request.finish();
-    const auto reduced = serve<Reduced>(map, Reduce{degree, method, interval, limits});
+    const auto reduced = dispatch_on_kind<Reduced>(map, Reduce{degree, method, interval, limits});
     Json error;
     // The error is that of the coordinates that were reduced, weights included.
     const PointForm form{.scalar = map.form.scalar && !map.form.rational};

@@ -18,8 +18,8 @@ Answer answer(Request& request, const Limits& limits) {
     const std::size_t times =
         request.optional("times", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
     request.finish();
-    const auto removal =
-        serve<KnotRemoval>(map, [&](const BSplineCurve& curve) { return remove_knot(curve, knot, times); });
+    const auto removal = dispatch_on_kind<KnotRemoval>(
+        map, [&](const BSplineCurve& curve) { return remove_knot(curve, knot, times); });
     Answer answer = answer_of(like(map, removal.curve));
     Json& result = answer.result;
     result["removed"] = removal.removed;

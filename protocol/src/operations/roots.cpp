@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/roots.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 
@@ -12,7 +13,7 @@ namespace {
 
 /// The numerator of a scalar curve without the factors that it shares with the denominator.
 Polynomial numerator(const PolynomialMap& map, const PointForm& form, const Limits& limits) {
-    const PolynomialCurve curve = monomial_curve(map, limits);
+    const PolynomialCurve curve = monomial_form(map, limits);
     if (!form.rational) return curve.coordinate(0);
     const Polynomial common = gcd(curve.coordinate(0), curve.coordinate(1));
     return divide_exactly(curve.coordinate(0), common);
@@ -29,7 +30,7 @@ struct RootsOf {
     const Limits& limits;
 
     std::vector<Root> operator()(const OnePolynomial auto& curve) const {
-        const Interval where = increasing(interval.value_or(own_interval(curve)));
+        const Interval where = increasing(interval.value_or(interval_of(curve)));
         return within("map", [&] {
             return roots(numerator(polynomial_map(curve, limits), form, limits), where, width, limits);
         });
@@ -73,7 +74,8 @@ Answer answer(Request& request, const Limits& limits) {
     if (width && width->sign() <= 0) {
         throw Error(ErrorCode::wrong_kind, "the width of an interval is greater than 0", Place{"width"});
     }
-    const auto found = serve<std::vector<Root>>(map, RootsOf{map.form, interval, width.value_or(0), limits});
+    const auto found =
+        dispatch_on_kind<std::vector<Root>>(map, RootsOf{map.form, interval, width.value_or(0), limits});
     Json::Array list;
     for (const Root& root : found) {
         Json entry;

@@ -12,11 +12,9 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (tensor_bspline_of(map)) return segments_of_tensor_bspline(request, map, limits);
+Answer segments_of_curve(Fields& request, const Map& map, const Limits& limits) {
     request.finish();
-    const auto segments = serve<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
+    const auto segments = dispatch_on_kind<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
         require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);
         return bezier_segments(curve, limits);
     });
@@ -35,7 +33,7 @@ Operation segments_operation() {
         .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
                     "--degree", "2"},
         .options = with_map_options({}),
-        .answer = answer,
+        .answer = answer_by_shape<segments_of_curve, nullptr, segments_of_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

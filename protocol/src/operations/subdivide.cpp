@@ -24,20 +24,15 @@ struct Subdivide {
         return within("at", [&] { return subdivide(curve, t, limits); });
     }
     TwoMaps operator()(const OnePolynomial auto& curve) const {
-        const PolynomialMap map = polynomial_map(curve, limits);
-        return std::visit(
-            [&](const auto& one) { return (*this)(control_points(one, own_interval(curve), limits)); }, map);
+        return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
     TwoMaps operator()(const BSplineCurve& curve) const { return split(curve, t, limits); }
 };
 
-Answer answer(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    if (patch_of(map)) return subdivide_patch(request, map, limits);
-    if (tensor_bspline_of(map)) return subdivide_tensor_bspline(request, map, limits);
+Answer subdivide_curve(Fields& request, const Map& map, const Limits& limits) {
     const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
-    auto [left, right] = serve<TwoMaps>(map, Subdivide{t, limits});
+    auto [left, right] = dispatch_on_kind<TwoMaps>(map, Subdivide{t, limits});
     return answer_of(std::vector{like(map, std::move(left)), like(map, std::move(right))}, "at");
 }
 
@@ -53,7 +48,7 @@ Operation subdivide_operation() {
             "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a point or "
             "\"midpoints\", for a tensor product a number or - per direction",
             plain_text, place_of_division)}),
-        .answer = answer,
+        .answer = answer_by_shape<subdivide_curve, subdivide_patch, subdivide_tensor_bspline>,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

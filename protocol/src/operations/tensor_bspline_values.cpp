@@ -8,6 +8,7 @@
 #include <map>
 
 #include "directions.hpp"
+#include "evaluator.hpp"
 #include "patch_answers.hpp"
 
 namespace blossom::protocol {
@@ -29,13 +30,7 @@ Json values_at_each(Fields& request, const TensorBSpline& spline, const PointFor
     });
     request.finish();
     require_numbers(points.size(), spline.dimension(), limits);
-    return within("at", [&] {
-        Json::Array values;
-        for (std::size_t i = 0; i < points.size(); ++i) {
-            values.push_back(within(i, [&] { return to_json(f(points[i]), form); }));
-        }
-        return values;
-    });
+    return written_at(points.size(), form, [&](std::size_t i) { return f(points[i]); });
 }
 
 /// The order of a derivative in each direction, and what multiplies it.

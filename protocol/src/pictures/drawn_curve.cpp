@@ -48,14 +48,16 @@ struct Painter {
     DrawnCurve operator()(const PolynomialCurve& curve) const {
         return of_segments({control_points(curve, interval.value_or(Interval()), limits)});
     }
-    DrawnCurve operator()(const TaylorCurve& curve) const { return (*this)(monomial_form(curve, limits)); }
+    DrawnCurve operator()(const OnePolynomial auto& curve) const {
+        return std::visit(*this, polynomial_map(curve, limits));
+    }
     DrawnCurve operator()(const BezierCurve& curve) const {
         DrawnCurve result = of_segments({curve});
         result.polygon = broken_line(curve.control_points().to_points(), form);
         return result;
     }
     DrawnCurve operator()(const ProgressiveCurve& curve) const {
-        DrawnCurve result = of_segments({control_points(curve, own_interval(curve), limits)});
+        DrawnCurve result = of_segments({control_points(curve, interval_of(curve), limits)});
         result.polygon = broken_line(curve.control_points().to_points(), form);
         return result;
     }
@@ -96,7 +98,7 @@ private:
 DrawnCurve drawn(const Map& map, const std::optional<Interval>& interval, const Limits& limits) {
     const std::size_t coordinates = dimension_of(map) - (map.form.rational ? 1 : 0);
     const Map plane = coordinates == 1 ? graph_of(map, limits) : map;
-    return serve<DrawnCurve>(plane, Painter{plane.form, interval, limits});
+    return dispatch_on_kind<DrawnCurve>(plane, Painter{plane.form, interval, limits});
 }
 
 std::optional<PlanePoint> place_of(const Json& value, const Rational& t, const PointForm& form) {
@@ -112,11 +114,10 @@ std::optional<PlanePoint> place_of(const Json& value, const Rational& t, const P
 }
 
 std::optional<Interval> given_interval(const Map& map) {
-    const auto own = Overloads{[](const PolynomialCurve&) { return std::optional<Interval>(); },
-                               [](const TaylorCurve&) { return std::optional<Interval>(); },
-                               [](const Patch&) { return std::optional<Interval>(); },
-                               [](const TensorBSpline&) { return std::optional<Interval>(); },
-                               [](const auto& curve) { return std::optional(own_interval(curve)); }};
+    const auto own = [](const auto& value) -> std::optional<Interval> {
+        if constexpr (requires { own_interval(value); }) return own_interval(value);
+        return std::nullopt;
+    };
     return std::visit(own, map.value);
 }
 

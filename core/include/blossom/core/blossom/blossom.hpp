@@ -1,21 +1,16 @@
 #pragma once
 
 #include <blossom/core/maps/argument.hpp>
-#include <blossom/core/maps/bezier_curve.hpp>
-#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/polynomial_map.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 namespace blossom {
-
-/// A curve that is one polynomial.
-using PolynomialMap = std::variant<PolynomialCurve, BezierCurve>;
 
 /// The ways to build a blossom: the three constructions, and the sum of polarization in two forms, with every
 /// term evaluated or with the terms of equally many points taken together.

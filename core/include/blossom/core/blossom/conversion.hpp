@@ -1,7 +1,6 @@
 #pragma once
 
-#include <blossom/core/maps/bezier_curve.hpp>
-#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/polynomial_map.hpp>
 #include <blossom/rational/limits.hpp>
 
 namespace blossom {
@@ -24,5 +23,9 @@ BezierCurve control_points(const BezierCurve& curve, const Interval& interval, c
 /// Source: Goldman, equation (4.4), by the triangle of figure 11(a). Statements: goldman-eq44,
 /// goldman-fig11a.
 PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits = {});
+
+/// The same of whichever of the two a map is.
+BezierCurve control_points(const PolynomialMap& map, const Interval& interval, const Limits& limits = {});
+PolynomialCurve monomial_form(const PolynomialMap& map, const Limits& limits = {});
 
 }  // namespace blossom

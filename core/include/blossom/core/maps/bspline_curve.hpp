@@ -4,6 +4,7 @@
 #include <blossom/core/maps/point_array.hpp>
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,5 +38,8 @@ private:
     KnotVector knots_;
     std::vector<Coordinates> control_points_;
 };
+
+/// The domain.
+inline std::optional<Interval> own_interval(const BSplineCurve& curve) { return curve.knots().domain(); }
 
 }  // namespace blossom

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/polynomial_map.hpp>
 #include <blossom/rational/limits.hpp>
 
 namespace blossom {
@@ -9,6 +9,9 @@ namespace blossom {
 struct TaylorCurve {
     Rational center;
     PointArray coefficients;
+
+    std::size_t degree() const { return coefficients.size() - 1; }
+    std::size_t dimension() const { return coefficients.dimension(); }
 
     friend bool operator==(const TaylorCurve&, const TaylorCurve&) = default;
 };
@@ -20,5 +23,13 @@ TaylorCurve taylor_form(const PolynomialCurve& curve, const Rational& center, co
 
 /// The monomial coefficients at 0, the inverse of `taylor_form`.
 PolynomialCurve monomial_form(const TaylorCurve& curve, const Limits& limits = {});
+
+/// As a representation of one polynomial: `monomial_form`, without an interval.
+inline PolynomialMap polynomial_map(const TaylorCurve& curve, const Limits& limits = {}) {
+    return monomial_form(curve, limits);
+}
+inline std::optional<Interval> own_interval(const TaylorCurve&) { return std::nullopt; }
+/// m_k = C(n, k) p(center^(n-k), delta^k).
+std::vector<StatedValue> stated_values(const TaylorCurve& curve);
 
 }  // namespace blossom

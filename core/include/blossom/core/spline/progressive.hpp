@@ -132,6 +132,15 @@ Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Li
 BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval,
                            const Limits& limits = {});
 
+/// As a representation of one polynomial: the control polygon between the two knots in the middle, t_(n-1)
+/// and t_n, which always differ; [0, 1] for degree 0.
+std::optional<Interval> own_interval(const ProgressiveCurve& curve);
+/// v_j = f(t_j, ..., t_(j+n-1)).
+std::vector<StatedValue> stated_values(const ProgressiveCurve& curve);
+inline PolynomialMap polynomial_map(const ProgressiveCurve& curve, const Limits& limits = {}) {
+    return control_points(curve, interval_of(curve), limits);
+}
+
 /// The progressive values of a polynomial map of formal degree n over 2n knots.
 /// Cost: n + 1 blossom values. Errors: those of `ProgressiveCurve`; `limit_exceeded`.
 ProgressiveCurve progressive_form(const PolynomialMap& map, std::vector<Rational> knots,

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/stated_value.hpp>
+#include <blossom/rational/limits.hpp>
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace blossom {
+
+/// A curve that is one polynomial, in one of the two representations that every algorithm takes.
+using PolynomialMap = std::variant<PolynomialCurve, BezierCurve>;
+
+inline PolynomialMap polynomial_map(const PolynomialCurve& curve, const Limits& = {}) { return curve; }
+inline PolynomialMap polynomial_map(const BezierCurve& curve, const Limits& = {}) { return curve; }
+
+/// The interval that a curve brings with it; none where it has no such interval.
+inline std::optional<Interval> own_interval(const PolynomialCurve&) { return std::nullopt; }
+inline std::optional<Interval> own_interval(const BezierCurve& curve) { return curve.interval(); }
+
+/// What the points of a representation are as values of the blossom p of formal degree n. Coefficients:
+/// C(n, k) p(0^(n-k), delta^k). Control points: p(a^(n-k), b^k). Source: Goldman, theorem 4 and equation
+/// (4.4). Statements: goldman-thm4, goldman-eq44.
+std::vector<StatedValue> stated_values(const PolynomialCurve& curve);
+std::vector<StatedValue> stated_values(const BezierCurve& curve);
+
+/// A representation of a curve that is one polynomial: it knows its formal degree, its dimension, its own
+/// interval, what its points are as values of the blossom, and how it is converted to a `PolynomialMap`.
+/// Everything that is done with one polynomial, from evaluation to degree reduction, follows from these.
+template <class Curve>
+concept OnePolynomial = requires(const Curve& curve, const Limits& limits) {
+    { curve.degree() } -> std::same_as<std::size_t>;
+    { curve.dimension() } -> std::same_as<std::size_t>;
+    { own_interval(curve) } -> std::same_as<std::optional<Interval>>;
+    { stated_values(curve) } -> std::same_as<std::vector<StatedValue>>;
+    { polynomial_map(curve, limits) } -> std::same_as<PolynomialMap>;
+};
+
+/// The own interval of a curve, and [0, 1] where it has none.
+Interval interval_of(const auto& curve) { return own_interval(curve).value_or(Interval()); }
+
+}  // namespace blossom

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "map.hpp"
+
+/// Polynomials in several variables: what the kind patch is made of besides control nets.
+
+namespace blossom::protocol {
+
+/// {"kind": "polynomial", "variables", "text" or "terms", "degree" or "degrees"?, "denominator"?, ...}
+Map read_several_variables(Fields& fields, const Limits& limits);
+Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form);
+std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name);
+/// "formal degree 2", or "formal degrees 2, 1".
+std::string degree_text(const Patch& patch);
+
+}  // namespace blossom::protocol
