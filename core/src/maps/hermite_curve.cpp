@@ -36,14 +36,15 @@ PointArray at_both_ends(std::span<const Coordinates> left, std::span<const Coord
 /// What connects the derivatives at one end with the control points that begin there, for both ends over one
 /// denominator. `step` leads from this end to the other one, and there are at most m derivatives.
 struct End {
-    std::size_t n;
-    std::size_t m;
+    std::size_t n = 0;
+    std::size_t m = 0;
     Rational step;
 
     /// The numerators of the control points over n!/(n-m+1)! q^(m-1), q the denominator of the step.
     std::vector<Integer> points(std::span<const Integer> derivatives) const {
         const Integer factor = falling_factorial(n, m - 1);
         std::vector<Integer> row;
+        row.reserve(derivatives.size());
         for (std::size_t k = 0; k < derivatives.size(); ++k) {
             row.push_back(derivatives[k] * divide_exactly(factor, falling_factorial(n, k)) *
                           pow(step.numerator(), k) * pow(step.denominator(), m - 1 - k));

@@ -4,7 +4,6 @@ namespace blossom {
 
 namespace {
 
-using residues::lanes;
 using residues::Moduli;
 using residues::moduli;
 using residues::operations;
@@ -26,7 +25,7 @@ public:
         : moduli_(moduli), size_(n + 1), sums_(size_ * size_), powers_(size_), inverse_(size_) {
         std::ranges::fill(sums_, residue_vector_of(0));
         sums_[0] = residue_vector_of(1);
-        for (std::size_t l = 0; l < lanes; ++l) {
+        for (std::size_t l = 0; l < residues::lanes; ++l) {
             const PrimeField field(moduli.prime.lane[l]);
             for (std::size_t j = 1; j < size_; ++j)
                 inverse_[j].lane[l] = field.product(field.inverse(j), moduli.square.lane[l]);
@@ -61,7 +60,7 @@ public:
         std::vector<ResidueVector> result(size_, residue_vector_of(0));
         for (std::size_t points = 0; points <= points_; ++points) {
             ResidueVector number{};
-            for (std::size_t l = 0; l < lanes; ++l)
+            for (std::size_t l = 0; l < residues::lanes; ++l)
                 number.lane[l] = PrimeField(moduli_.prime.lane[l]).product(points, moduli_.radix.lane[l]);
             ResidueVector power = moduli_.radix;
             for (std::size_t k = size_; k-- > 0;) {
@@ -97,7 +96,7 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
         ResidueVector masses = residue_vector_of(1);
         for (const SubsetGroup& group : groups) {
             ResidueVector parameter{};
-            for (std::size_t l = 0; l < lanes; ++l) {
+            for (std::size_t l = 0; l < residues::lanes; ++l) {
                 const PrimeField field(primes.prime.lane[l]);
                 const auto residue = group_residue(field, group);
                 if (!residue) return std::nullopt;
@@ -111,7 +110,7 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
         const std::vector<ResidueVector> weighted = sums.weighted_by_points();
         for (std::size_t j = 0; j < rows.size(); ++j) {
             ResidueVector total = residue_vector_of(0);
-            for (std::size_t l = 0; l < lanes; ++l) {
+            for (std::size_t l = 0; l < residues::lanes; ++l) {
                 const PrimeField field(primes.prime.lane[l]);
                 std::uint64_t factor = masses.lane[l];  // times k!
                 for (std::size_t k = 0; k <= n; ++k) {

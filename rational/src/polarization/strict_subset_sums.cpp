@@ -6,7 +6,6 @@ namespace blossom {
 
 namespace {
 
-using residues::lanes;
 using residues::Moduli;
 using residues::moduli;
 using residues::operations;
@@ -47,7 +46,8 @@ struct SubsetList {
     }
 };
 
-/// How many sub-multisets at most are lined up for the lanes; those of the other groups are taken in turn.
+/// How many sub-multisets at most are lined up for the residues::lanes; those of the other groups are taken
+/// in turn.
 constexpr std::size_t most_lined_up = 512;
 
 /// What is the same for all primes: the groups in front, taken in turn, and those behind, lined up.
@@ -65,8 +65,9 @@ struct StrictPlan {
             const std::size_t begin = places.size();
             for (std::size_t i = 0; i < behind->entries.size(); ++i)
                 if (behind->entries[i].points == points) places.push_back(i);
-            while (places.size() % lanes != 0) places.push_back(behind->entries.size());
-            points_of_vector.resize(points_of_vector.size() + (places.size() - begin) / lanes, points);
+            while (places.size() % residues::lanes != 0) places.push_back(behind->entries.size());
+            points_of_vector.resize(points_of_vector.size() + (places.size() - begin) / residues::lanes,
+                                    points);
         }
     }
 
@@ -78,7 +79,7 @@ struct StrictPlan {
     std::vector<std::size_t> points_of_vector;
 };
 
-/// One lane of a group of primes, in all lanes.
+/// One lane of a group of primes, in all residues::lanes.
 Moduli broadcast(const Moduli& group, std::size_t lane) {
     Moduli result = group;
     for (ResidueVector Moduli::* vector :
@@ -109,7 +110,8 @@ public:
         std::vector<ResidueVector> offsets(plan_.points_of_vector.size());
         for (std::size_t i = 0; i < plan_.places.size(); ++i) {
             const std::size_t place = plan_.places[i];
-            offsets[i / lanes].lane[i % lanes] = place < behind.size() ? behind[place] : 0;
+            offsets[i / residues::lanes].lane[i % residues::lanes] =
+                place < behind.size() ? behind[place] : 0;
         }
         std::vector<std::uint64_t> result;
         for (const auto row : rows) result.push_back(field_.product(masses, sum(row, front, offsets)));
@@ -165,7 +167,7 @@ private:
             const std::size_t place = plan_.places[i];
             if (place == plan_.behind->entries.size()) continue;
             const std::uint64_t weight = field_.of(plan_.behind->entries[place].weight);
-            const std::uint64_t value = sums[i / lanes].lane[i % lanes] % field_.prime();
+            const std::uint64_t value = sums[i / residues::lanes].lane[i % residues::lanes] % field_.prime();
             total = field_.sum(total, field_.product(weight, value));
         }
         return total;
@@ -216,9 +218,9 @@ std::optional<std::vector<Integer>> strict_subset_sums(Rows rows, Groups groups)
     const StrictPlan plan(groups);
     GrowingResidues result(rows.size());
     for (std::size_t i = 0; result.bits() < bits; ++i) {
-        StrictResidue prime(plan, moduli(i / lanes), i % lanes);
+        StrictResidue prime(plan, moduli(i / residues::lanes), i % residues::lanes);
         if (const auto residues = prime.sums(rows))
-            result.append(PrimeField(moduli(i / lanes).prime.lane[i % lanes]), *residues);
+            result.append(PrimeField(moduli(i / residues::lanes).prime.lane[i % residues::lanes]), *residues);
     }
     return std::move(result).values();
 }

@@ -78,7 +78,7 @@ void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree)
         const std::size_t last = std::min(k + 1, factor.size());
         Int128 carry = 0;
         for (std::size_t i = 0; i < width_; ++i) {
-            UInt128 total = static_cast<UInt128>(carry);
+            auto total = static_cast<UInt128>(carry);
             std::uint64_t excess = 0;
             const std::uint64_t* word = entry(k - first) + i;
             for (std::size_t j = first; j < last; ++j, word -= stride_) {

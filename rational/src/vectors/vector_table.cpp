@@ -67,7 +67,7 @@ const Table& chosen_table() {
     }
     throw Error(ErrorCode::wrong_kind, "the environment variable BLOSSOM_VECTOR_LEVEL is \"" +
                                            std::string(greatest) +
-                                           "\"; it must be \"ifma\", \"avx2\" or \"portable\"");
+                                           R"("; it must be "ifma", "avx2" or "portable")");
 }
 
 }  // namespace blossom::vectors

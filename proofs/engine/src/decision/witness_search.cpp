@@ -64,8 +64,8 @@ bool WitnessSearch::choose(std::size_t attempt) {
 bool WitnessSearch::is_witness() const {
     if (algebraic_.empty()) return true;
     std::size_t dimension = 1;
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-        if (is_root(steps_[i].symbol)) dimension *= steps_[i].degree;
+    for (const Substitution& step : steps_) {
+        if (is_root(step.symbol)) dimension *= step.degree;
     }
     SparsePolynomial product = 1;
     for (const SparsePolynomial& factor : nonzero_) product *= factor;
