@@ -46,7 +46,7 @@ struct SubsetList {
     }
 };
 
-/// How many sub-multisets at most are lined up for the residues::lanes; those of the other groups are taken
+/// How many sub-multisets at most are lined up for the lanes; those of the other groups are taken
 /// in turn.
 constexpr std::size_t most_lined_up = 512;
 
@@ -79,7 +79,7 @@ struct StrictPlan {
     std::vector<std::size_t> points_of_vector;
 };
 
-/// One lane of a group of primes, in all residues::lanes.
+/// One lane of a group of primes, in all lanes.
 Moduli broadcast(const Moduli& group, std::size_t lane) {
     Moduli result = group;
     for (ResidueVector Moduli::* vector :
