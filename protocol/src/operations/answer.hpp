@@ -34,7 +34,7 @@ public:
 
     /// Field "map". Errors: those of `read_map`.
     const Map& map(const Limits& limits);
-    /// What was read, for the answer.
+    /// The map that `map` has read, for `Answer::given`; none if it was not called.
     std::vector<Map> given() && { return std::move(given_); }
 
 private:

@@ -26,7 +26,7 @@ std::string listing(const ShownMap& shown, const Style& style);
 /// The same for a map with a control net, under any name.
 std::string net_listing(const ShownMap& shown, std::string_view name, const Style& style);
 
-/// What was asked about, and the listings of the members "map" or "maps" of the result.
+/// The description of the given map, and the listings of the maps of the result.
 std::string described_listing(const Answered& answered);
 
 }  // namespace blossom::protocol

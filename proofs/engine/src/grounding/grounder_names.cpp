@@ -192,8 +192,8 @@ bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, cons
     return fits;
 }
 
-/// A member of a family that no clause fits is what the family is declared as, or else a free number, unless
-/// a clause stands for any index: then the member is a mistake.
+/// The value of a member that no clause fits: the declared number, point or vector of that name. An
+/// undeclared member is a free number, or an error if a clause stands for any index.
 Value Grounder::without_clause(const std::string& full, const Expression& e) {
     const Declared* declared = names_->family(e.name);
     if (declared) {

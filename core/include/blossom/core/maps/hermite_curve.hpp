@@ -19,7 +19,7 @@ namespace blossom {
 class HermiteCurve {
 public:
     /// The derivatives at a and those at b, the values first. Errors: `wrong_arity` if there is none at all;
-    /// `mismatched_dimensions`, in the field "/left/k" or "/right/k", unless all have the same dimension.
+    /// `mismatched_dimensions`, at `Part::left / k` or `Part::right / k`, unless all have the same dimension.
     HermiteCurve(std::span<const Coordinates> left, std::span<const Coordinates> right,
                  Interval interval = {});
 

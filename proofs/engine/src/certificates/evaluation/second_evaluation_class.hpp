@@ -143,7 +143,7 @@ private:
     Geometric bound_value(const Quantified& quantified, const std::string& name);
 
     // Variables: second_evaluation_lines.hpp.
-    // Abbreviations see them where they are used; a map is what its line says, wherever it is used.
+    // An abbreviation sees the variables of the place where it is used. A map never does.
     std::size_t begin_variables();
     std::size_t add_variable(Key key, Geometric value);
     void assign_variable(std::size_t place, const Element& value);
@@ -161,7 +161,7 @@ private:
     const Case& case_;
     Field& field_;
     Counting counting_;
-    std::list<Known> known_;  ///< the last is what holds now; what a symbol is rebound for begins anew
+    std::list<Known> known_;  ///< the last one is in use; rebinding a symbol adds a new one
     std::map<Key, Element> symbols_;
     std::map<std::uint32_t, std::vector<Element>> free_maps_;
     std::map<std::uint32_t, MapShape> shapes_;
