@@ -90,7 +90,11 @@ TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a
           "proved proved proved");
     CHECK(verdicts("let w_i = i\nlet w_0 = 10\nclaim w_0 == 0") == "proved");
     CHECK(by_case(decided("for n in 1..3\nlet w_n = 1\nlet w_i = 0\nclaim w_2 == 1").at(0)) == "rpr");
-    CHECK(complaint("for n in 1..1\nlet w_n = 1\nclaim w_2 == 0").find("w_2") != std::string::npos);
+    for (const std::string value : {"1", "x"}) {
+        CHECK(complaint("for n in 1..1\nlet w_n = " + value + "\nclaim w_2 == 0")
+                  .ends_with("no line \"let\" fits w_2; n is a parameter of the block there, and stands for "
+                             "its value"));
+    }
     CHECK(verdicts("let b_2 = x\nclaim b_2 == x\nclaim b_3 == x") == "proved refuted");
     CHECK(verdicts("let v_{0,l} = v_l\nclaim v_{0,3} == v_3\nclaim v_3 == 0") == "proved refuted");
     CHECK(
@@ -112,6 +116,26 @@ TEST_CASE("clauses: the first that fits counts, a name stands for any integer, a
     CHECK(complaint("let k_1 = 2\nclaim x^k_2 == x*x").starts_with("2:9 an expression with variables found"));
     CHECK(verdicts("number w_0..w_4\nlet w_2 = 5\nclaim w_2 == 5\nclaim w_1 == w_1\nclaim w_1 == 5") ==
           "proved proved refuted");
+}
+
+TEST_CASE("a member of a family is an integer where its clause says so, and a number where no clause fits") {
+    const std::string family = "let k_1 = 2\n";
+    const std::string integers =
+        "claim x^k_{2-1} == x*x\nclaim x^(2*k_{2-1} - 1) == x^3\nclaim binomial(4, k_{2-1}) == 6\n"
+        "map f degree 2\nclaim D(f, k_{2-1})(0) == D(f, 2)(0)\n";
+    for (const std::string declared : {"", "number k\n", "number k_0..k_3\n"}) {
+        INFO(declared);
+        CHECK(verdicts(declared + family + integers) == "proved proved proved proved");
+        CHECK(verdicts(declared + family + "claim k_{1+1} == k_2\nclaim sum(i, 1, 2, k_i) == 4") ==
+              "proved refuted");
+        CHECK(complaint(declared + family + "claim x^k_{1+1} == x*x")
+                  .starts_with(declared.empty() ? "2:9 an expression with variables found"
+                                                : "3:9 an expression with variables found"));
+    }
+    CHECK(verdicts("let k_1 = 2\nlet k_2 = 3\nclaim sum(i, 1, 2, x^k_i) == x^2 + x^3") == "proved");
+    CHECK(verdicts("let k_j = 3\nlet k_{1,1} = 2\nclaim k_{2,2} == 3") == "refuted");
+    CHECK(complaint("strict\nlet b_2 = 3\nclaim b_{1+2} == b_{1+2}") ==
+          "3:7 b_3 is not declared, and no line \"let\" fits it");
 }
 
 TEST_CASE("binders hide the names around them, and nothing beyond their expression") {

@@ -196,16 +196,11 @@ bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, cons
 /// undeclared member is a free number, or an error if a clause stands for any index.
 Value Grounder::without_clause(const std::string& full, const Expression& e) {
     const Declared* declared = names_->family(e.name);
-    if (declared) {
-        if (text_->strict && !is_declared_member(*declared, e))
-            refuse(full + " is not declared, and no line \"let\" fits it", e.offset);
-        return variable(full, declared, e.offset);
-    }
-    if (has_open_index(*names_->clauses(e.name), e.children.size()) ||
-        kinds_->of_family(e.name).is_geometric() ||
-        (may_fit(*names_->clauses(e.name), e) && kinds_->of_family(e.name).name != KindName::number)) {
+    const std::vector<const Statement*>& clauses = *names_->clauses(e.name);
+    if (!declared &&
+        (has_open_index(clauses, e.children.size()) || kinds_->of_family(e.name).is_geometric())) {
         std::string reason;
-        for (const Statement* clause : *names_->clauses(e.name)) {
+        for (const Statement* clause : clauses) {
             for (const Expression& index : clause->sides[0].children) {
                 const bool parameter = index.kind == ExpressionKind::name && index.children.empty() &&
                                        parameters_.contains(index.name);
@@ -216,7 +211,9 @@ Value Grounder::without_clause(const std::string& full, const Expression& e) {
         }
         refuse("no line \"let\" fits " + full + reason, e.offset);
     }
-    return variable(full, nullptr, e.offset);
+    if (text_->strict && !(declared && is_declared_member(*declared, e)))
+        refuse(full + " is not declared, and no line \"let\" fits it", e.offset);
+    return variable(full, declared, e.offset);
 }
 
 }  // namespace blossom::proofs

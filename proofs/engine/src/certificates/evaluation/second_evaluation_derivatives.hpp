@@ -18,7 +18,7 @@ typename Field::Element Evaluation<Field>::map_derivative(const Node& node, Scop
     const std::vector<Geometric> arguments = map_arguments(node, order_count, scope);
     std::vector<std::vector<Element>> weights;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (reading_.node(node.children[i]).kind != Kind::integer) {
+        if (reading_.node(node.children[i]).kind > Kind::possible_integer) {
             fail(ErrorCode::wrong_kind, "an order of differentiation is an integer", node.offset);
         }
         const std::size_t order =

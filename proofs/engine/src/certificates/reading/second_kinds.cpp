@@ -63,7 +63,8 @@ bool NameTable::improve_abbreviations() {
             if (!fits && let.inherits) {
                 let.declaration.reset();
             } else {
-                kind = join(kind, declared, let.clauses.front().offset);
+                const Kind least = declared == Kind::number ? Kind::possible_integer : declared;
+                kind = join(kind, least, let.clauses.front().offset);
             }
         }
         changed = changed || kind != let.kind;
@@ -151,23 +152,14 @@ Kind NameTable::infer_name(const Node& name) {
     }
 }
 
-// Where all patterns are constants, the members that have no line are free numbers.
+// Where every pattern is a constant, a member that no clause fits is a free number.
 Kind NameTable::kind_of_abbreviation(const Node& name) const {
     const Abbreviation& let = reading_.abbreviations_[name.target];
     if (let.bare || let.kind > Kind::integer) return let.kind;
-    bool covers_all = false;
-    for (const Clause& clause : let.clauses) {
-        covers_all = covers_all || !clause.pattern_names.empty();
-        bool fits = name.form == Form::member && clause.patterns.size() == name.children.size();
-        for (std::size_t i = 0; i < clause.patterns.size() && fits; ++i) {
-            if (!clause.patterns[i]) continue;
-            const Node& pattern = reading_.nodes_[*clause.patterns[i]];
-            const Node& index = reading_.nodes_[name.children[i]];
-            fits = pattern.form == Form::number && index.form == Form::number && pattern.value == index.value;
-        }
-        if (fits) return let.kind;
-    }
-    return covers_all ? let.kind : Kind::number;
+    const bool fits_any = std::ranges::any_of(let.clauses, [&](const Clause& clause) {
+        return clause.patterns.size() == name.children.size() && !clause.pattern_names.empty();
+    });
+    return fits_any ? let.kind : Kind::possible_integer;
 }
 
 Kind NameTable::infer_terms(const Node& terms) {
@@ -210,7 +202,7 @@ Kind NameTable::infer_iteration(const Node& iteration) {
 Kind NameTable::require(NodeId id, Kind kind, const char* what) {
     const Kind found = infer(id);
     const bool fits = kind == Kind::number    ? is_number_kind(found)
-                      : kind == Kind::integer ? found <= Kind::integer
+                      : kind == Kind::integer ? found <= Kind::possible_integer
                                               : found == kind;
     if (!fits && check_) {
         throw Error(ErrorCode::wrong_kind,

@@ -97,7 +97,7 @@ Kind NameTable::require_set(NodeId id) {
         case Form::subsets:
         case Form::partitions:
             kind = infer(children[0]);
-            if (kind > Kind::integer && kind != Kind::set && check_) {
+            if (kind > Kind::possible_integer && kind != Kind::set && check_) {
                 throw Error(ErrorCode::wrong_kind, "a number of members or a set is expected here", {},
                             node(children[0]).offset);
             }

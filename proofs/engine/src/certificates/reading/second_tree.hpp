@@ -56,6 +56,7 @@ enum class Form : std::uint8_t {
 enum class Kind : std::uint8_t {
     unknown,  ///< only of abbreviations that use nothing but themselves
     integer,
+    possible_integer,  ///< a member of an abbreviation, an integer where a clause fits and else a number
     number,
     geometric,  ///< a point, a vector or a pair: coordinates and a mass
     set,
