@@ -116,6 +116,13 @@ TEST_CASE("a difference with a power that vanishes is zero at every point") {
 TEST_CASE("a condition that the hypotheses make vanish leaves no case, whatever the claim is") {
     CHECK(verdicts("given a*x == b\ngiven c*x == d\nassume a*x + c*x != b + d\nclaim 1 == 1")
               .find("leave no case") != std::string::npos);
+    // Whether y vanishes or not a is -1, a root of the assumption, which is one factor.
+    const std::string product = "assume (a + 1)*(b + 1) != 0\n";
+    for (const std::string given : {"given y*(a + 1) == 0\ngiven (1 - y)*(a + 1) == 0\n",
+                                    "given (1 - y)*(a + 1) == 0\ngiven y*(a + 1) == 0\n"}) {
+        CHECK(verdicts(product + given + "claim 1 == 1").find("leave no case") != std::string::npos);
+        CHECK(verdicts(given + "claim a == -1") == "proved");
+    }
 }
 
 TEST_CASE("hypotheses with several factors, and with repeated ones") {

@@ -101,6 +101,12 @@ TEST_CASE("the steps of a tower lead to a point that no single hypothesis gives"
     const std::vector<proofs::second::Step> around{{"x", 1, {{1, {{"x", 1}}}, {-1, {{"y", 1}}}}},
                                                    {"y", 1, {{1, {{"y", 1}}}, {-1, {{"x", 1}}}}}};
     CHECK(compared(text + "claim x^6 == 2\n", around) == "no point");
+    // They lead to a point where the second hypothesis does not hold.
+    const std::vector<proofs::second::Step> elsewhere{{"y", 1, {{1, {{"y", 1}}}, {-1, {{"x", 3}}}}},
+                                                      {"x", 6, {{1, {{"x", 6}}}, {-3, {}}}}};
+    CHECK(compared(text + "claim x^6 == 3\n", elsewhere) == "no point");
+    CHECK(compared("assume a != b\n" + text + "claim x^6 == 2\n", steps) == "agree");
+    CHECK(compared("assume y^2 != 2\n" + text + "claim x^6 == 2\n", steps) == "no point");
 }
 
 TEST_CASE("a counterexample that is none is told") {
