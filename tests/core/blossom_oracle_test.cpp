@@ -90,7 +90,7 @@ TEST_CASE("a prepared blossom knows its degree and dimension and can be asked ag
     CHECK(blossom({Parameter(-1), Parameter(1)}) == first);
 }
 
-TEST_CASE("a blossom takes as many arguments as its formal degree", "[blossom]") {
+TEST_CASE("hart-nparams: a blossom takes as many arguments as its formal degree", "[blossom]") {
     const Polynomial t = Polynomial::monomial(1);
     const PolynomialMap map = PolynomialCurve(t * t);
     for (const std::size_t n : {0U, 1U, 3U}) {

@@ -114,6 +114,27 @@ TEST_CASE("geometry: a degenerate simplex says which vertices are dependent") {
     CHECK(failure_code([&] { flat.barycentric(space.point({0, 0, 1})); }) == ErrorCode::outside_domain);
 }
 
+TEST_CASE("geometry: barycentric coordinates are the weights, in any dimension and in larger spaces") {
+    Random random(840);
+    for (std::size_t s = 1; s <= 4; ++s) {
+        for (const std::size_t around : {s, s + 1}) {
+            const geometry::Space space(around);
+            std::vector<geometry::Point> vertices{space.origin()};
+            Coordinates weights{1};
+            for (std::size_t k = 0; k < s; ++k) {
+                Coordinates coordinates = random_point(random, space).coordinates();
+                coordinates[k] += 1000;
+                vertices.push_back(space.point(coordinates));
+                weights.push_back(small_rational(random));
+                weights[0] -= weights.back();
+            }
+            const geometry::Vector shift = random_point(random, space) - space.origin();
+            for (geometry::Point& vertex : vertices) vertex = vertex + shift;
+            CHECK(geometry::Simplex(vertices).barycentric(affine_combination(vertices, weights)) == weights);
+        }
+    }
+}
+
 TEST_CASE("geometry: affine maps from the images of a simplex") {
     Random random(841);
     const geometry::Space plane(2, "plane"), space(3, "space"), line(1, "line");

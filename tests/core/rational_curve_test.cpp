@@ -1,5 +1,6 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
 
 #include "support/expanded_curve.hpp"
@@ -88,4 +89,23 @@ TEST_CASE("a point at infinity has no Euclidean coordinates", "[rational_curve]"
     const BezierCurve pole(std::vector<Coordinates>{{1, -1}, {1, 1}});
     CHECK(failure_code([&] { rational_derivative(pole, 1, Rational(1, 2)); }) == ErrorCode::zero_weight);
     CHECK(failure_code([&] { rational_derivative(pole, 1, 0); }) == std::nullopt);
+}
+
+TEST_CASE(
+    "fj-ex1-quarter, fj-ex1-quarter-quartic: the printed quarter of the circle, as a quadratic and as a "
+    "quartic",
+    "[rational_curve]") {
+    const PolynomialCurve circle(std::vector<Coordinates>{{1, 0, 1}, {0, 2, 0}, {-1, 0, 1}});
+    const auto printed = [](const std::vector<std::pair<Coordinates, Rational>>& vertices) {
+        std::vector<Coordinates> points;
+        for (const auto& [point, weight] : vertices) points.push_back(homogeneous_point(point, weight));
+        return BezierCurve(points);
+    };
+    CHECK(control_points(circle, {}) == printed({{{1, 0}, 1}, {{1, 1}, 1}, {{0, 1}, 2}}));
+    CHECK(elevate(control_points(circle, {}), 2) ==
+          printed({{{1, 0}, 1},
+                   {{1, Rational(1, 2)}, 1},
+                   {{Rational(5, 7), Rational(6, 7)}, Rational(7, 6)},
+                   {{Rational(1, 3), 1}, Rational(3, 2)},
+                   {{0, 1}, 2}}));
 }

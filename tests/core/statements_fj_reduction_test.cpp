@@ -93,22 +93,6 @@ Polynomial bernstein(std::size_t m, std::size_t i) {
 
 }  // namespace
 
-TEST_CASE("fj-ex2-polygon: the eleven vertices of the curve of degree 10", "[statement]") {
-    const std::vector<Coordinates> printed{{-3, 0},
-                                           {r(-29, 10), 0},
-                                           {r(-25, 9), r(1, 45)},
-                                           {r(-79, 30), r(3, 40)},
-                                           {r(-37, 15), r(1, 6)},
-                                           {r(-575, 252), r(13, 42)},
-                                           {r(-439, 210), r(11, 21)},
-                                           {r(-19, 10), r(5, 6)},
-                                           {r(-26, 15), r(56, 45)},
-                                           {r(-9, 5), r(9, 5)},
-                                           {-2, 1}};
-    CHECK(example2().control_points().to_points() == printed);
-    CHECK(expanded(BezierCurve(printed)) == degree_ten_curve());
-}
-
 TEST_CASE(
     "fj-ex2-reduction: the squared errors to degree 6, exactly; (b) < (c) < (a), and (a) and (c) keep the "
     "ends",

@@ -33,18 +33,15 @@ Symbols control_points(const Symbols& coefficients, const Frame& frame) {
 TEST_CASE("symbolic agreement of the three constructions at any points, degrees 0 to 8", "[symbolic]") {
     for (std::size_t n = 0; n <= 8; ++n) {
         Variables variables;
-        const SymbolicArguments arguments = points(variables.next(n));
+        const Symbols symbols = variables.next(n);
+        const SymbolicArguments arguments = points(symbols);
         const Symbols coefficients = variables.next(n + 1);
         const Symbol expected = by_symmetric_functions(coefficients, arguments);
         CAPTURE(n);
         CHECK(by_polarization(coefficients, arguments) == expected);
         CHECK(by_casteljau(control_points(coefficients, frames[0]), 0, 1, 1, arguments) == expected);
         Symbols terms;
-        for (std::size_t k = 0; k <= n; ++k) {
-            Symbols symbols;
-            for (const auto& argument : arguments) symbols.push_back(argument.u);
-            terms.push_back(coefficients[k] * subset_average(symbols, k));
-        }
+        for (std::size_t k = 0; k <= n; ++k) terms.push_back(coefficients[k] * subset_average(symbols, k));
         CHECK(sum(terms) == expected);
     }
 }
@@ -52,11 +49,7 @@ TEST_CASE("symbolic agreement of the three constructions at any points, degrees 
 TEST_CASE("symbolic agreement of the three constructions at any pairs, degrees 0 to 5", "[symbolic]") {
     for (std::size_t n = 0; n <= 5; ++n) {
         Variables variables;
-        SymbolicArguments arguments;
-        for (std::size_t i = 0; i < n; ++i) {
-            const Symbol u = variables.next();
-            arguments.emplace_back(u, variables.next());
-        }
+        const SymbolicArguments arguments = generic_pairs(variables, n);
         const Symbols coefficients = variables.next(n + 1);
         const Symbol expected = by_symmetric_functions(coefficients, arguments);
         CAPTURE(n);
