@@ -9,11 +9,10 @@ change that the oracle finds false.
 
 import random
 
-import oracle
-from language import parse_expr, parse_text, show
+from language import STATEMENTS, parse_expr, parse_text, show
 from mutations import (
-    STATEMENTS, copy_of, count_off_by_one, exchange_kind, lost_factor, lost_summand, nodes, number, off_by_one, other_name, pick_node,
-    put, replace, sign, sum_bound, swap,
+    changed, copy_of, count_off_by_one, exchange_kind, lost_factor, lost_summand, nodes, number, off_by_one, other_name, replace, sign,
+    sum_bound, swap,
 )
 from oracle import decide
 
@@ -1046,11 +1045,7 @@ def rewritten(block, rng, new, steps):
 
 def lost_divisor(block, rng):
     """A quotient in a claim that becomes its numerator."""
-    found = pick_node(block, rng, lambda e: e[0] == "div", STATEMENTS)
-    if found is None:
-        return None
-    at, path, e = found
-    return put(block, at, path, e[1])
+    return changed(block, rng, lambda e: e[0] == "div", lambda e: e[1], STATEMENTS)
 
 
 CHANGES = [lost_divisor, lost_divisor, off_by_one, count_off_by_one, lost_factor, lost_factor, sign, sign, lost_summand, sum_bound, swap, exchange_kind, other_name]
@@ -1064,11 +1059,11 @@ def neighbour(block, rng, id):
         lines = rng.choice(CHANGES)(block, rng)
         if lines is None or len(lines) != len(block.lines) or lines == list(block.lines):
             continue
-        changed = [k for k in range(len(lines)) if lines[k] != block.lines[k]]
-        if changed[0] not in claims and rng.random() < 0.6:
+        different = [k for k in range(len(lines)) if lines[k] != block.lines[k]]
+        if different[0] not in claims and rng.random() < 0.6:
             continue
-        if changed[0] in claims:
-            at = changed[0]
+        if different[0] in claims:
+            at = different[0]
         lines = [line for k, line in enumerate(lines) if k not in claims or k == at]
         out = copy_of(block, lines, id, "false: " + block.title)
         decision = decide(out, budget=60000)

@@ -12,6 +12,9 @@ A block is a list of lines, a line and an expression are tuples, so that they ca
 
 import re
 
+HYPOTHESES = ("assume", "given")
+STATEMENTS = ("claim", "refute", "refute some")
+
 
 class SyntaxFault(Exception):
     def __init__(self, text, line=0):
@@ -464,6 +467,10 @@ class Block:
         self.places = []
         self.strict = False
         self.fault = None
+
+    def statements(self):
+        """The claims and refutations with their numbers among the lines."""
+        return [(at, line) for at, line in enumerate(self.lines) if line[0] in STATEMENTS]
 
     def text(self):
         head = 'theorem %s "%s"\n' % (self.id, self.title) if self.id else ""

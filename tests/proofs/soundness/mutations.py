@@ -7,11 +7,10 @@ import glob
 import os
 import random
 
-from language import Block, parse_text
+from language import HYPOTHESES, STATEMENTS, Block, parse_text
 
 EXPRESSIONS = {"num", "name", "neg", "add", "sub", "mul", "div", "pow", "pair", "tuple", "agg", "fn", "if", "det", "val", "blo", "dif"}
-HYPOTHESES = ("assume", "given")
-STATEMENTS = ("claim", "refute", "refute some")
+BODY = STATEMENTS + HYPOTHESES + ("let", "poly")
 
 
 def nodes(root, path=()):
@@ -90,86 +89,80 @@ def put(block, at, path, new):
     return lines
 
 
-BODY = STATEMENTS + HYPOTHESES + ("let", "poly")
-
-
-def off_by_one(block, rng):
-    found = pick_node(block, rng, lambda e: e[0] == "name" and e[2] is not None, BODY, True)
+def changed(block, rng, test, new, where=BODY, names=False):
+    """The lines with one expression e that passes the test replaced by new(e), or None where there is none."""
+    found = pick_node(block, rng, test, where, names)
     if found is None:
         return None
     at, path, e = found
-    k = rng.randrange(len(e[2]))
-    return put(block, at, path, ("name", e[1], e[2][:k] + (step(e[2][k], rng),) + e[2][k + 1 :]))
+    fresh = new(e)
+    return None if fresh is None else put(block, at, path, fresh)
+
+
+def with_item(items, k, new):
+    """A tuple with another item at place k."""
+    return items[:k] + (new,) + items[k + 1 :]
+
+
+def off_by_one(block, rng):
+    def new(e):
+        k = rng.randrange(len(e[2]))
+        return ("name", e[1], with_item(e[2], k, step(e[2][k], rng)))
+
+    return changed(block, rng, lambda e: e[0] == "name" and e[2] is not None, new, names=True)
 
 
 def count_off_by_one(block, rng):
     def has(e):
         return e[0] in ("copies", "pow") or e[0] == "fn" and e[1] in ("binomial", "factorial", "bernstein", "subsets", "without")
 
-    found = pick_node(block, rng, has, BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    if e[0] == "fn":
+    def new(e):
+        if e[0] != "fn":
+            return (e[0], e[1], step(e[2], rng))
         k = rng.randrange(min(2, len(e[2])))
         if e[1] == "without":
             k = 0
-        new = ("fn", e[1], e[2][:k] + (step(e[2][k], rng),) + e[2][k + 1 :])
-    else:
-        new = (e[0], e[1], step(e[2], rng))
-    return put(block, at, path, new)
+        return ("fn", e[1], with_item(e[2], k, step(e[2][k], rng)))
+
+    return changed(block, rng, has, new)
 
 
 def lost_factor(block, rng):
-    found = pick_node(block, rng, lambda e: e[0] in ("mul", "div"), BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    return put(block, at, path, e[1] if e[0] == "div" else e[rng.choice((1, 2))])
+    return changed(block, rng, lambda e: e[0] in ("mul", "div"), lambda e: e[1] if e[0] == "div" else e[rng.choice((1, 2))])
 
 
 def sign(block, rng):
-    found = pick_node(block, rng, lambda e: e[0] in ("add", "sub", "neg"), BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    if e[0] == "neg":
-        return put(block, at, path, e[1])
-    return put(block, at, path, ("sub" if e[0] == "add" else "add", e[1], e[2]))
+    def new(e):
+        return e[1] if e[0] == "neg" else ("sub" if e[0] == "add" else "add", e[1], e[2])
+
+    return changed(block, rng, lambda e: e[0] in ("add", "sub", "neg"), new)
 
 
 def lost_summand(block, rng):
-    found = pick_node(block, rng, lambda e: e[0] in ("add", "sub"), STATEMENTS + ("let", "poly"))
-    if found is None:
-        return None
-    at, path, e = found
-    return put(block, at, path, e[rng.choice((1, 2))])
+    return changed(block, rng, lambda e: e[0] in ("add", "sub"), lambda e: e[rng.choice((1, 2))], STATEMENTS + ("let", "poly"))
 
 
 def sum_bound(block, rng):
-    found = pick_node(block, rng, lambda e: e[0] in ("agg", "fam") and e[3][0] == "rng", BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    domain = list(e[3])
-    k = rng.choice((1, 2))
-    domain[k] = step(domain[k], rng)
-    return put(block, at, path, e[:3] + (tuple(domain),) + e[4:])
+    def new(e):
+        k = rng.choice((1, 2))
+        return with_item(e, 3, with_item(e[3], k, step(e[3][k], rng)))
+
+    return changed(block, rng, lambda e: e[0] in ("agg", "fam") and e[3][0] == "rng", new)
 
 
 def empty_range(block, rng):
     """A sum, family, set or run with nothing in it."""
-    found = pick_node(block, rng, lambda e: e[0] in ("agg", "fam") and e[3][0] == "rng" or e[0] == "fn" and e[1] in ("without", "subsets"), BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    if e[0] == "fn":
-        if e[1] == "without":
-            return put(block, at, path, ("fn", "without", (("num", "0"), e[2][1])))
-        return put(block, at, path, ("fn", "subsets", (e[2][0], rng.choice((("num", "0"), ("neg", ("num", "1")), ("add", e[2][0], ("num", "1")))))))
-    low = e[3][1]
-    high = ("num", "0") if low == ("num", "1") else ("sub", low, ("num", "1"))
-    return put(block, at, path, e[:3] + (("rng", low, high),) + e[4:])
+
+    def new(e):
+        zero, one = number(0), number(1)
+        if e[0] == "fn" and e[1] == "without":
+            return ("fn", "without", (zero, e[2][1]))
+        if e[0] == "fn":
+            return ("fn", "subsets", (e[2][0], rng.choice((zero, ("neg", one), ("add", e[2][0], one)))))
+        low = e[3][1]
+        return with_item(e, 3, ("rng", low, zero if low == one else ("sub", low, one)))
+
+    return changed(block, rng, lambda e: e[0] in ("agg", "fam") and e[3][0] == "rng" or e[0] == "fn" and e[1] in ("without", "subsets"), new)
 
 
 def lower_parameter(block, rng):
@@ -223,46 +216,39 @@ def rename_binder(block, rng):
     with_body = rng.random() < 0.75
     new = ("name", fresh, None)
     line = block.lines[at]
-    if e[0] in ("agg", "fam"):
-        binder_at = 2
-        old = e[binder_at]
-        if e[0] == "agg":
-            changed = ("agg", e[1], fresh, e[3], substitute(e[4], old, new) if with_body else e[4])
-        else:
-            changed = ("fam", substitute(e[1], old, new) if with_body else e[1], fresh, e[3], substitute(e[4], old, new) if with_body else e[4])
-        if old == fresh:
-            return None
-        return put(block, at, path, changed)
+
+    def body(part):
+        return substitute(part, old, new) if with_body else part
+
     lines = list(block.lines)
-    if e[0] == "poly":
+    if e[0] in ("agg", "fam"):
+        old = e[2]
+        lines = put(block, at, path, (e[0], e[1] if e[0] == "agg" else body(e[1]), fresh, e[3], body(e[4])))
+    elif e[0] == "poly":
         k = rng.randrange(len(line[2]))
         old = line[2][k]
-        lines[at] = line[:2] + (line[2][:k] + (fresh,) + line[2][k + 1 :],) + line[3:5] + (substitute(line[5], old, new) if with_body else line[5],)
+        lines[at] = line[:2] + (with_item(line[2], k, fresh),) + line[3:5] + (body(line[5]),)
     elif e[0] == "range":
         k = e[1]
         old = line[3][k][0]
-        ranges = line[3][:k] + ((fresh,) + line[3][k][1:],) + (substitute(line[3][k + 1 :], old, new) if with_body else line[3][k + 1 :])
-        sides = (substitute(line[1], old, new), substitute(line[2], old, new)) if with_body else line[1:3]
-        lines[at] = (line[0],) + sides + (ranges, line[4])
+        ranges = line[3][:k] + ((fresh,) + line[3][k][1:],) + body(line[3][k + 1 :])
+        lines[at] = (line[0], body(line[1]), body(line[2]), ranges, line[4])
     elif e[0] == "let":
         names = [x for x in line[1][2] if x[0] == "name" and x[2] is None]
         if not names:
             return None
         old = rng.choice(names)[1]
-        lines[at] = ("let", substitute(line[1], old, new), substitute(line[2], old, new) if with_body else line[2])
+        lines[at] = ("let", substitute(line[1], old, new), body(line[2]))
     elif e[0] == "all":
         k = rng.randrange(len(line[4]))
         if line[4][k][0] != "name" or line[4][k][2] is not None:
             return None
         old = line[4][k][1]
-        items = line[4][:k] + (new,) + line[4][k + 1 :]
-        sides = (substitute(line[1], old, new), substitute(line[2], old, new)) if with_body else line[1:3]
-        lines[at] = (line[0],) + sides + (line[3], items)
+        lines[at] = (line[0], body(line[1]), body(line[2]), line[3], with_item(line[4], k, new))
     else:
         old = line[1]
         lines[at] = ("for", fresh) + line[2:]
-        if with_body:
-            lines = lines[: at + 1] + [substitute(x, old, new) for x in lines[at + 1 :]]
+        lines = lines[: at + 1] + [body(x) for x in lines[at + 1 :]]
     if old == fresh:
         return None
     return lines
@@ -307,15 +293,9 @@ def redeclare(block, rng):
 
 def swap(block, rng):
     """Two arguments exchanged."""
+
     def has(e):
         return e[0] in ("sub", "div", "pair") or e[0] == "blo" and (any(len(d) > 1 for d in e[2]) or len(e[2]) > 1) or e[0] == "val" and len(e[3]) > 1
-
-    found = pick_node(block, rng, has, BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    if e[0] in ("sub", "div", "pair"):
-        return put(block, at, path, (e[0], e[2], e[1]))
 
     def exchanged(items):
         items = list(items)
@@ -323,14 +303,17 @@ def swap(block, rng):
         items[i], items[j] = items[j], items[i]
         return tuple(items)
 
-    if e[0] == "val":
-        return put(block, at, path, e[:3] + (exchanged(e[3]),))
-    if len(e[2]) > 1 and rng.random() < 0.5:
-        return put(block, at, path, ("blo", e[1], exchanged(e[2])))
-    k = rng.choice([k for k, d in enumerate(e[2]) if len(d) > 1] or [None])
-    if k is None:
-        return None
-    return put(block, at, path, ("blo", e[1], e[2][:k] + (exchanged(e[2][k]),) + e[2][k + 1 :]))
+    def new(e):
+        if e[0] in ("sub", "div", "pair"):
+            return (e[0], e[2], e[1])
+        if e[0] == "val":
+            return e[:3] + (exchanged(e[3]),)
+        if len(e[2]) > 1 and rng.random() < 0.5:
+            return ("blo", e[1], exchanged(e[2]))
+        k = rng.choice([k for k, d in enumerate(e[2]) if len(d) > 1] or [None])
+        return None if k is None else ("blo", e[1], with_item(e[2], k, exchanged(e[2][k])))
+
+    return changed(block, rng, has, new)
 
 
 def drop_line(block, rng):
@@ -375,28 +358,19 @@ def exchange_kind(block, rng):
 
 def other_name(block, rng):
     bare, families = names_in(block.lines)
-    found = pick_node(block, rng, lambda e: e[0] == "name", BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    if block.lines[at][0] == "let" and path == (1,):
-        return None
-    if e[2] is None:
-        pool = sorted(bare - {e[1]})
-        return put(block, at, path, ("name", rng.choice(pool), None)) if pool else None
-    pool = sorted(families - {e[1]})
-    return put(block, at, path, ("name", rng.choice(pool), e[2])) if pool else None
+
+    def new(e):
+        pool = sorted((bare if e[2] is None else families) - {e[1]})
+        return ("name", rng.choice(pool), e[2]) if pool else None
+
+    return changed(block, rng, lambda e: e[0] == "name", new)
 
 
 def degree(block, rng):
-    found = []
-    for at, line in enumerate(block.lines):
-        if line[0] == "map":
-            found.extend((at, (3, k), e) for k, e in enumerate(line[3]))
-        elif line[0] == "poly":
-            found.extend((at, (4, k), e) for k, e in enumerate(line[4]))
-        elif line[0] == "raise":
-            found.extend((at, (2, k), e) for k, e in enumerate(line[2]))
+    places = {"map": 3, "poly": 4, "raise": 2}  # of the degrees in these lines
+    found = [
+        (at, (places[line[0]], k), e) for at, line in enumerate(block.lines) if line[0] in places for k, e in enumerate(line[places[line[0]]])
+    ]
     if not found:
         return None
     at, path, e = rng.choice(found)
@@ -405,22 +379,21 @@ def degree(block, rng):
 
 def coincide(block, rng):
     """Two arguments that become the same, or a number in place of a name."""
-    found = pick_node(block, rng, lambda e: e[0] == "blo" and sum(map(len, e[2])) > 1, STATEMENTS)
-    if found is None:
-        return None
-    at, path, e = found
-    k = rng.choice([k for k, d in enumerate(e[2]) if d] or [None])
-    if k is None:
-        return None
-    d = e[2][k]
-    i, j = rng.randrange(len(d)), rng.randrange(len(d))
-    if i == j:
-        new = ("num", str(rng.randrange(2)))
-        if d[i][0] in ("copies", "fam", "run"):
+
+    def new(e):
+        k = rng.choice([k for k, d in enumerate(e[2]) if d] or [None])
+        if k is None:
             return None
-    else:
-        new = d[j]
-    return put(block, at, path, ("blo", e[1], e[2][:k] + (d[:i] + (new,) + d[i + 1 :],) + e[2][k + 1 :]))
+        d = e[2][k]
+        i, j = rng.randrange(len(d)), rng.randrange(len(d))
+        fresh = d[j]
+        if i == j:
+            fresh = number(rng.randrange(2))
+            if d[i][0] in ("copies", "fam", "run"):
+                return None
+        return ("blo", e[1], with_item(e[2], k, with_item(d, i, fresh)))
+
+    return changed(block, rng, lambda e: e[0] == "blo" and sum(map(len, e[2])) > 1, new, STATEMENTS)
 
 
 def statement_kind(block, rng, new=False):
@@ -446,11 +419,9 @@ def lifetime(block, rng):
             bound.add(line[1])
     if not bound:
         return None
-    found = pick_node(block, rng, lambda e: e[0] == "name" and e[2] is None or e[0] == "num", BODY)
-    if found is None:
-        return None
-    at, path, e = found
-    return put(block, at, path, ("name", rng.choice(sorted(bound)), None))
+    return changed(
+        block, rng, lambda e: e[0] == "name" and e[2] is None or e[0] == "num", lambda e: ("name", rng.choice(sorted(bound)), None)
+    )
 
 
 OPERATORS = [
