@@ -789,25 +789,13 @@ class Context:
         self.rng = rng
         self.new = new
         self.degrees = {}
-        self.declared = set()
+        self.declared = set(block.declared())
         for line in block.lines:
             if line[0] == "map" and line[2] == "one" and line[4] is None:
                 for name in line[1]:
                     self.degrees[name] = line[3][0]
             elif line[0] == "poly" and line[3] == "one" and len(line[2]) == 1:
                 self.degrees[line[1]] = line[4][0]
-            if line[0] in ("for", "poly"):
-                self.declared.add(line[1])
-            elif line[0] == "map":
-                self.declared.update(line[1])
-            elif line[0] == "raise":
-                self.declared.add(line[3])
-            elif line[0] == "frame":
-                self.declared.update(line[1])
-            elif line[0] in ("point", "vector"):
-                self.declared.update(x[1] for x in line[1] if x[0] == "name")
-            elif line[0] == "let":
-                self.declared.add(line[1][1])
         self.lets = []
         self.used = set(self.declared)
         for line in block.lines:

@@ -472,6 +472,23 @@ class Block:
         """The claims and refutations with their numbers among the lines."""
         return [(at, line) for at, line in enumerate(self.lines) if line[0] in STATEMENTS]
 
+    def declared(self):
+        """The names that lines declare, without the members of families."""
+        out = []
+        for line in self.lines:
+            word = line[0]
+            if word in ("map", "frame"):
+                out.extend(line[1])
+            elif word in ("for", "poly"):
+                out.append(line[1])
+            elif word == "raise":
+                out.append(line[3])
+            elif word == "let":
+                out.append(line[1][1])
+            elif word in ("point", "vector"):
+                out.extend(item[1] for item in line[1] if item[0] == "name")
+        return out
+
     def text(self):
         head = 'theorem %s "%s"\n' % (self.id, self.title) if self.id else ""
         return head + "".join(show_line(line) + "\n" for line in self.lines)

@@ -256,22 +256,8 @@ def rename_binder(block, rng):
 
 def redeclare(block, rng):
     """A second declaration of a name that has one, or a first of one that is used."""
-    declared = []
-    for line in block.lines:
-        if line[0] == "for":
-            declared.append(line[1])
-        elif line[0] == "map":
-            declared.extend(line[1])
-        elif line[0] == "poly":
-            declared.append(line[1])
-        elif line[0] == "raise":
-            declared.append(line[3])
-        elif line[0] in ("point", "vector"):
-            declared.extend(x[1] for x in line[1] if x[0] == "name")
-        elif line[0] == "let":
-            declared.append(line[1][1])
     bare, families = names_in(block.lines)
-    pool = declared * 3 + sorted(bare | families)
+    pool = block.declared() * 3 + sorted(bare | families)
     if not pool:
         return None
     name = rng.choice(pool)
