@@ -106,9 +106,9 @@ SparsePolynomial substitute(const SparsePolynomial& polynomial, std::span<const 
 SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t variable) {
     if (variable >= polynomial.variables()) return {};
     // The terms that have the variable stay in order.
-    const SparseArithmetic::Layout layout = SparseArithmetic::layout(polynomial);
+    const SparseLayout layout = SparseArithmetic::layout(polynomial);
     const std::size_t words = layout.words();
-    SparseArithmetic::Terms terms;
+    SparseTerms terms;
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         const std::size_t power = polynomial.exponent(i, variable);
         if (power == 0) continue;
@@ -127,11 +127,11 @@ std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& pol
     if (polynomial.is_zero()) return {};
     if (variable >= polynomial.variables()) return {polynomial};
     // The terms with one power of the variable stay in order without it.
-    const SparseArithmetic::Layout layout = SparseArithmetic::layout(polynomial);
+    const SparseLayout layout = SparseArithmetic::layout(polynomial);
     const std::size_t words = layout.words();
-    std::vector<SparseArithmetic::Terms> terms(polynomial.degree_in(variable) + 1);
+    std::vector<SparseTerms> terms(polynomial.degree_in(variable) + 1);
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
-        SparseArithmetic::Terms& to = terms[polynomial.exponent(i, variable)];
+        SparseTerms& to = terms[polynomial.exponent(i, variable)];
         const auto from =
             SparseArithmetic::monomials(polynomial).begin() + static_cast<std::ptrdiff_t>(i * words);
         to.monomials.insert(to.monomials.end(), from, from + static_cast<std::ptrdiff_t>(words));

@@ -9,46 +9,26 @@
 
 namespace blossom {
 
-/// What the arithmetic of sparse polynomials works on: terms with integer coefficients, in order and without
-/// zeros, all with one layout.
+/// How the monomials of a polynomial stand in words.
+struct SparseLayout {
+    std::size_t variables = 0;
+    std::size_t bits = packed_monomials::least_bits;
+
+    std::size_t words() const { return packed_monomials::words_for(variables, bits); }
+};
+
+/// Terms with integer coefficients, in order and without zeros, all with one layout.
+struct SparseTerms {
+    std::vector<std::uint64_t> monomials;
+    std::vector<Integer> coefficients;
+
+    std::size_t size() const { return coefficients.size(); }
+};
+
+/// What the arithmetic of sparse polynomials works on.
 struct SparseArithmetic {
-    struct Layout {
-        std::size_t variables = 0;
-        std::size_t bits = packed_monomials::least_bits;
-
-        std::size_t words() const { return packed_monomials::words_for(variables, bits); }
-    };
-
-    struct Terms {
-        std::vector<std::uint64_t> monomials;
-        std::vector<Integer> coefficients;
-
-        std::size_t size() const { return coefficients.size(); }
-    };
-
-    /// The terms of a polynomial with monomials of another layout, in place where it is the same one.
-    class Aligned {
-    public:
-        Aligned(const SparsePolynomial& polynomial, const Layout& layout) : polynomial_(&polynomial) {
-            if (polynomial.bits_ == layout.bits && polynomial.words_ == layout.words()) return;
-            rewritten_ = packed_monomials::rewritten(polynomial.monomials_, polynomial.words_,
-                                                     polynomial.bits_, layout.words(), layout.bits);
-            if (polynomial.words_ == 0) rewritten_.resize(polynomial.size() * layout.words());
-        }
-
-        std::size_t size() const { return polynomial_->size(); }
-        const std::uint64_t* monomials() const {
-            return rewritten_.empty() ? polynomial_->monomials_.data() : rewritten_.data();
-        }
-        const Integer* coefficients() const { return polynomial_->coefficients_.numerators().data(); }
-
-    private:
-        const SparsePolynomial* polynomial_;
-        std::vector<std::uint64_t> rewritten_;
-    };
-
-    static Layout layout(const SparsePolynomial& a) { return {a.variables_, a.bits_}; }
-    static Layout common_layout(const Layout& a, const Layout& b) {
+    static SparseLayout layout(const SparsePolynomial& a) { return {a.variables_, a.bits_}; }
+    static SparseLayout common_layout(const SparseLayout& a, const SparseLayout& b) {
         return {std::max(a.variables, b.variables), std::max(a.bits, b.bits)};
     }
 
@@ -62,10 +42,32 @@ struct SparseArithmetic {
     static const std::vector<std::uint64_t>& monomials(const SparsePolynomial& a) { return a.monomials_; }
 
     /// The polynomial with these terms over a denominator, in its canonical form.
-    static SparsePolynomial polynomial(Terms terms, const Layout& layout, Integer denominator);
+    static SparsePolynomial polynomial(SparseTerms terms, const SparseLayout& layout, Integer denominator);
 
 private:
     static void shrink(SparsePolynomial& polynomial);
+};
+
+/// The terms of a polynomial with monomials of another layout, in place where it is the same one.
+class AlignedTerms {
+public:
+    AlignedTerms(const SparsePolynomial& polynomial, const SparseLayout& layout) : polynomial_(&polynomial) {
+        const SparseLayout own = SparseArithmetic::layout(polynomial);
+        if (own.bits == layout.bits && own.words() == layout.words()) return;
+        rewritten_ = packed_monomials::rewritten(SparseArithmetic::monomials(polynomial), own.words(),
+                                                 own.bits, layout.words(), layout.bits);
+        if (own.words() == 0) rewritten_.resize(polynomial.size() * layout.words());
+    }
+
+    std::size_t size() const { return polynomial_->size(); }
+    const std::uint64_t* monomials() const {
+        return rewritten_.empty() ? SparseArithmetic::monomials(*polynomial_).data() : rewritten_.data();
+    }
+    const Integer* coefficients() const { return polynomial_->coefficients().numerators().data(); }
+
+private:
+    const SparsePolynomial* polynomial_;
+    std::vector<std::uint64_t> rewritten_;
 };
 
 }  // namespace blossom

@@ -9,9 +9,6 @@ namespace blossom {
 
 namespace {
 
-using Layout = SparseArithmetic::Layout;
-using Terms = SparseArithmetic::Terms;
-using Aligned = SparseArithmetic::Aligned;
 using packed_monomials::divides;
 using Monomial = std::vector<std::uint64_t>;
 
@@ -29,7 +26,7 @@ Integer content(const SparsePolynomial& polynomial) {
 template <class Width>
 class GrowingProducts {
 public:
-    GrowingProducts(const Width& width, const Aligned& divisor, const Terms& quotient)
+    GrowingProducts(const Width& width, const AlignedTerms& divisor, const SparseTerms& quotient)
         : width_(width), divisor_(divisor), quotient_(quotient), next_(divisor.size()) {
         for (std::size_t term = 1; term < divisor.size(); ++term) waiting_.push_back(term);
         products_.resize(divisor.size() * width.words());
@@ -70,8 +67,8 @@ private:
     }
 
     Width width_;
-    const Aligned& divisor_;
-    const Terms& quotient_;
+    const AlignedTerms& divisor_;
+    const SparseTerms& quotient_;
     std::vector<std::size_t> next_;  ///< the term of the quotient that each term is multiplied with
     std::vector<std::uint64_t> products_;
     std::vector<std::size_t> heap_;
@@ -80,12 +77,13 @@ private:
 
 /// The quotient of the numerators, with those of b divided by their content; `greatest` bounds its exponents.
 template <class Width>
-std::optional<Terms> quotient_of_numerators(const Width& width, const Aligned& a, const Aligned& b,
-                                            const Integer& content_of_b, const Monomial& greatest,
-                                            std::size_t bits, std::size_t most_work, std::size_t& work) {
+std::optional<SparseTerms> quotient_of_numerators(const Width& width, const AlignedTerms& a,
+                                                  const AlignedTerms& b, const Integer& content_of_b,
+                                                  const Monomial& greatest, std::size_t bits,
+                                                  std::size_t most_work, std::size_t& work) {
     const std::size_t words = width.words();
     const Integer leading = divide_exactly(b.coefficients()[0], content_of_b);
-    Terms quotient;
+    SparseTerms quotient;
     GrowingProducts<Width> products(width, b, quotient);
     auto monomial = width.monomial();
     for (std::size_t next = 0; next < a.size() || !products.empty();) {
@@ -124,12 +122,12 @@ Division divide(const SparsePolynomial& a, const SparsePolynomial& b, std::size_
         throw Error(ErrorCode::division_by_zero, "a polynomial cannot be divided by the zero polynomial");
     if (a.is_zero()) return {SparsePolynomial(), 0};
     if (b.variables() > a.variables()) return {std::nullopt, 1};
-    const Layout layout = SparseArithmetic::layout(a);
+    const SparseLayout layout = SparseArithmetic::layout(a);
     if (SparseArithmetic::layout(b).bits > layout.bits) return {std::nullopt, 1};
     const std::size_t words = layout.words();
-    const Aligned dividend(a, layout);
-    const Aligned divisor(b, layout);
-    const auto term = [&](const Aligned& terms, std::size_t i) {
+    const AlignedTerms dividend(a, layout);
+    const AlignedTerms divisor(b, layout);
+    const auto term = [&](const AlignedTerms& terms, std::size_t i) {
         return std::span(terms.monomials() + i * words, words);
     };
     if (!divides(term(divisor, 0), term(dividend, 0), layout.bits) ||

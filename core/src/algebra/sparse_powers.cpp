@@ -11,9 +11,6 @@ namespace blossom {
 
 namespace {
 
-using Layout = SparseArithmetic::Layout;
-using Terms = SparseArithmetic::Terms;
-using Aligned = SparseArithmetic::Aligned;
 using packed_monomials::greatest_exponent;
 
 /// The power of a polynomial of two terms, by the binomial theorem: the terms come out in order.
@@ -22,9 +19,9 @@ SparsePolynomial binomial_power(const SparsePolynomial& base, std::size_t n) {
     for (std::size_t k = 0; k < base.variables(); ++k)
         greatest = std::max({greatest, base.exponent(0, k), base.exponent(1, k)});
     if (greatest != 0 && n > greatest_exponent / greatest) SparseArithmetic::exponent_too_large();
-    const Layout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
+    const SparseLayout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
     const std::size_t words = layout.words();
-    const Aligned aligned(base, layout);
+    const AlignedTerms aligned(base, layout);
     const std::uint64_t* first = aligned.monomials();
     const std::uint64_t* second = first + words;
     const Integer* factors = aligned.coefficients();
@@ -32,7 +29,7 @@ SparsePolynomial binomial_power(const SparsePolynomial& base, std::size_t n) {
     for (std::size_t k = 0; k < n; ++k) second_powers.push_back(second_powers.back() * factors[1]);
     const std::vector<Integer> binomials = binomial_row(n);
 
-    Terms result;
+    SparseTerms result;
     Integer first_power = pow(factors[0], n);
     for (std::size_t k = 0; k <= n; ++k) {
         for (std::size_t i = 0; i < words; ++i)
@@ -63,9 +60,10 @@ std::size_t terms_after_independent_ones(const SparsePolynomial& polynomial) {
 /// Powers 0..n of integer terms, times denominators left out, where all terms but the last are independent.
 /// With x the first variable, which no other term has, (c m + z)^k = sum_j C(k, j) c^j m^j z^(k-j) comes out
 /// in order block by block.
-std::vector<Terms> independent_powers(const Aligned& base, std::size_t words, std::size_t n, bool all) {
-    std::vector<Terms> powers(n + 1);
-    const auto term_power = [&](std::size_t term, std::size_t k, Terms& to) {
+std::vector<SparseTerms> independent_powers(const AlignedTerms& base, std::size_t words, std::size_t n,
+                                            bool all) {
+    std::vector<SparseTerms> powers(n + 1);
+    const auto term_power = [&](std::size_t term, std::size_t k, SparseTerms& to) {
         for (std::size_t i = 0; i < words; ++i)
             to.monomials.push_back(base.monomials()[term * words + i] * k);
     };
@@ -82,14 +80,14 @@ std::vector<Terms> independent_powers(const Aligned& base, std::size_t words, st
         std::vector<Integer> term_powers{1};
         for (std::size_t k = 0; k < n; ++k)
             term_powers.push_back(term_powers.back() * base.coefficients()[term]);
-        std::vector<Terms> next(n + 1);
+        std::vector<SparseTerms> next(n + 1);
         for (std::size_t k = all || term > 0 ? 0 : n; k <= n; ++k) {
             std::size_t size = 0;
             for (std::size_t j = 0; j <= k; ++j) size += powers[j].size();
             next[k].monomials.reserve(size * words);
             next[k].coefficients.reserve(size);
             for (std::size_t j = k + 1; j-- > 0;) {
-                const Terms& rest = powers[k - j];
+                const SparseTerms& rest = powers[k - j];
                 const Integer scale = binomials[k][j] * term_powers[j];
                 for (std::size_t i = 0; i < rest.monomials.size(); ++i) {
                     next[k].monomials.push_back(rest.monomials[i] +
@@ -107,8 +105,8 @@ std::vector<SparsePolynomial> independent_powers(const SparsePolynomial& base, s
     std::size_t greatest = 0;
     for (std::size_t k = 0; k < base.variables(); ++k) greatest = std::max(greatest, base.degree_in(k));
     if (greatest != 0 && n > greatest_exponent / greatest) SparseArithmetic::exponent_too_large();
-    const Layout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
-    std::vector<Terms> powers = independent_powers(Aligned(base, layout), layout.words(), n, all);
+    const SparseLayout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
+    std::vector<SparseTerms> powers = independent_powers(AlignedTerms(base, layout), layout.words(), n, all);
     std::vector<SparsePolynomial> result(n + 1);
     for (std::size_t k = all ? 0 : n; k <= n; ++k) {
         result[k] = SparseArithmetic::polynomial(std::move(powers[k]), layout,

@@ -1,19 +1,8 @@
 #include "subset_residues.hpp"
 
-namespace blossom {
+namespace blossom::subset_sums {
 
 namespace {
-
-using residues::Moduli;
-using residues::moduli;
-using residues::operations;
-using residues::ResidueVector;
-using subset_sums::group_residue;
-using subset_sums::Groups;
-using subset_sums::number_of_arguments;
-using subset_sums::residue_vector_of;
-using subset_sums::result_bits;
-using subset_sums::Rows;
 
 /// Beyond, arithmetic on large integers is faster.
 constexpr std::size_t most_regrouped_bits = 1'000'000;
@@ -82,9 +71,7 @@ private:
     std::vector<ResidueVector> inverse_;  ///< 1/j times the square of the radix
 };
 
-}  // namespace
-
-std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups groups) {
+std::optional<std::vector<Integer>> regrouped(Rows rows, Groups groups) {
     const std::size_t n = number_of_arguments(groups);
     const std::size_t bits = result_bits(rows, groups);
     if (bits > most_regrouped_bits || n >= residues::most_terms) return std::nullopt;
@@ -127,6 +114,17 @@ std::optional<std::vector<Integer>> regrouped_subset_sums(Rows rows, Groups grou
     result.reserve(rows.size());
     for (const auto& residues : residues_of_sums) result.push_back(residues::integer_with(residues));
     return result;
+}
+
+}  // namespace
+
+}  // namespace blossom::subset_sums
+
+namespace blossom {
+
+std::optional<std::vector<Integer>> regrouped_subset_sums(subset_sums::Rows rows,
+                                                          subset_sums::Groups groups) {
+    return subset_sums::regrouped(rows, groups);
 }
 
 }  // namespace blossom

@@ -1,20 +1,8 @@
-#include <optional>
-
 #include "subset_residues.hpp"
 
-namespace blossom {
+namespace blossom::subset_sums {
 
 namespace {
-
-using residues::Moduli;
-using residues::moduli;
-using residues::operations;
-using residues::ResidueVector;
-using subset_sums::group_residue;
-using subset_sums::Groups;
-using subset_sums::residue_vector_of;
-using subset_sums::result_bits;
-using subset_sums::Rows;
 
 /// The sub-multisets of some groups as a list: each is an earlier one with one argument more.
 struct SubsetList {
@@ -210,9 +198,7 @@ private:
     Integer modulus_ = 1;
 };
 
-}  // namespace
-
-std::optional<std::vector<Integer>> strict_subset_sums(Rows rows, Groups groups) {
+std::optional<std::vector<Integer>> strict(Rows rows, Groups groups) {
     const std::size_t bits = result_bits(rows, groups) + 1;
     if (bits > most_strict_bits) return std::nullopt;
     const StrictPlan plan(groups);
@@ -223,6 +209,16 @@ std::optional<std::vector<Integer>> strict_subset_sums(Rows rows, Groups groups)
             result.append(PrimeField(moduli(i / residues::lanes).prime.lane[i % residues::lanes]), *residues);
     }
     return std::move(result).values();
+}
+
+}  // namespace
+
+}  // namespace blossom::subset_sums
+
+namespace blossom {
+
+std::optional<std::vector<Integer>> strict_subset_sums(subset_sums::Rows rows, subset_sums::Groups groups) {
+    return subset_sums::strict(rows, groups);
 }
 
 }  // namespace blossom

@@ -6,12 +6,17 @@
 #include <blossom/rational/subset_sums.hpp>
 
 #include <algorithm>
+#include <optional>
 
 #include "residues/prime_field.hpp"
 #include "residues/residue_system.hpp"
 
 namespace blossom::subset_sums {
 
+using residues::Moduli;
+using residues::moduli;
+using residues::operations;
+using residues::ResidueVector;
 using Rows = std::span<const std::span<const Integer>>;
 using Groups = std::span<const SubsetGroup>;
 
@@ -46,8 +51,8 @@ inline std::optional<GroupResidue> group_residue(const PrimeField& field, const 
     return GroupResidue{field.product(u, field.inverse(mass)), mass};
 }
 
-inline residues::ResidueVector residue_vector_of(std::uint64_t value) {
-    residues::ResidueVector result{};
+inline ResidueVector residue_vector_of(std::uint64_t value) {
+    ResidueVector result{};
     std::ranges::fill(result.lane, value);
     return result;
 }
