@@ -55,9 +55,7 @@ TEST_CASE("the three constructions agree on maps of both kinds", "[agreement]") 
     Random random(221);
     for (int i = 0; i < 600; ++i) {
         const std::size_t n = random.below(8);
-        const PolynomialMap map = random.one_in(2)
-                                      ? PolynomialMap(polynomial_map(random, n, Size::any).curve())
-                                      : PolynomialMap(bezier_map(random, n, Size::any).curve());
+        const PolynomialMap map = any_map(random, n, Size::any);
         const auto three = agreement(map, arguments(random, n, Size::any));
         CHECK(three.agree());
         for (const auto& result : three.results) CHECK(result.value);
@@ -155,9 +153,7 @@ TEST_CASE("the elementary symmetric form is the blossom with its functions put i
     Random random(223);
     for (int i = 0; i < 60; ++i) {
         const std::size_t n = random.below(6);
-        const PolynomialMap map = random.one_in(2)
-                                      ? PolynomialMap(polynomial_map(random, n, Size::any).curve())
-                                      : PolynomialMap(bezier_map(random, n, Size::any).curve());
+        const PolynomialMap map = any_map(random, n, Size::any);
         const auto forms = elementary_symmetric_form(map);
         const auto expanded = *agreement_for_all_arguments(map).results[0].value;
         REQUIRE(forms.size() == expanded.size());

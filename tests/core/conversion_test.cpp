@@ -63,18 +63,6 @@ TEST_CASE("a control polygon over another interval is the same polynomial", "[co
     }
 }
 
-TEST_CASE("reversing the interval reverses the control points", "[conversion]") {
-    Random random(254);
-    for (int i = 0; i < 300; ++i) {
-        const std::size_t n = random.below(7);
-        const PolynomialCurve curve = polynomial_map(random, n, Size::any).curve();
-        const Interval chosen = interval(random, Size::small);
-        std::vector<Coordinates> there = control_points(curve, chosen).control_points().to_points();
-        std::ranges::reverse(there);
-        CHECK(control_points(curve, Interval(chosen.b(), chosen.a())).control_points().to_points() == there);
-    }
-}
-
 TEST_CASE("the ends of a control polygon are values of the curve", "[conversion]") {
     Random random(255);
     for (int i = 0; i < 300; ++i) {

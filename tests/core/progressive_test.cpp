@@ -27,27 +27,6 @@ Symbol symbolic_blossom(std::span<const Symbol> normalised, std::span<const Symb
     return value;
 }
 
-/// The coefficients, knots and arguments of the general polynomial of degree n as variables.
-struct General {
-    explicit General(std::size_t n) {
-        std::size_t next = 0;
-        for (std::size_t k = 0; k <= n; ++k) coefficients.push_back(variable(next++));
-        for (std::size_t i = 0; i < 2 * n; ++i) knots.push_back(variable(next++));
-        for (std::size_t i = 0; i < n; ++i) arguments.push_back(variable(next++));
-    }
-
-    /// f(u_1, ..., u_levels, t_begin, ..., t_(begin + n - levels - 1))
-    Symbol node(std::size_t levels, std::size_t begin) const {
-        std::vector<Symbol> at(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(levels));
-        for (std::size_t i = begin; at.size() < arguments.size(); ++i) at.push_back(knots[i]);
-        return symbolic_blossom(coefficients, at);
-    }
-
-    std::vector<Symbol> coefficients;
-    std::vector<Symbol> knots;
-    std::vector<Symbol> arguments;
-};
-
 /// Knots over which progressive values determine a map, in no order.
 std::vector<Rational> legal_knots(Random& random, std::size_t n) {
     while (true) {
@@ -90,52 +69,7 @@ bool independent(std::span<const Rational> knots, std::size_t n) {
     return true;
 }
 
-/// Figure 10 as it is printed, with the right end of the interval at t_(d+k+l).
-Rational printed_figure(std::vector<Rational> values, const std::vector<Rational>& knots,
-                        const std::vector<Rational>& at) {
-    const std::size_t d = values.size() - 1;
-    for (std::size_t k = 0; k < d; ++k) {
-        for (std::size_t l = 0; l + k < d; ++l) {
-            const Rational beta = (at[k] - knots[k + l]) / (knots[d + k + l] - knots[k + l]);
-            values[l] = (Rational(1) - beta) * values[l] + beta * values[l + 1];
-        }
-    }
-    return values[0];
-}
-
 }  // namespace
-
-TEST_CASE("derose-fig10: the printed right end t_(d+k+l) is refuted by 3/8 instead of 1/4",
-          "[progressive][derose]") {
-    const std::vector<Rational> knots{0, 1, 2, 3};
-    const Rational half(1, 2);
-    CHECK(printed_figure({0, 2, 6}, knots, {half, half}) == Rational(3, 8));
-    const ProgressiveCurve curve(knots, std::vector<Coordinates>{{0}, {2}, {6}});
-    CHECK(blossom_value(curve, std::vector<Argument>{Parameter(half), Parameter(half)}) ==
-          Coordinates{Rational(1, 4)});
-    CHECK(evaluate(curve, half) == Coordinates{half * half});
-}
-
-TEST_CASE("derose-fig10: with t_(d+l) every level is an identity in knots, arguments and coefficients",
-          "[progressive][derose]") {
-    for (std::size_t n = 1; n <= 4; ++n) {
-        const General general(n);
-        for (std::size_t k = 0; k < n; ++k) {
-            for (std::size_t l = 0; l + k < n; ++l) {
-                const Symbol& begin = general.knots[k + l];
-                const Symbol& end = general.knots[n + l];
-                const Symbol& u = general.arguments[k];
-                CHECK((end - begin) * general.node(k + 1, k + l + 1) ==
-                      (end - u) * general.node(k, k + l) + (u - begin) * general.node(k, k + l + 1));
-                if (k == 0) continue;
-                const Symbol printed_end = general.knots[std::min(n + k + l, 2 * n - 1)];
-                CHECK_FALSE((printed_end - begin) * general.node(k + 1, k + l + 1) ==
-                            (printed_end - u) * general.node(k, k + l) +
-                                (u - begin) * general.node(k, k + l + 1));
-            }
-        }
-    }
-}
 
 TEST_CASE("derose-fig10: the engine's triangle gives the blossom for all arguments and all maps",
           "[progressive][derose]") {

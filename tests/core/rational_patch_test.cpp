@@ -106,7 +106,7 @@ TEST_CASE("rational patches: a derived map that would be too large, or is of not
           ErrorCode::limit_exceeded);
     limits.numbers = 36;
     CHECK(rational_derivative_patch(map, direction, limits).shape().size() == 15);
-    // Order 1 takes 2 products a coordinate of 6 by 6 coefficients.
+    // Order 1 takes 2 products per coordinate of 6 by 6 coefficients.
     limits = {};
     limits.expansion_work = 143;
     CHECK(failure_code([&] { rational_derivative_patch(map, direction, limits); }) ==

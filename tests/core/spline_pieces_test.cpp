@@ -17,34 +17,13 @@ using namespace blossom::testing;
 
 namespace {
 
-BSplineCurve example() {
-    return {3, {0, 1, 2, 3, 4, 5, 6, 7}, {{0, 0}, {1, 2}, {3, 3}, {5, 1}, {6, 0}, {8, 2}}};
-}
-
-/// Control point i is unit vector i: p(0,1,2), p(1,2,3), ..., p(5,6,7).
-BSplineCurve unit_curve() {
-    std::vector<Coordinates> units(6, Coordinates(6));
-    for (std::size_t i = 0; i < 6; ++i) units[i][i] = 1;
-    return {3, {0, 1, 2, 3, 4, 5, 6, 7}, units};
-}
-
-Coordinates on_2_3(std::initializer_list<Rational> knots) {
-    return segment_blossom(unit_curve(), 2, std::vector<Argument>(knots.begin(), knots.end()));
-}
-
-Coordinates combination(const Rational& a, const Coordinates& x, const Rational& b, const Coordinates& y) {
-    Coordinates sum;
-    for (std::size_t i = 0; i < x.size(); ++i) sum.push_back(a * x[i] + b * y[i]);
-    return sum;
-}
-
 const Rational third(1, 3);
 const Rational half(1, 2);
 
 }  // namespace
 
 TEST_CASE("the segments of the example", "[extraction]") {
-    const std::vector<BezierCurve> segments = bezier_segments(example());
+    const std::vector<BezierCurve> segments = bezier_segments(example_spline());
     REQUIRE(segments.size() == 3);
     CHECK(segments[0] == BezierCurve(std::vector<Coordinates>{{Rational(7, 6), Rational(11, 6)},
                                                               {Rational(5, 3), Rational(7, 3)},
@@ -56,11 +35,11 @@ TEST_CASE("the segments of the example", "[extraction]") {
                                                               {Rational(17, 3), third},
                                                               {Rational(37, 6), half}},
                                      Interval(4, 5)));
-    CHECK(segments[1] == sablonniere(example(), 3));
-    CHECK(failure_code([] { sablonniere(example(), 1); }) == ErrorCode::outside_domain);
+    CHECK(segments[1] == sablonniere(example_spline(), 3));
+    CHECK(failure_code([] { sablonniere(example_spline(), 1); }) == ErrorCode::outside_domain);
     Limits limits;
     limits.numbers = 23;
-    CHECK(failure_code([&] { bezier_segments(example(), limits); }) == ErrorCode::limit_exceeded);
+    CHECK(failure_code([&] { bezier_segments(example_spline(), limits); }) == ErrorCode::limit_exceeded);
 }
 
 TEST_CASE(
@@ -92,40 +71,6 @@ TEST_CASE(
                   textbook::text(textbook::segment_value(plain, spans[i] + shift, t)));
         }
     }
-}
-
-TEST_CASE("hart-bohm-223: p(2,2,3) = 2/3 p(1,2,3) + 1/3 p(4,2,3)", "[extraction][hart]") {
-    CHECK(on_2_3({2, 2, 3}) == combination(2 * third, on_2_3({1, 2, 3}), third, on_2_3({4, 2, 3})));
-    CHECK(on_2_3({2, 2, 3}) == Coordinates{0, 2 * third, third, 0, 0, 0});
-}
-
-TEST_CASE("hart-bohm-323: p(3,2,3) = 1/3 p(1,2,3) + 2/3 p(4,2,3)", "[extraction][hart]") {
-    CHECK(on_2_3({3, 2, 3}) == Coordinates{0, third, 2 * third, 0, 0, 0});
-}
-
-TEST_CASE("hart-bohm-212: p(2,1,2) = 1/3 p(0,1,2) + 2/3 p(3,1,2)", "[extraction][hart]") {
-    CHECK(on_2_3({2, 1, 2}) == Coordinates{third, 2 * third, 0, 0, 0, 0});
-}
-
-TEST_CASE("hart-bohm-343: p(3,4,3) = 2/3 p(3,4,2) + 1/3 p(3,4,5)", "[extraction][hart]") {
-    CHECK(on_2_3({3, 4, 3}) == Coordinates{0, 0, 2 * third, third, 0, 0});
-}
-
-TEST_CASE("hart-bohm-222: p(2,2,2) = 1/2 p(2,1,2) + 1/2 p(2,3,2)", "[extraction][hart]") {
-    CHECK(on_2_3({2, 2, 2}) == combination(half, on_2_3({2, 1, 2}), half, on_2_3({2, 3, 2})));
-}
-
-TEST_CASE("hart-bohm-333: p(3,3,3) = 1/2 p(3,2,3) + 1/2 p(3,4,3)", "[extraction][hart]") {
-    CHECK(on_2_3({3, 3, 3}) == combination(half, on_2_3({3, 2, 3}), half, on_2_3({3, 4, 3})));
-}
-
-TEST_CASE("hart-bspline-to-bezier: p(2,2,2), p(2,2,3), p(2,3,3), p(3,3,3) are the Bezier points over [2, 3]",
-          "[extraction][hart]") {
-    const BezierCurve bezier = sablonniere(unit_curve(), 2);
-    CHECK(
-        bezier.control_points().to_points() ==
-        std::vector<Coordinates>{on_2_3({2, 2, 2}), on_2_3({2, 2, 3}), on_2_3({2, 3, 3}), on_2_3({3, 3, 3})});
-    CHECK(evaluate(bezier, Rational(12, 5)) == textbook::value(oracle(unit_curve()), Rational(12, 5)));
 }
 
 TEST_CASE("segments joined over the knots that they came from are the spline again", "[join]") {
@@ -224,13 +169,13 @@ TEST_CASE(
     "hart-deboor-subdivide: a triple knot at 3.5 splits 0..7 into two curves of 5 points that share one",
     "[split][hart]") {
     const Rational u(7, 2);
-    const auto [left, right] = split(example(), u);
+    const auto [left, right] = split(example_spline(), u);
     CHECK(left.knots().knots() == std::vector<Rational>{0, 1, 2, 3, u, u, u});
     CHECK(right.knots().knots() == std::vector<Rational>{u, u, u, 4, 5, 6, 7});
     CHECK(left.control_points().size() == 5);
     CHECK(right.control_points().size() == 5);
-    CHECK(left.control_points().back() == evaluate(example(), u));
-    CHECK(right.control_points().front() == evaluate(example(), u));
+    CHECK(left.control_points().back() == evaluate(example_spline(), u));
+    CHECK(right.control_points().front() == evaluate(example_spline(), u));
 }
 
 TEST_CASE("both parts of a split are the curve on their domains", "[split]") {

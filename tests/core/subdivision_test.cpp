@@ -101,18 +101,6 @@ TEST_CASE("the pieces of a subdivision are the same polynomial over their own in
     }
 }
 
-TEST_CASE("subdividing a piece at the far end gives the curve back", "[subdivision]") {
-    Random random(303);
-    for (std::size_t i = 0; i < 180; ++i) {
-        const BezierCurve curve = bezier_map(random, i % 9, Size::small).curve();
-        const Rational t = splitting_parameter(random, curve.interval(), Size::small);
-        CAPTURE(i, t);
-        const auto [left, right] = subdivide(curve, t);
-        CHECK(subdivide(left, curve.interval().b()).first == curve);
-        CHECK(subdivide(right, curve.interval().a()).second == curve);
-    }
-}
-
 TEST_CASE("a curve is not subdivided at its ends", "[subdivision]") {
     const BezierCurve curve(std::vector<Coordinates>{{1, 2}, {2, 0}, {3, 5}}, Interval(3, Rational(1, 2)));
     CHECK(failure_code([&] { subdivide(curve, 3); }) == ErrorCode::empty_interval);

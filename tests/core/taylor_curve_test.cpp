@@ -67,17 +67,6 @@ TEST_CASE("the monomial, Bernstein and Taylor forms give each other back", "[tay
     }
 }
 
-TEST_CASE("a curve that starts as a control polygon survives the same tour", "[taylor][conversion]") {
-    Random random(323);
-    for (std::size_t i = 0; i < 180; ++i) {
-        const BezierCurve bezier = bezier_map(random, i % 9, i % 4 == 0 ? Size::any : Size::small).curve();
-        const Rational center = number(random, Size::small);
-        const PolynomialCurve monomial = monomial_form(bezier);
-        CHECK(expanded(monomial) == expanded(bezier));
-        CHECK(control_points(monomial_form(taylor_form(monomial, center)), bezier.interval()) == bezier);
-    }
-}
-
 TEST_CASE("a Taylor form is refused when its numbers would have too many digits", "[taylor]") {
     Limits limits;
     limits.digits = 10;

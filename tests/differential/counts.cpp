@@ -1,4 +1,4 @@
-// One line a path: its cases, what they were, its checks, those that failed, and the time.
+// One line per path: its cases, their kinds, its checks, the failures, and the time.
 
 #define CATCH_CONFIG_EXTERNAL_INTERFACES  // of version 2, where listeners are not there without
 #include <cstdio>

@@ -1,8 +1,8 @@
 #pragma once
 
-// Many cases a fast path. The environment says how many and which: BLOSSOM_DIFFERENTIAL_CASES a path (300 if
-// it does not) and BLOSSOM_DIFFERENTIAL_SEED (1). scripts/differential runs tens of thousands on each level
-// of vector instructions.
+// Many cases for each fast path. The environment sets their number per path, BLOSSOM_DIFFERENTIAL_CASES (300
+// by default), and BLOSSOM_DIFFERENTIAL_SEED (1 by default). scripts/differential runs tens of thousands on
+// each level of vector instructions.
 
 #include <algorithm>
 #include <cstdlib>
@@ -22,16 +22,16 @@ inline std::uint64_t differential_setting(const char* variable, std::uint64_t ot
     return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-/// `otherwise` is how many a path has where nothing is said.
+/// `otherwise` is the number where the environment sets none.
 inline std::size_t differential_cases(std::size_t otherwise = 300) {
     return differential_setting("BLOSSOM_DIFFERENTIAL_CASES", otherwise);
 }
 
-/// What the path that is running has had so far, for the line that is printed of it.
+/// The cases so far of the path that is running, for the line that is printed about it.
 struct Counts {
     std::string path;
     std::size_t cases = 0;
-    std::map<std::string, std::size_t> kinds;  ///< of cases, where a path has kinds worth to be told apart
+    std::map<std::string, std::size_t> kinds;  ///< of cases, where its kinds matter
 
     static Counts& of_path() {
         static Counts counts;
@@ -40,8 +40,8 @@ struct Counts {
 };
 inline void count_as(const std::string& kind) { ++Counts::of_path().kinds[kind]; }
 
-/// Calls check(random) for each case of a path. A case has a stream of its own, so that it can be run again
-/// without those before it.
+/// Calls check(random) for each case of a path. Each case has its own stream, so that it can be repeated
+/// without the cases before it.
 template <class Check>
 void each_case(std::string_view path, const Check& check, std::size_t otherwise = 300) {
     Counts::of_path().path = path;
@@ -55,7 +55,7 @@ void each_case(std::string_view path, const Check& check, std::size_t otherwise 
     }
 }
 
-/// One check, which shows the first number that differs by its ends: Catch takes minutes to lay out rows of
+/// One check, which shows the ends of the first number that differs: Catch takes minutes to print rows of
 /// long numbers.
 template <class Number>
 void check_same(const std::vector<Number>& numbers, const std::vector<Number>& expected) {

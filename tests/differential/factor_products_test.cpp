@@ -80,7 +80,7 @@ TEST_CASE("factor products: blocks that end at 51 bits, sums at digits and words
         std::vector<WordFactor> factors;
         while (factors.size() < shape.factors) factors.push_back(factor_of_bits(random, shape.bits, signs));
         const std::size_t limit = random_limit(random, shape.factors * shape.bits);
-        KernelsMet met;
+        Met met;
         check_sums(case_at_limit(random, std::move(factors), limit, signs), met);
     });
 }
@@ -129,7 +129,7 @@ TEST_CASE("quotients by small primes", "[differential]") {
         if (random.one_in(3)) given.numerators[0] *= given.factors[random.below(n)].denominator;
         if (random.one_in(2)) given.numerators[0] *= -1;
         given.denominator = smooth_number(random, 1 + random.below(70));
-        KernelsMet met;
+        Met met;
         check_sums(given, met);
     });
 }

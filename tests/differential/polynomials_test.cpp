@@ -92,7 +92,7 @@ TEST_CASE("Taylor shift: as many coefficients as transforms are taken for", "[di
                                               : 512 + random.below(random.one_in(2) ? 3 : 40);
             count_as(longest ? "of 2047 to 4097 coefficients" : longer ? "of 1023 to 1025" : "of 512 to 551");
             const int sign = static_cast<int>(random.below(3)) - 1;
-            // Four bits a coefficient are the most of results in residues.
+            // Results in residues have at most four bits per coefficient.
             const std::size_t bits = !longest && random.one_in(3) ? 3 * size + 3 - random.below(6)
                                                                   : random.below(longest ? 60 : 400);
             std::vector<Integer> coefficients;

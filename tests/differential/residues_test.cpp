@@ -8,7 +8,7 @@ using namespace blossom::testing;
 namespace {
 
 /// Near the bits of some number of groups of eight primes below 2^50 or 2^28, whichever are in use: their
-/// product is a few bits short of that, and a bit a group is given away.
+/// product is a few bits short of that, and one bit per group is not used.
 std::size_t bits_near_groups(Random& random, std::size_t least) {
     const std::size_t of_group = random.one_in(2) ? 400 : 224;
     const std::size_t groups = least / of_group + 1 + random.below(2);
@@ -109,7 +109,7 @@ const Degrees& any_degrees(Random& random) {
 }  // namespace
 
 TEST_CASE("residues: sums that end where groups of primes do", "[differential]") {
-    KernelsMet met;
+    Met met;
     each_case("residues", [&](Random& random) {
         const Signs signs = any_signs(random);
         if (random.one_in(200)) return check_sums(case_of_long_numbers(random, signs), met);
@@ -123,7 +123,7 @@ TEST_CASE("residues: sums that end where groups of primes do", "[differential]")
 }
 
 TEST_CASE("residues: small factors of middle degree", "[differential]") {
-    KernelsMet met;
+    Met met;
     each_case("residues of middle degree", [&](Random& random) {
         const Signs signs = any_signs(random);
         const std::size_t n = 60 + random.below(140);
@@ -192,7 +192,7 @@ TEST_CASE("residues: small fractions over one large denominator", "[differential
 }
 
 TEST_CASE("transforms: sums of high degree", "[differential]") {
-    KernelsMet met;
+    Met met;
     std::size_t beyond = 0;
     const auto check = [&](Random& random) {
         const Signs signs = any_signs(random);

@@ -2,13 +2,12 @@
 
 // Sums over products of linear factors whose numerators end where a kernel does, and their evident values.
 
-#include <blossom/rational/blossom_sums.hpp>
-
 #include <algorithm>
 #include <map>
 #include <vector>
 
 #include "each_case.hpp"
+#include "rational/blossom_sums_cases.hpp"
 
 namespace blossom::testing {
 
@@ -23,13 +22,6 @@ struct SumCase {
         return {RationalVector(numerators, denominator), rows(), use};
     }
 };
-
-inline std::vector<IntegerFactor> beyond_words(std::span<const WordFactor> factors) {
-    std::vector<IntegerFactor> result;
-    for (const auto& [constant, slope, denominator] : factors)
-        result.push_back({constant, slope, denominator});
-    return result;
-}
 
 /// Multiplied out in integers, one factor after the other; zero coefficients at both ends cost nothing.
 inline std::vector<Rational> evident_values(std::span<const Integer> numerators, const Integer& denominator,
@@ -59,21 +51,6 @@ inline std::vector<Rational> evident_values(std::span<const Integer> numerators,
 }
 inline std::vector<Rational> evident_values(const SumCase& given) {
     return evident_values(given.numerators, given.denominator, beyond_words(given.factors));
-}
-
-/// The triangle of the first row, weighted by a factor a level.
-inline Rational evident_apex_of(const SumCase& given) {
-    const std::size_t n = given.factors.size();
-    std::vector<Integer> row(given.numerators.begin(),
-                             given.numerators.begin() + static_cast<std::ptrdiff_t>(n + 1));
-    Integer bottom = given.denominator;
-    for (const WordFactor& factor : given.factors) {
-        for (std::size_t j = 0; j + 1 < row.size(); ++j)
-            row[j] = row[j] * factor.constant + row[j + 1] * factor.slope;
-        row.pop_back();
-        bottom *= factor.denominator;
-    }
-    return {row[0], bottom};
 }
 
 /// How the signs of a case fall.
@@ -153,11 +130,8 @@ inline SumCase case_at_limit(Random& random, std::vector<WordFactor> factors, st
     return result;
 }
 
-/// Which kernels the cases of a path have met.
-using KernelsMet = std::map<SumKernel, std::size_t>;
-
-/// All doors to the same sums.
-inline void check_sums(const SumCase& given, const std::vector<Rational>& expected, KernelsMet& met) {
+/// Every way to the same sums.
+inline void check_sums(const SumCase& given, const std::vector<Rational>& expected, Met& met) {
     const BlossomSums prepared = given.sums();
     const BlossomSums once = given.sums(BlossomSums::Use::once);
     const std::vector<IntegerFactor> integers = beyond_words(given.factors);
@@ -170,13 +144,9 @@ inline void check_sums(const SumCase& given, const std::vector<Rational>& expect
     check_same(values, expected);
     ++met[prepared.kernel(given.factors)];
 }
-inline void check_sums(const SumCase& given, KernelsMet& met) {
-    check_sums(given, evident_values(given), met);
-}
+inline void check_sums(const SumCase& given, Met& met) { check_sums(given, evident_values(given), met); }
 
 /// A path was met if the cases were enough to expect it.
-inline void require_met(KernelsMet& met, SumKernel kernel) {
-    CHECK(4 * met[kernel] + 10 > differential_cases());
-}
+inline void require_met(Met& met, SumKernel kernel) { CHECK(4 * met[kernel] + 10 > differential_cases()); }
 
 }  // namespace blossom::testing

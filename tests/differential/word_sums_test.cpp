@@ -21,30 +21,14 @@ SumCase case_near(Random& random, std::size_t limit, std::size_t most_factors) {
         signs);
 }
 
-/// The sums of one row that need no preparation.
-void check_unprepared_sums(const SumCase& given, const std::vector<Rational>& expected) {
-    std::vector<std::int64_t> row;
-    for (std::size_t k = 0; k <= given.factors.size(); ++k) {
-        const auto word = given.numerators[k].to_int64();
-        if (!word || *word == INT64_MIN) return;
-        row.push_back(*word);
-    }
-    const auto denominator = given.denominator.to_int64();
-    if (!denominator) return;
-    const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
-    if (const auto sum = BlossomSums::sum_in_words(row, denominators, given.factors))
-        CHECK(*sum == expected[0]);
-    if (const auto apex = BlossomSums::apex_in_words(row, denominators, given.factors))
-        CHECK(*apex == evident_apex_of(given));
-}
-
 void check_near(std::string_view path, std::size_t limit, std::size_t most_factors, SumKernel kernel) {
-    KernelsMet met;
+    Met met;
     each_case(path, [&](Random& random) {
         const SumCase given = case_near(random, limit, most_factors);
         const std::vector<Rational> expected = evident_values(given);
         check_sums(given, expected, met);
-        check_unprepared_sums(given, expected);
+        check_unprepared(std::span(given.numerators).first(given.factors.size() + 1), given.denominator,
+                         given.factors, expected[0]);
     });
     require_met(met, kernel);
 }
@@ -64,7 +48,7 @@ TEST_CASE("limbs: sums that end at 511 bits", "[differential]") {
 }
 
 TEST_CASE("limbs: sums of each number of limbs", "[differential]") {
-    KernelsMet met;
+    Met met;
     each_case("limbs of each number",
               [&](Random& random) { check_sums(case_near(random, 63 + 64 * random.below(9), 45), met); });
     require_met(met, SumKernel::limbs);
@@ -89,7 +73,7 @@ TEST_CASE("limbs: sums that end at a multiple of 52 bits", "[differential]") {
         // More words of denominators than there is room for without taking memory.
         if (random.one_in(16))
             for (WordFactor& factor : factors) factor.denominator = INT64_MAX - random.between(0, 9);
-        KernelsMet met;
+        Met met;
         check_sums(case_at_limit(random, std::move(factors), bits, signs), met);
     });
 }

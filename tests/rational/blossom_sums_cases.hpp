@@ -77,63 +77,58 @@ inline Case random_case(Random& random, std::size_t n, std::size_t number_bits, 
     return result;
 }
 
-inline std::vector<IntegerFactor> integer_factors(std::span<const WordFactor> factors) {
+inline std::vector<IntegerFactor> beyond_words(std::span<const WordFactor> factors) {
     std::vector<IntegerFactor> result;
     for (const auto& [constant, slope, denominator] : factors)
         result.push_back({constant, slope, denominator});
     return result;
 }
 
-/// The apex of the triangle, in lowest terms throughout.
-inline Rational evident_apex(std::vector<Rational> row, std::span<const WordFactor> factors) {
+/// The triangle of a row, weighted by a factor per level.
+inline Rational evident_apex(std::vector<Integer> row, Integer denominator,
+                             std::span<const WordFactor> factors) {
     for (const WordFactor& factor : factors) {
         for (std::size_t j = 0; j + 1 < row.size(); ++j)
-            row[j] = (row[j] * factor.constant + row[j + 1] * factor.slope) / Rational(factor.denominator);
+            row[j] = row[j] * factor.constant + row[j + 1] * factor.slope;
         row.pop_back();
+        denominator *= factor.denominator;
     }
-    return row[0];
+    return {row[0], denominator};
 }
 
-/// The sums that need no preparation, where the numerators are words.
-inline void check_unprepared(const Case& given, const Rational& expected) {
-    const RationalVector numbers(given.numbers);
+/// The sums of one row that need no preparation, where its numbers are words.
+inline void check_unprepared(std::span<const Integer> numerators, const Integer& denominator,
+                             std::span<const WordFactor> factors, const Rational& expected) {
     std::vector<std::int64_t> row;
-    for (const Integer& numerator : numbers.numerators()) {
+    for (const Integer& numerator : numerators) {
         const auto word = numerator.to_int64();
         if (!word || *word == INT64_MIN) return;
         row.push_back(*word);
     }
-    const auto denominator = numbers.denominator().to_int64();
-    if (!denominator) return;
-    const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*denominator), 1};
-    if (const auto sum = BlossomSums::sum_in_words(row, denominators, given.factors)) CHECK(*sum == expected);
-    if (const auto apex = BlossomSums::apex_in_words(row, denominators, given.factors))
-        CHECK(*apex == evident_apex(given.numbers, given.factors));
+    const auto word = denominator.to_int64();
+    if (!word) return;
+    const std::uint64_t denominators[] = {static_cast<std::uint64_t>(*word), 1};
+    if (const auto sum = BlossomSums::sum_in_words(row, denominators, factors)) CHECK(*sum == expected);
+    if (const auto apex = BlossomSums::apex_in_words(row, denominators, factors))
+        CHECK(*apex == evident_apex({numerators.begin(), numerators.end()}, denominator, factors));
 }
 
 /// Which kernels the cases of a test have met.
-using Met = std::map<SumKernel, int>;
+using Met = std::map<SumKernel, std::size_t>;
 
 inline void check(const Case& given, Met& met) {
-    const BlossomSums sums(RationalVector(given.numbers), 1);
+    const RationalVector numbers(given.numbers);
+    const BlossomSums sums(numbers, 1);
     Rational value;
     sums.evaluate(given.factors, 0, {&value, 1});
     const Rational expected = evident_sum(given.numbers, given.factors);
     CHECK(value == expected);
-    sums.evaluate(integer_factors(given.factors), 0, {&value, 1});
+    sums.evaluate(beyond_words(given.factors), 0, {&value, 1});
     CHECK(value == expected);
     ++met[sums.kernel(given.factors)];
-    BlossomSums(RationalVector(given.numbers), 1, BlossomSums::Use::once)
-        .evaluate(given.factors, 0, {&value, 1});
+    BlossomSums(numbers, 1, BlossomSums::Use::once).evaluate(given.factors, 0, {&value, 1});
     CHECK(value == expected);
-    check_unprepared(given, expected);
-}
-
-/// (c + s X) / 1 times itself, whose sum with numbers 0, ..., 0, c is c s^n.
-inline Case power_case(std::size_t n, std::int64_t slope, const Integer& last) {
-    Case result{std::vector<Rational>(n + 1), std::vector<WordFactor>(n, WordFactor{0, slope, 1})};
-    result.numbers.back() = last;
-    return result;
+    check_unprepared(numbers.numerators(), numbers.denominator(), given.factors, expected);
 }
 
 }  // namespace blossom::testing

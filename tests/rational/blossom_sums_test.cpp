@@ -20,32 +20,6 @@ TEST_CASE("sums over products of linear factors of every size", "[blossom_sums]"
     CHECK(met[SumKernel::integers] > 30);
 }
 
-TEST_CASE("sums that overflow a kernel by one bit", "[blossom_sums]") {
-    for (const std::size_t limit : {std::size_t{63}, std::size_t{127}, std::size_t{511}}) {
-        const SumKernel last = limit == 63    ? SumKernel::word
-                               : limit == 127 ? SumKernel::wide
-                                              : SumKernel::limbs;
-        for (std::size_t bits = limit - 2; bits <= limit + 2; ++bits) {
-            // 2^bits - 1 in magnitude is the bound itself.
-            for (const int sign : {-1, 1}) {
-                Met met;
-                const std::size_t n = (bits - 1) / 60;
-                const Integer last_number = (Integer(1) << (bits - 60 * n)) - 1;
-                check(power_case(n, std::int64_t{1} << 60, last_number * sign), met);
-                check(power_case(1, 1, ((Integer(1) << bits) - 1) * sign), met);
-            }
-        }
-        Met below;
-        Met above;
-        const std::size_t n = (limit - 1) / 60;
-        const Integer power = Integer(1) << (limit - 60 * n);
-        check(power_case(n, (std::int64_t{1} << 60) - 1, power - 1), below);
-        check(power_case(n, (std::int64_t{1} << 60) - 1, power + 1), above);
-        CHECK(below[last] == 1);
-        CHECK(above[last] == 0);
-    }
-}
-
 TEST_CASE("factors and denominators at the limits of a word", "[blossom_sums]") {
     Random random(5);
     Met met;

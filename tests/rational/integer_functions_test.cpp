@@ -41,19 +41,6 @@ TEST_CASE("powers of integers", "[integer]") {
     CHECK(pow(Integer(2), 63) == -Integer(INT64_MIN));
 }
 
-TEST_CASE("exact division undoes multiplication", "[integer]") {
-    Random random(33);
-    for (int i = 0; i < 3000; ++i) {
-        const Integer a = integer(random);
-        Integer b = integer(random);
-        if (b.is_zero()) b = 1;
-        CAPTURE(a, b);
-        const Integer quotient = divide_exactly(a * b, b);
-        CHECK(quotient == a);
-        CHECK(quotient.to_int64() == a.to_int64());
-    }
-}
-
 TEST_CASE("the dot product is the sum of the products", "[integer]") {
     Random random(34);
     for (int i = 0; i < 300; ++i) {

@@ -71,24 +71,6 @@ TEST_CASE("values of prepared polynomials by halves", "[prepared_polynomial]") {
     for (int i = 0; i < 60; ++i) check_random(random, 1 + random.below(40), 100, 1 + random.below(200));
 }
 
-TEST_CASE("values of prepared polynomials where words end", "[prepared_polynomial]") {
-    // (2^a - 1) sum_k t^k at t = (2^b - 1) and its reciprocal, around each width that a kernel has
-    for (const std::size_t limit : {63U, 64U, 127U, 128U, 512U, 513U, 4096U}) {
-        for (const std::size_t n : {1U, 3U, 7U, 64U}) {
-            for (std::size_t around = 0; around < 8; ++around) {
-                const std::size_t bits = std::min<std::size_t>(62, (limit + 4) / (n + 1));
-                const std::size_t first = limit + 5 - std::min(limit, n * bits) - around % 5;
-                const Integer size = (Integer(1) << first) - 1;
-                const Integer u = (Integer(1) << bits) - 1;
-                std::vector<Rational> coefficients(n + 1, around % 2 == 0 ? size : -size);
-                check_values(coefficients, {Rational(u), Rational(1, u), Rational(-u), Rational(u - 1, u)});
-                coefficients.front() = Rational(1, size);
-                check_values(coefficients, {Rational(u), Rational(1, u), Rational(-u), Rational(u - 1, u)});
-            }
-        }
-    }
-}
-
 TEST_CASE("values whose numerator and denominator share primes with the coefficients",
           "[prepared_polynomial]") {
     Random random(4);

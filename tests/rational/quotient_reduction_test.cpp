@@ -7,38 +7,6 @@
 using namespace blossom;
 using namespace blossom::testing;
 
-TEST_CASE("sums over denominators of many words that share factors with the numerator",
-          "[quotient_reduction]") {
-    Random random(31);
-    Met met;
-    for (int i = 0; i < 2000; ++i) {
-        const std::size_t n = random.below(i % 50 == 0 ? 40 : 9);
-        Case given{smooth_numbers(random, n + 1, 1), {}};
-        for (std::size_t k = 0; k < n; ++k) {
-            const std::int64_t sign = random.one_in(2) ? 1 : -1;
-            given.factors.push_back({smooth_word(random), sign * smooth_word(random), smooth_word(random)});
-        }
-        check(given, met);
-    }
-    CHECK(met[SumKernel::limbs] > 100);
-    CHECK(met[SumKernel::integers] > 100);
-}
-
-TEST_CASE("sums over long denominators that share factors with the numerator", "[quotient_reduction]") {
-    Random random(32);
-    for (int i = 0; i < 1000; ++i) {
-        const std::size_t n = random.below(i % 50 == 0 ? 30 : 7);
-        const std::size_t words = 1 + random.below(8);
-        std::vector<IntegerFactor> factors;
-        for (std::size_t k = 0; k < n; ++k) {
-            const Integer denominator = smooth(random, 1 + random.below(words));
-            factors.push_back({smooth(random, random.below(words)), -smooth(random, random.below(words)),
-                               random.one_in(4) ? -denominator : denominator});
-        }
-        check_quotient(smooth_numbers(random, n + 1, words), factors);
-    }
-}
-
 TEST_CASE("a numerator that the whole denominator divides", "[quotient_reduction]") {
     for (const std::size_t n : {1U, 2U, 5U, 20U, 40U}) {
         const std::int64_t word = (std::int64_t{1} << 61) - 1;

@@ -11,7 +11,7 @@
 
 namespace blossom::testing {
 
-/// sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n, one polynomial a coordinate.
+/// sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n, one polynomial per coordinate.
 std::vector<Polynomial> expanded(const BezierCurve& curve);
 std::vector<Polynomial> expanded(const PolynomialCurve& curve);
 /// sum_k m_k (t - center)^k.

@@ -46,6 +46,11 @@ BezierRecipe bezier_map(Random& random, std::size_t degree, Size size) {
     return {std::move(control_points), interval(random, size)};
 }
 
+PolynomialMap any_map(Random& random, std::size_t degree, Size size) {
+    if (random.one_in(2)) return polynomial_map(random, degree, size).curve();
+    return bezier_map(random, degree, size).curve();
+}
+
 Interval interval(Random& random, Size size) {
     if (random.one_in(4)) return {};
     if (random.one_in(6)) return {1, 0};

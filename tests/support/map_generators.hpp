@@ -41,6 +41,8 @@ Rational number(Random& random, Size size);
 /// 1 to 3 coordinates.
 PolynomialRecipe polynomial_map(Random& random, std::size_t degree, Size size);
 BezierRecipe bezier_map(Random& random, std::size_t degree, Size size);
+/// One of these.
+PolynomialMap any_map(Random& random, std::size_t degree, Size size);
 /// [0, 1] in a quarter of the cases, reversed in about half of the others.
 Interval interval(Random& random, Size size);
 /// An element of Q[t] of at most that degree, zero among them.

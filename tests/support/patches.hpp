@@ -16,7 +16,7 @@ namespace blossom::testing {
 /// The dimensions of the factors of every product of simplices of total dimension 1 to 4.
 std::vector<std::vector<std::size_t>> products_of_simplices();
 
-/// A control net by its multi-indices, one a factor.
+/// A control net by its multi-indices, one per factor.
 struct PatchRecipe {
     std::vector<SimplexFactor> factors;
     std::map<std::vector<MultiIndex>, Coordinates, std::greater<>> points;
@@ -33,7 +33,7 @@ PatchRecipe patch(Random& random, const std::vector<std::size_t>& dimensions, Si
 Coordinates tuple_of_mass(Random& random, std::size_t dimension, const Rational& mass, Size size);
 /// Points in half of the cases, then vectors, then tuples of any mass.
 Coordinates tuple(Random& random, std::size_t dimension, Size size);
-/// One list a factor; each argument repeats an earlier one in a third of the cases.
+/// One list per factor; each argument repeats an earlier one in a third of the cases.
 PatchArguments patch_arguments(Random& random, const std::vector<SimplexFactor>& factors, Size size);
 PatchPoint patch_point(Random& random, const std::vector<SimplexFactor>& factors, Size size);
 
@@ -43,7 +43,7 @@ Coordinates textbook_value(const PatchRecipe& recipe, const PatchArguments& argu
 
 /// One coordinate as a polynomial in the barycentric coordinates of all factors, by Bernstein polynomials.
 SparsePolynomial expanded(const BezierPatch& patch, std::size_t coordinate);
-/// Variables for the barycentric coordinates, one list a factor.
+/// Variables for the barycentric coordinates, one list per factor.
 std::vector<std::vector<SparsePolynomial>> barycentric_variables(const NetShape& shape);
 
 }  // namespace blossom::testing

@@ -115,4 +115,8 @@ std::vector<Rational> insertable(Random& random, const KnotVector& knots, std::s
     return chosen;
 }
 
+BSplineCurve example_spline() {
+    return {3, {0, 1, 2, 3, 4, 5, 6, 7}, {{0, 0}, {1, 2}, {3, 3}, {5, 1}, {6, 0}, {8, 2}}};
+}
+
 }  // namespace blossom::testing

@@ -39,6 +39,9 @@ SplineRecipe spline(Random& random, std::size_t degree, std::span<const std::siz
 /// Any of these, with at most 8 spans.
 SplineRecipe spline(Random& random, std::size_t degree, Size size = Size::small);
 
+/// A plane cubic over the knots 0 to 7.
+BSplineCurve example_spline();
+
 /// Calls `visit` with every list of at most `most` multiplicities from 1 to `greatest`.
 void for_each_pattern(std::size_t most, std::size_t greatest,
                       const std::function<void(std::span<const std::size_t>)>& visit);
