@@ -18,7 +18,7 @@ program, folder, report = sys.argv[1], Path(sys.argv[2]), Path(sys.argv[3])
 quick = len(sys.argv) > 4
 rounds = 1 if quick else 3
 titles = {
-    "de-boor": "de Boor's algorithm, symbolic knots, one argument a level",
+    "de-boor": "de Boor's algorithm, symbolic knots, one argument per level",
     "polarization": "the blossom from values at means of its arguments",
 }
 

@@ -13,7 +13,7 @@
 namespace blossom {
 
 /// Words whose product is a denominator, as few as greedy packing gives.
-// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// The unused part of the array is left uninitialized: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class DenominatorWords {
 public:

@@ -21,7 +21,7 @@ constexpr std::size_t least_saving = 2000;
 /// What a group costs more with fractions, in digits.
 constexpr std::size_t digits_of_fraction = 40;
 
-/// 1/values[k] for values times the radix, which they keep; false if one is 0. Three products a value: each
+/// 1/values[k] for values times the radix, which they keep; false if one is 0. Three products per value: each
 /// pair is inverted by its product. `scratch` has 3 count + 64 places.
 bool invert_each(const Moduli& moduli, ResidueVector* values, std::size_t count, ResidueVector* scratch) {
     const Operations& run = operations();

@@ -50,7 +50,7 @@ private:
 std::vector<ResidueVector> plain_powers(const Moduli& moduli, std::size_t count);
 std::vector<ResidueVector> montgomery_powers(const Moduli& moduli, std::size_t count);
 
-/// The integer of least magnitude with these residues, one vector a group. Its tables are kept for the
+/// The integer of least magnitude with these residues, one vector per group. Its tables are kept for the
 /// numbers of groups met last.
 Integer integer_with(std::span<const ResidueVector> residues);
 

@@ -22,7 +22,8 @@ constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
 constexpr std::size_t least_coefficients = 12;
 /// Up to so many, pairs of words are faster where they suffice.
 constexpr std::size_t most_coefficients_in_words = 64;
-/// From so many on, transforms are faster where results have at most so many bits a coefficient.
+/// Transforms are faster from this many coefficients on, for results of at most this many bits per
+/// coefficient.
 constexpr std::size_t least_coefficients_in_residues = 513;
 constexpr std::size_t most_bits_a_coefficient = 4;
 

@@ -43,7 +43,7 @@ private:
 };
 
 /// Blocks of factors in the order in which they are folded.
-// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// The unused part of the array is left uninitialized: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class DigitFolds {
 public:
@@ -74,7 +74,7 @@ private:
 };
 
 /// Factors of few bits, multiplied out in vector lanes.
-// What is not used of the product stays as it is: clearing it would cost more than the work.
+// The unused part of the product is left uninitialized: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class LaneBlocks {
 public:

@@ -57,7 +57,7 @@ inline std::uint64_t l1_norm(const WordFactor& factor) {
 
 /// The product of the first factors of a sequence: of the first one, if any, and of those that follow, `most`
 /// at the most, while the magnitudes of the coefficients sum to less than 2^bits.
-// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// The unused part of the array is left uninitialized: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class FactorBlock {
     /// The magnitudes of a factor sum to 2 at least, unless it has one term only.

@@ -71,7 +71,7 @@ inline DenominatorWords denominator_words(std::span<const std::uint64_t> denomin
 template <std::size_t Count = std::dynamic_extent>
 class FactorProduct {
 public:
-    // What is not used of the array stays as it is: clearing it would cost more than the work.
+    // The unused part of the array is left uninitialized: clearing it would cost more than the work.
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
     [[gnu::always_inline]] explicit FactorProduct(std::span<const WordFactor, Count> factors) {
         coefficients_[0] = 1;
@@ -130,7 +130,7 @@ private:
 };
 
 /// The product of all factors in blocks, for sums of words of 128 bits.
-// What is not used yet of the array stays as it is: clearing it would cost more than the work.
+// The unused part of the array is left uninitialized: clearing it would cost more than the work.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class WideFactorProduct {
 public:

@@ -27,8 +27,8 @@ struct Divisor {
     std::uint64_t most;
 };
 
-/// x * inverse modulo 2^104, in limbs of 52 bits, is x / p and has an upper limb less than `beyond` if p
-/// divides x < 2^103, and otherwise has not.
+/// x * inverse modulo 2^104, in limbs of 52 bits: for x < 2^103 the upper limb is less than `beyond` exactly
+/// if p divides x, and the product is then x / p.
 struct WideDivisor {
     std::uint64_t inverse[2];
     std::uint64_t beyond;
@@ -76,7 +76,7 @@ struct Operations {
 struct alignas(64) WideQuotients {
     std::uint64_t numerators[2][lanes];
     std::uint64_t denominators[2][lanes];
-    std::uint8_t negative;  ///< a bit a lane
+    std::uint8_t negative;  ///< one bit per lane
 };
 
 /// As `Operations::sums` for `count` <= most_wide_factors, as long as 103 bits provably suffice.

@@ -1,6 +1,6 @@
 #pragma once
 
-// Polynomials modulo eight primes at once, one prime a lane. Only what the sources compiled for single
+// Polynomials modulo eight primes at once, one prime per lane. Only what the sources compiled for single
 // instruction sets may include: nothing inline from elsewhere, which the linker could take for all.
 
 #include <cstddef>

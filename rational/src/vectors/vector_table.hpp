@@ -12,8 +12,8 @@
 
 namespace blossom::vectors {
 
-/// What a level of vector instructions offers. Null pointers stand for what it has not: the callers then go
-/// another way.
+/// What a level of vector instructions offers. A null pointer stands for a kernel that it lacks: the callers
+/// then go another way.
 struct Table {
     const residues::Operations* residues;    ///< on every level
     const taylor_lanes::Operations* taylor;  ///< on every level
