@@ -17,12 +17,6 @@ namespace {
 
 constexpr int cases = 700;
 
-Coordinates combined(const Rational& a, const Coordinates& x, const Rational& b, const Coordinates& y) {
-    Coordinates result;
-    for (std::size_t j = 0; j < x.size(); ++j) result.push_back(a * x[j] + b * y[j]);
-    return result;
-}
-
 /// A map of either kind of degree 0 to 6, and its value by the definition.
 struct Sample {
     PolynomialMap map;

@@ -251,6 +251,8 @@ TEST_CASE("geometry: a tensor product over segments of two spaces") {
     CHECK(f({{at_u, at_u}, {at_v}}) == f.evaluate(std::vector{at_u, at_v}));
     CHECK(f({{at_u}, {at_v}}, {{u.vector({2})}, {}}) ==
           f({{at_u, u.point({2})}, {at_v}}) - f({{at_u, u.point({0})}, {at_v}}));
+    CHECK(f({{at_u, at_u}, {}}, {{}, {v.vector({6})}}) ==
+          f({{at_u, at_u}, {v.point({5})}}) - f({{at_u, at_u}, {v.point({-1})}}));
     CHECK(failure_code([&] { f({{at_u, at_v}, {at_v}}); }) == ErrorCode::different_spaces);
     CHECK(failure_code([&] { f.bezier_net(domain[0]); }) == ErrorCode::wrong_arity);
 }

@@ -19,15 +19,6 @@ namespace {
 constexpr Construction constructions_by_name[] = {Construction::symmetric, Construction::polarization,
                                                   Construction::casteljau};
 
-template <class Check>
-void for_random_patches(std::uint64_t seed, std::size_t rounds, const Check& check) {
-    Random random(seed);
-    for (const auto& dimensions : products_of_simplices()) {
-        for (std::size_t round = 0; round < rounds; ++round)
-            check(random, patch(random, dimensions, Size::small, 40));
-    }
-}
-
 /// sum c_i x^i with tuples (mass, x) by the definition: the average over all orders of the assignments, which
 /// is what the control net c_i / multinomial(i) over the frame of origin and unit vectors gives.
 Coordinates definition(const PatchRecipe& recipe, const PatchArguments& arguments) {
@@ -56,7 +47,7 @@ std::vector<BarycentricFrame> standard_frames(const NetShape& shape) {
 }  // namespace
 
 TEST_CASE("patch constructions: each gives the definition, for nets and for polynomials") {
-    for_random_patches(831, 3, [](Random& random, const PatchRecipe& recipe) {
+    for_random_patches(831, 3, 40, [](Random& random, const PatchRecipe& recipe) {
         const BezierPatch net = recipe.patch();
         const PolynomialPatch polynomial(net.shape(), net.control_net());
         const PatchArguments arguments = patch_arguments(random, recipe.factors, Size::small);
@@ -128,7 +119,7 @@ TEST_CASE("patch constructions: what is too large is skipped with its reason or 
 }
 
 TEST_CASE("patch inverse formula: the net and the blossom from values alone") {
-    for_random_patches(833, 2, [](Random& random, const PatchRecipe& recipe) {
+    for_random_patches(833, 2, 40, [](Random& random, const PatchRecipe& recipe) {
         const BezierPatch net = recipe.patch();
         const auto values = [&](const PatchPoint& point) {
             return textbook_value(recipe, diagonal(net.shape(), point));

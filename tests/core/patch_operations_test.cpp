@@ -17,15 +17,6 @@ using namespace blossom::testing;
 
 namespace {
 
-template <class Check>
-void for_random_patches(std::uint64_t seed, std::size_t rounds, const Check& check) {
-    Random random(seed);
-    for (const auto& dimensions : products_of_simplices()) {
-        for (std::size_t round = 0; round < rounds; ++round)
-            check(random, patch(random, dimensions, Size::small, 40).patch());
-    }
-}
-
 /// The variables with those of one factor replaced by the combinations sum_k y_k elements[k].
 std::vector<SparsePolynomial> in_frame(const NetShape& shape, std::size_t factor,
                                        const std::vector<Coordinates>& elements) {
@@ -95,7 +86,8 @@ Rational volume(const std::vector<Coordinates>& vertices) {
 }  // namespace
 
 TEST_CASE("patch subdivision: the pieces at a point reproduce the map") {
-    for_random_patches(811, 3, [](Random& random, const BezierPatch& patch) {
+    for_random_patches(811, 3, 40, [](Random& random, const PatchRecipe& recipe) {
+        const BezierPatch patch = recipe.patch();
         const std::size_t f = random.below(patch.shape().factors());
         const std::size_t s = patch.shape()[f].dimension;
         Coordinates point = tuple_of_mass(random, s, 1, Size::small);
@@ -120,7 +112,8 @@ TEST_CASE("patch subdivision: the pieces at a point reproduce the map") {
 
 TEST_CASE(
     "patch subdivision: the pieces at the midpoints of the edges reproduce the map and fill the simplex") {
-    for_random_patches(812, 1, [](Random& random, const BezierPatch& patch) {
+    for_random_patches(812, 1, 40, [](Random& random, const PatchRecipe& recipe) {
+        const BezierPatch patch = recipe.patch();
         const std::size_t f = random.below(patch.shape().factors());
         const auto pieces = subdivide_at_midpoints(patch, f);
         REQUIRE(pieces.size() == std::size_t{1} << patch.shape()[f].dimension);
@@ -150,7 +143,8 @@ TEST_CASE(
 }
 
 TEST_CASE("patch frames: the net over any elements, points, vectors or others") {
-    for_random_patches(813, 4, [](Random& random, const BezierPatch& patch) {
+    for_random_patches(813, 4, 40, [](Random& random, const PatchRecipe& recipe) {
+        const BezierPatch patch = recipe.patch();
         const std::size_t f = random.below(patch.shape().factors());
         const std::size_t s = patch.shape()[f].dimension;
         std::vector<Coordinates> elements;
@@ -187,7 +181,8 @@ TEST_CASE("patch frames: dependent elements are named") {
 }
 
 TEST_CASE("patch derivatives: nets and values are those of the expanded polynomial") {
-    for_random_patches(814, 3, [](Random& random, const BezierPatch& patch) {
+    for_random_patches(814, 3, 40, [](Random& random, const PatchRecipe& recipe) {
+        const BezierPatch patch = recipe.patch();
         const NetShape& shape = patch.shape();
         const auto variables = barycentric_variables(shape);
         PatchArguments directions;
@@ -225,7 +220,8 @@ TEST_CASE("patch derivatives: nets and values are those of the expanded polynomi
 }
 
 TEST_CASE("patch elevation: the expanded polynomial times a power of the sum of the coordinates") {
-    for_random_patches(815, 3, [](Random& random, const BezierPatch& patch) {
+    for_random_patches(815, 3, 40, [](Random& random, const PatchRecipe& recipe) {
+        const BezierPatch patch = recipe.patch();
         const std::size_t f = random.below(patch.shape().factors());
         const std::size_t r = random.below(3);
         const BezierPatch raised = elevate(patch, f, r);

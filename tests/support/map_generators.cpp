@@ -89,4 +89,10 @@ std::vector<Parameter> points(Random& random, std::size_t n, Size size) {
     return with_repetitions<Parameter>(random, n, [&] { return point(random, size); });
 }
 
+Coordinates combined(const Rational& a, const Coordinates& x, const Rational& b, const Coordinates& y) {
+    Coordinates result;
+    for (std::size_t j = 0; j < x.size(); ++j) result.push_back(a * x[j] + b * y[j]);
+    return result;
+}
+
 }  // namespace blossom::testing

@@ -55,4 +55,7 @@ Argument argument(Random& random, Size size);
 std::vector<Argument> arguments(Random& random, std::size_t n, Size size);
 std::vector<Parameter> points(Random& random, std::size_t n, Size size);
 
+/// a x + b y.
+Coordinates combined(const Rational& a, const Coordinates& x, const Rational& b, const Coordinates& y);
+
 }  // namespace blossom::testing

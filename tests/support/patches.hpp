@@ -29,6 +29,18 @@ struct PatchRecipe {
 PatchRecipe patch(Random& random, const std::vector<std::size_t>& dimensions, Size size,
                   std::size_t most_points = 100);
 
+/// Calls check(random, recipe) for `rounds` patches over every product of simplices.
+template <class Check>
+void for_random_patches(std::uint64_t seed, std::size_t rounds, std::size_t most_points, const Check& check) {
+    Random random(seed);
+    for (const auto& dimensions : products_of_simplices()) {
+        for (std::size_t round = 0; round < rounds; ++round) {
+            const Size size = round % 4 == 0 ? Size::any : Size::small;
+            check(random, patch(random, dimensions, size, most_points));
+        }
+    }
+}
+
 /// s + 1 numbers of sum `mass`; a vertex, or the difference of two, in a quarter of the cases.
 Coordinates tuple_of_mass(Random& random, std::size_t dimension, const Rational& mass, Size size);
 /// Points in half of the cases, then vectors, then tuples of any mass.
