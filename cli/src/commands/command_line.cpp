@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <blossom/rational/lists.hpp>
+#include <blossom/worked/gallery.hpp>
 
 #include <algorithm>
 #include <charconv>
-#include <deque>
+#include <filesystem>
 #include <system_error>
 
 #include "completion.hpp"
@@ -16,7 +18,6 @@
 #include "operations/table.hpp"
 #include "prove_command.hpp"
 #include "run_command.hpp"
-#include "write_gallery.hpp"
 
 namespace blossom::cli {
 
@@ -221,6 +222,16 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
     return {command, action};
 }
 
+Outcome write_gallery(const std::filesystem::path& folder, const Streams& streams) {
+    for (const worked::SiteFile& file : worked::gallery_files()) {
+        const std::filesystem::path path = folder / file.path;
+        std::filesystem::create_directories(path.parent_path());
+        write_file(path, file.content);
+    }
+    streams.output((folder / "index.html").string() + "\n");
+    return Outcome::success;
+}
+
 /// `explain OP ARGS...`: every operation once more, as a command of this command.
 Subcommand add_explain(CLI::App& app, const Operation& explain) {
     CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
@@ -309,7 +320,13 @@ Outcome wrong_usage(const std::string& message, const Streams& streams) {
 
 }  // namespace
 
-Outcome run(std::span<const std::string> arguments, const Streams& streams) {
+Outcome run(std::span<const std::string> arguments, const Streams& given) {
+    bool closed = false;
+    Streams streams = given;
+    streams.output = [&](std::string_view text) {
+        closed = closed || !given.output(text);
+        return !closed;
+    };
     CLI::App app("Exact blossoms (polar forms) of polynomials over the rationals", "blossom");
     app.require_subcommand(1);
     app.set_version_flag("--version", "blossom " BLOSSOM_VERSION);
@@ -342,7 +359,8 @@ Outcome run(std::span<const std::string> arguments, const Streams& streams) {
             throw UsageError(no_chapter(arguments[1]));
         }
         app.parse(std::move(reversed));
-        return chosen(commands).action(streams);
+        const Outcome outcome = chosen(commands).action(streams);
+        return closed ? std::max(outcome, Outcome::refused) : outcome;
     } catch (const CLI::CallForHelp&) {
         streams.output(app.help());
         return Outcome::success;

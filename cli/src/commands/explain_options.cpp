@@ -5,7 +5,7 @@
 #include "explain/chapter_of.hpp"
 #include "explain/document_format.hpp"
 #include "operations/table.hpp"
-#include "prove_statement.hpp"
+#include "proof_task.hpp"
 
 namespace blossom::cli {
 

@@ -54,12 +54,12 @@ void write_theorems(const std::vector<ProofTask>& tasks, const std::filesystem::
         const std::string fragment = fmt::format("% theorem {0}\n{1}% end of theorem {0}\n", name,
                                                  worked::render_latex_theorem(*task.block, task.decisions));
         if (in_folder) {
-            write_file((path / (name + ".tex")).string(), fragment);
+            write_file(path / (name + ".tex"), fragment);
         } else {
             all += (all.empty() ? "" : "\n") + fragment;
         }
     }
-    if (!in_folder) write_file(path.string(), all);
+    if (!in_folder) write_file(path, all);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 
 #include "decision_text.hpp"
 #include "operations/map_options.hpp"
-#include "prove_statement.hpp"
 
 namespace blossom::cli {
 
@@ -25,6 +24,28 @@ std::vector<std::string> statement_files(const std::string& path) {
                                 path + " holds no file *.blossom");
     }
     return files;
+}
+
+std::string map_lines(const std::vector<std::string>& degrees) {
+    std::string text;
+    for (const std::string& degree : degrees) {
+        const std::size_t equals = degree.find('=');
+        if (equals == std::string::npos) {
+            throw UsageError(
+                fmt::format("--degree names a map and its degree, as in b=2, not \"{}\"", degree));
+        }
+        const bool several = degree.find(',') != std::string::npos;
+        text += fmt::format("map {} {} {}\n", degree.substr(0, equals), several ? "degrees" : "degree",
+                            degree.substr(equals + 1));
+    }
+    return text;
+}
+
+std::string statement_text(const std::string& claim) {
+    for (const std::string_view word : {"theorem ", "for ", "map ", "claim ", "refute "}) {
+        if (claim.starts_with(word)) return claim + "\n";
+    }
+    return "claim " + claim + "\n";
 }
 
 std::vector<ProofText> read_texts(const ProveCommand& command, const Streams& streams) {
@@ -53,17 +74,11 @@ std::vector<ProofText> read_texts(const ProveCommand& command, const Streams& st
     return texts;
 }
 
-namespace {
-
-std::string title_of(const ProofTask& task, const proofs::Decision& decision) {
-    const std::string& id = task.block->id;
-    return id.empty() ? fmt::format("{}:{}", task.text->name, task.text->line(decision.offset)) : id;
-}
-
-}  // namespace
-
 std::string report_text(const ProofTask& task, const proofs::Decision& decision, const Style& style) {
-    std::string text = readable(*task.block, decision, title_of(task, decision), style);
+    const std::string& id = task.block->id;
+    const std::string title =
+        id.empty() ? fmt::format("{}:{}", task.text->name, task.text->line(decision.offset)) : id;
+    std::string text = readable(*task.block, decision, title, style);
     if (const Error* error = decision.error()) text += task.text->diagnostic(*error);
     return text;
 }

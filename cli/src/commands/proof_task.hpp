@@ -41,7 +41,7 @@ private:
     std::string_view written() const { return std::string_view(content).substr(prelude); }
 };
 
-/// A block on its way: decided by some thread, reported in order.
+/// A block to be decided.
 struct ProofTask {
     std::size_t number = 0;
     const ProofText* text = nullptr;
@@ -51,12 +51,17 @@ struct ProofTask {
     std::vector<proofs::second::Certificate> certificates = {};
     std::vector<std::string> lemmas = {};
     std::size_t without_lemma = 0;
-    bool done = false;
 };
 
 /// The files that a path means: itself, or all files *.blossom of a folder. Errors: std::system_error for a
 /// folder without one.
 std::vector<std::string> statement_files(const std::string& path);
+
+/// The maps of --degree as lines of the language. Errors: `UsageError`.
+std::string map_lines(const std::vector<std::string>& degrees);
+
+/// What -e is given as a text: the word "claim" may be left out.
+std::string statement_text(const std::string& claim);
 
 /// What the command is given: its files, then its statements. Errors: `UsageError` for nothing.
 std::vector<ProofText> read_texts(const ProveCommand& command, const Streams& streams);

@@ -6,10 +6,6 @@
 #include <blossom/proofs/prover.hpp>
 
 #include <algorithm>
-#include <atomic>
-#include <condition_variable>
-#include <mutex>
-#include <thread>
 
 #include "certificates/proof_certificate.hpp"
 #include "decisions.hpp"
@@ -17,6 +13,7 @@
 #include "operations/map_options.hpp"
 #include "proof_records.hpp"
 #include "proof_task.hpp"
+#include "streams/ordered_work.hpp"
 
 namespace blossom::cli {
 
@@ -76,30 +73,6 @@ void decide(ProofTask& task, const ProveCommand& command) {
         // What is wrong with the declarations is the error of every decision.
     }
     task.decisions = proofs::decide(*task.block, command.limits, options);
-}
-
-/// Decides the tasks on several threads and hands each to `report` in order.
-void run_tasks(std::vector<ProofTask>& tasks, const ProveCommand& command,
-               const std::function<void(const ProofTask&)>& report) {
-    std::mutex mutex;
-    std::condition_variable finished;
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < tasks.size(); i = next++) {
-            decide(tasks[i], command);
-            const std::scoped_lock lock(mutex);
-            tasks[i].done = true;
-            finished.notify_one();
-        }
-    };
-    std::vector<std::jthread> threads;
-    for (std::size_t i = 0; i < std::min(command.jobs, tasks.size()); ++i) threads.emplace_back(work);
-    for (ProofTask& task : tasks) {
-        std::unique_lock lock(mutex);
-        finished.wait(lock, [&] { return task.done; });
-        lock.unlock();
-        report(task);
-    }
 }
 
 /// "warning: file:3:7: ..." with a caret, a warning each.
@@ -219,9 +192,9 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
                                     : fmt::format("\r\x1b[K[{}/{}] {}", number + 1, tasks.size(), name));
     };
     progress(0);
-    run_tasks(tasks, command, [&](const ProofTask& task) {
-        Count& count = rows[static_cast<std::size_t>(task.text - texts.data())].second;
-        count.add(count_of(task.decisions));
+    const auto report = [&](const ProofTask* const& done) {
+        const ProofTask& task = *done;
+        rows[static_cast<std::size_t>(task.text - texts.data())].second.add(count_of(task.decisions));
         if (streams.shows_progress && !command.as_json) streams.errors("\r\x1b[K");
         if (!command.as_json) streams.errors(warnings_text(task));
         for (const proofs::Decision& decision : task.decisions) {
@@ -232,7 +205,12 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
             }
         }
         progress(++reported);
-    });
+        return true;
+    };
+    OrderedWork<ProofTask*> work(std::min(command.jobs, tasks.size()),
+                                 [&](ProofTask*& task) { decide(*task, command); }, report);
+    for (ProofTask& task : tasks) work.add(&task);
+    work.finish();
     if (!command.as_json && (command.paths.size() + command.statements.size() > 1 || tasks.size() > 1)) {
         streams.output(summary_text(rows));
     }

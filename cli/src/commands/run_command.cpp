@@ -151,8 +151,8 @@ Outcome run_command(const Command& command, const Streams& streams) {
         return report({error, request}, command, streams);
     } catch (const UsageError&) {
         throw;
-    } catch (const std::system_error& problem) {
-        throw UsageError(fmt::format("{}", problem.what()));
+    } catch (const std::system_error&) {
+        throw;
     } catch (const std::exception& problem) {
         return report({unexpected(problem), request}, command, streams);
     }

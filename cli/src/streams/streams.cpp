@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -71,13 +72,32 @@ LineReader::Source file_source(const std::string& path) {
     return [file, path](std::span<char> room) { return read_some(*file, room, path); };
 }
 
-void write_file(const std::string& path, std::string_view text) {
-    constexpr mode_t readable = 0666;
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, readable);
-    if (descriptor < 0) throw last_error(path);
-    const std::unique_ptr<const int, void (*)(const int*)> file(&descriptor,
-                                                                [](const int* open) { ::close(*open); });
-    write_all(descriptor, text, path);
+void write_file(const std::filesystem::path& path, std::string_view text) {
+    namespace fs = std::filesystem;
+    const auto write = [&](const fs::path& file, int flags) {
+        constexpr mode_t readable = 0666;
+        const int descriptor = ::open(file.c_str(), O_WRONLY | O_CLOEXEC | flags, readable);
+        if (descriptor < 0) throw last_error(path.string());
+        const std::unique_ptr<const int, void (*)(const int*)> open(&descriptor,
+                                                                    [](const int* own) { ::close(*own); });
+        write_all(descriptor, text, path.string());
+    };
+    const bool exists = fs::exists(path);
+    if (exists && ::access(path.c_str(), W_OK) != 0) throw last_error(path.string());
+    // A device or a pipe has nothing that could be lost.
+    if (exists && !fs::is_regular_file(path)) return write(path, 0);
+    const fs::path target = exists ? fs::canonical(path) : path;
+    if (exists && ::access(target.parent_path().c_str(), W_OK) != 0) return write(target, O_TRUNC);
+    const fs::path beside = target.string() + "." + std::to_string(::getpid()) + ".part";
+    try {
+        write(beside, O_CREAT | O_EXCL);
+        if (exists) fs::permissions(beside, fs::status(target).permissions());
+        fs::rename(beside, target);
+    } catch (...) {
+        std::error_code ignored;
+        fs::remove(beside, ignored);
+        throw;
+    }
 }
 
 std::string read_all(const LineReader::Source& source, std::size_t longest) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string_view>
 
@@ -25,8 +26,9 @@ Streams standard_streams();
 /// The bytes of a file. Errors: std::system_error.
 LineReader::Source file_source(const std::string& path);
 
-/// Writes a file, in place of one of that name. Errors: std::system_error.
-void write_file(const std::string& path, std::string_view text);
+/// Writes a file, in place of one of that name, which stays as it is until the new one is complete where
+/// its folder can be written to. Errors: std::system_error.
+void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// All that `source` delivers. Errors: `limit_exceeded` beyond `longest` bytes.
 std::string read_all(const LineReader::Source& source, std::size_t longest);

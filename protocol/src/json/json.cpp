@@ -5,21 +5,6 @@
 
 namespace blossom::protocol {
 
-const Json* Json::find(std::string_view name) const {
-    const Object* members = object();
-    if (!members) return nullptr;
-    const auto found = std::ranges::find(*members, name, &Member::first);
-    return found == members->end() ? nullptr : &found->second;
-}
-
-Json& Json::operator[](std::string_view name) {
-    if (is_null()) value_ = Object{};
-    auto& members = std::get<Object>(value_);
-    const auto found = std::ranges::find(members, name, &Member::first);
-    if (found != members.end()) return found->second;
-    return members.emplace_back(std::string(name), Json()).second;
-}
-
 std::string_view type_name(const Json& value) {
     if (value.is_null()) return "null";
     if (value.boolean()) return "a boolean";

@@ -131,37 +131,6 @@ private:
     std::optional<Error> error_;
 };
 
-void append(std::string& text, const Json& value) {
-    if (value.is_null()) {
-        text += "null";
-    } else if (const bool* truth = value.boolean()) {
-        text += *truth ? "true" : "false";
-    } else if (const Json::Number* number = value.number()) {
-        text += number->text;
-    } else if (const Rational* exact = value.exact()) {
-        text += '"' + to_string(*exact) + '"';
-    } else if (const std::string* characters = value.text()) {
-        text += nlohmann::json(*characters).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    } else if (const Json::Array* elements = value.array()) {
-        text += '[';
-        for (const Json& element : *elements) {
-            if (&element != &elements->front()) text += ", ";
-            append(text, element);
-        }
-        text += ']';
-    } else {
-        const Json::Object& members = *value.object();
-        text += '{';
-        for (const auto& member : members) {
-            if (&member != &members.front()) text += ", ";
-            append(text, member.first);
-            text += ": ";
-            append(text, member.second);
-        }
-        text += '}';
-    }
-}
-
 }  // namespace
 
 JsonReading read_json(std::string_view text, const Limits& limits) {
@@ -179,12 +148,6 @@ Json parse_json(std::string_view text, const Limits& limits) {
     JsonReading reading = read_json(text, limits);
     if (reading.error) throw Error(*reading.error);
     return std::move(reading.value);
-}
-
-std::string to_text(const Json& value) {
-    std::string text;
-    append(text, value);
-    return text;
 }
 
 }  // namespace blossom::protocol

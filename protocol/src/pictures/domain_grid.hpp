@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/worked/picture.hpp>
 
 #include <cstddef>
 #include <vector>
@@ -8,7 +9,7 @@
 namespace blossom::protocol {
 
 /// What a picture has along an edge of a grid.
-enum class GridLine : unsigned char { none, inner, border };
+using GridLine = worked::PictureFace::Edge;
 
 /// A triangle or a quadrilateral of a grid: its corners in order, and the line from each to the next.
 struct GridCell {

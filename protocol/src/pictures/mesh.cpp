@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <map>
 
-#include "net.hpp"
 #include "operations/patch_answers.hpp"
 
 namespace blossom::protocol {

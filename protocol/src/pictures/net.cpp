@@ -1,6 +1,6 @@
-#include "net.hpp"
-
 #include <numeric>
+
+#include "mesh.hpp"
 
 namespace blossom::protocol {
 

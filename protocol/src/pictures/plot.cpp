@@ -2,18 +2,32 @@
 
 #include <fmt/format.h>
 #include <blossom/rational/number_text.hpp>
+#include <blossom/worked/render.hpp>
 
 #include <algorithm>
+#include <array>
 
+#include "drawn_curve.hpp"
 #include "operations/listing.hpp"
-#include "picture.hpp"
-#include "surface_plot.hpp"
+#include "operations/patch_answers.hpp"
+#include "surface_picture.hpp"
 
 namespace blossom::protocol {
 
 namespace {
 
-bool is_graph(const Map& map) { return dimension_of(map) - (map.form.rational ? 1 : 0) == 1; }
+using worked::Role;
+
+bool is_surface(const Map& map) { return patch_of(map) || tensor_bspline_of(map); }
+
+/// The interval on which the curve is given, or none for a polynomial in any form.
+std::optional<Interval> given_interval(const Map& map) {
+    const auto own = [](const auto& value) -> std::optional<Interval> {
+        if constexpr (requires { own_interval(value); }) return own_interval(value);
+        return std::nullopt;
+    };
+    return std::visit(own, map.value);
+}
 
 /// From the least to the greatest parameter of all curves that have an interval.
 std::optional<Interval> hull(const std::vector<Map>& maps) {
@@ -29,57 +43,95 @@ std::optional<Interval> hull(const std::vector<Map>& maps) {
     return all;
 }
 
-std::string operation_name(const Answered& answered) { return *answered.request.find("op")->text(); }
+const std::string& operation_of(const Answered& answered) { return *answered.request.find("op")->text(); }
 
-void add_results(Picture& picture, const std::vector<Map>& maps, const Limits& limits) {
+worked::Picture begun(const std::string& caption) {
+    worked::Picture picture;
+    picture.caption = caption;
+    picture.grid = true;
+    picture.width = picture_width;
+    return picture;
+}
+
+std::string with_results(worked::Picture picture, const Answered& answered) {
+    const std::vector<Map>& maps = answered.answer.maps;
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const std::string alone = picture.layers.empty() ? "" : "after";
+        constexpr std::array roles{Role::control, Role::result, Role::second};
+        const std::string alone = picture.curves.empty() ? "" : "after";
         const std::string name = maps.size() == 1 ? alone : fmt::format("part {}", i + 1);
-        picture.layers.push_back({drawn(maps[i], std::nullopt, limits), name, false});
-        picture.equal_scales = picture.equal_scales && !is_graph(maps[i]);
+        draw_curve(picture, maps[i], std::nullopt, roles[i % roles.size()], i < most_names ? name : "",
+                   answered.limits);
     }
+    return worked::render_svg(picture);
+}
+
+SurfacePicture surfaces(const std::string& title, const std::vector<Map>& maps, const Limits& limits) {
+    SurfacePicture picture;
+    for (const Map& map : maps) picture.meshes.push_back(mesh_of(map, limits));
+    picture.title =
+        maps.size() == 1 ? formula(maps.front(), title) : fmt::format("{}: {} patches", title, maps.size());
+    return picture;
+}
+
+/// Whether the map has a net of its own to be painted before another.
+bool has_net(const Map& map) {
+    const Patch* patch = patch_of(map);
+    return tensor_bspline_of(map) || (patch && !patch->is_polynomial());
+}
+
+std::string surface_of_values(const Answered& answered, const Json::Array& values) {
+    const Map& map = answered.given();
+    SurfacePicture picture = surfaces("P", {map}, answered.limits);
+    const Json::Array& parameters = *answered.request.find("at")->array();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto place = place_of_value(map, parameters[i], values[i], answered.limits);
+        if (place) picture.points.push_back({*place, "P" + point_text(parameters[i])});
+    }
+    return svg_of(picture);
 }
 
 }  // namespace
 
 std::string plot_of_values(const Answered& answered) {
     const Map& map = answered.given();
-    if (is_surface(map)) return surface_of_values(answered);
-    Picture picture{"P", {}, {}, !is_graph(map)};
-    const std::vector<Rational> parameters = read_numbers(*answered.request.find("at"), answered.limits);
     const Json::Array& values = *answered.result().find("values")->array();
+    if (is_surface(map)) return surface_of_values(answered, values);
+    worked::Picture picture = begun("P");
+    const std::vector<Rational> parameters = read_numbers(*answered.request.find("at"), answered.limits);
     std::optional<Interval> where;
     if (!given_interval(map) && !parameters.empty()) {
         const auto [least, greatest] = std::ranges::minmax(parameters);
         where = Interval(std::min(least, Rational(0)), std::max(greatest, Rational(1)));
     }
-    picture.layers.push_back({drawn(map, where, answered.limits), "", false});
+    draw_curve(picture, map, where, Role::control, "", answered.limits);
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-        if (const auto place = place_of(values[i], parameters[i], map.form))
-            picture.points.push_back({*place, fmt::format("P({})", to_string(parameters[i]))});
+        const auto place = placed(answered_point(values[i]), map.form.homogeneous, {parameters[i]});
+        const auto label = parameters.size() <= most_names
+                               ? worked::call("P", {worked::number(parameters[i])})
+                               : worked::words("");
+        if (place) picture.points.push_back({{place->x, place->y}, label, Role::result});
     }
-    return svg_of(picture);
+    return worked::render_svg(picture);
 }
 
 std::string plot_of_maps(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (is_surface(results.front())) return surfaces_of_maps(answered, results);
-    Picture picture{operation_name(answered), {}, {}, true};
-    if (answered.has_given()) {
-        const Map& before = answered.given();
-        if (!std::holds_alternative<Samples>(before.value))
-            picture.layers.push_back({drawn(before, hull(results), answered.limits), "before", true});
+    const Map* before = answered.has_given() ? &answered.given() : nullptr;
+    if (is_surface(results.front())) {
+        SurfacePicture picture = surfaces(operation_of(answered), results, answered.limits);
+        if (before && has_net(*before)) picture.before = mesh_of(*before, answered.limits);
+        return svg_of(picture);
     }
-    add_results(picture, results, answered.limits);
-    return svg_of(picture);
+    worked::Picture picture = begun(operation_of(answered));
+    if (before && !std::holds_alternative<Samples>(before->value))
+        draw_curve(picture, *before, hull(results), Role::before, "before", answered.limits);
+    return with_results(std::move(picture), answered);
 }
 
 std::string plot_of_result(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (is_surface(results.front())) return surfaces_of_result(answered, results);
-    Picture picture{operation_name(answered), {}, {}, true};
-    add_results(picture, results, answered.limits);
-    return svg_of(picture);
+    if (is_surface(results.front())) return svg_of(surfaces(operation_of(answered), results, answered.limits));
+    return with_results(begun(operation_of(answered)), answered);
 }
 
 }  // namespace blossom::protocol

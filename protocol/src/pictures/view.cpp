@@ -76,19 +76,10 @@ SpacePoint View::scaled(const SpacePoint& point) const {
     return {point.x * scales_[0], point.y * scales_[1], point.z * scales_[2]};
 }
 
-PlanePoint View::place(const SpacePoint& point) const {
+worked::Place View::place(const SpacePoint& point) const {
     if (plane_) return {point.x, point.y};
     const SpacePoint at = scaled(point);
     return {at.x + Rational(2, 5) * at.y, at.z + Rational(3, 10) * at.y};
-}
-
-std::vector<PlanePoint> View::places() const {
-    std::vector<PlanePoint> places;
-    for (const SpacePoint& point : all_places()) places.push_back(place(point));
-    if (!plane_ && !places.empty()) {
-        for (std::size_t i = 0; i < 8; ++i) places.push_back(place(corner(i)));
-    }
-    return places;
 }
 
 SpacePoint View::corner(std::size_t i) const {

@@ -5,7 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "drawn_curve.hpp"
 #include "surface_picture.hpp"
 
 namespace blossom::protocol {
@@ -19,9 +18,7 @@ public:
     bool is_plane() const { return plane_; }
     /// Whether lengths are the same in all directions of the picture.
     bool equal_scales() const;
-    PlanePoint place(const SpacePoint& point) const;
-    /// Of everything that is painted, and the corners of the box around it.
-    std::vector<PlanePoint> places() const;
+    worked::Place place(const SpacePoint& point) const;
     /// Corner i of the box: bit 0 of i is x, bit 1 y, bit 2 z.
     SpacePoint corner(std::size_t i) const;
     /// The name of coordinate i.

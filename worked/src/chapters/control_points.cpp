@@ -62,7 +62,7 @@ Picture polygon_picture(const PlaneMap& plane, const BezierCurve& polygon, const
         const auto arguments = end_arguments(interval.a(), interval.b(), polygon.degree(), k);
         picture.points.push_back({places[k], value_of_blossom(arguments), Role::control});
     }
-    picture.curves.push_back(curve_over(plane.map, interval, Role::control, limits));
+    picture.curves = curves_over(plane.map, interval, Role::control, limits);
     return picture;
 }
 

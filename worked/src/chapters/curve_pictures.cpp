@@ -1,8 +1,6 @@
 #include "curve_pictures.hpp"
 
 #include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -13,8 +11,6 @@
 namespace blossom::worked {
 
 namespace {
-
-constexpr std::size_t steps_of_curve = 96;
 
 BezierCurve graph_of(const BezierCurve& curve) {
     const Rational& a = curve.interval().a();
@@ -73,24 +69,6 @@ std::vector<Place> places_of(const PointArray& points) {
     return places;
 }
 
-PictureCurve curve_over(const PolynomialMap& plane, const Interval& interval, Role role,
-                        const Limits& limits) {
-    const std::size_t n = degree_of(plane);
-    if (n <= 3) {
-        const BezierCurve bezier =
-            std::visit([&](const auto& curve) { return control_points(curve, interval, limits); }, plane);
-        return {places_of(elevate(bezier, 3 - n, limits).control_points()), true, role};
-    }
-    PictureCurve picture{{}, false, role};
-    const Rational step = (interval.b() - interval.a()) / Rational(steps_of_curve);
-    for (std::size_t k = 0; k <= steps_of_curve; ++k) {
-        const Parameter t(interval.a() + Rational(k) * step);
-        picture.places.push_back(
-            std::visit([&](const auto& curve) { return place_of(evaluate(curve, t, limits)); }, plane));
-    }
-    return picture;
-}
-
 bool all_points(std::span<const Argument> arguments) {
     return std::ranges::all_of(arguments,
                                [](const Argument& argument) { return argument.mass == Rational(1); });
@@ -134,8 +112,7 @@ std::optional<Picture> construction_picture(const PolynomialMap& map, std::span<
                 {places[i], value_of_blossom(node_arguments(bezier, arguments, r, i)), role_of(r, n)});
         }
     }
-    picture.curves.push_back(
-        curve_over(plane->map, hull(bezier.interval(), arguments), Role::control, limits));
+    picture.curves = curves_over(plane->map, hull(bezier.interval(), arguments), Role::control, limits);
     return picture;
 }
 

@@ -22,10 +22,6 @@ std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits& limits
 Place place_of(const Coordinates& point);
 std::vector<Place> places_of(const PointArray& points);
 
-/// The curve over an interval: exact cubic arcs up to degree 3, otherwise a polygon of many exact points.
-PictureCurve curve_over(const PolynomialMap& plane, const Interval& interval, Role role,
-                        const Limits& limits);
-
 /// Whether all arguments are points, so that every node of a pyramid is a point.
 bool all_points(std::span<const Argument> arguments);
 

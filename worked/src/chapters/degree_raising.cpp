@@ -58,7 +58,7 @@ std::optional<Picture> raised_picture(const PolynomialMap& map, const BezierCurv
                     plane->graph};
     picture.lines.push_back({places_of(old_points.control_points()), Role::control});
     picture.lines.push_back({places_of(new_points.control_points()), Role::result});
-    picture.curves.push_back(curve_over(plane->map, before.interval(), Role::control, limits));
+    picture.curves = curves_over(plane->map, before.interval(), Role::control, limits);
     const auto add = [&](const BezierCurve& curve, const BezierCurve& points, const std::string& blossom,
                          Role role) {
         for (std::size_t k = 0; k <= curve.degree(); ++k) {

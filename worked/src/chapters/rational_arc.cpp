@@ -9,8 +9,6 @@ namespace blossom::worked {
 
 namespace {
 
-constexpr std::size_t steps_of_arc = 96;
-
 Place projected_place(const Coordinates& homogeneous) { return place_of(projected(homogeneous)); }
 
 /// The coordinates one by one, as scalar maps that only meanings name: x1, x2, ... and the weight w.
@@ -75,15 +73,7 @@ std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t,
             {place, index(symbol("P"), number(k)), Role::control, divided(curve, arguments)});
     }
     picture.lines.push_back(std::move(polygon));
-    PictureCurve arc{{}, false, Role::control};
-    const Rational& a = curve.interval().a();
-    for (std::size_t k = 0; k <= steps_of_arc; ++k) {
-        const Rational at = a + Rational(k) / Rational(steps_of_arc) * (curve.interval().b() - a);
-        const Coordinates point = evaluate(curve, at, limits);
-        if (point.back().is_zero()) return std::nullopt;
-        arc.places.push_back(projected_place(point));
-    }
-    picture.curves.push_back(std::move(arc));
+    picture.curves = curves_over(curve, curve.interval(), Role::control, limits, true);
     picture.points.push_back({projected_place(evaluate(curve, t, limits)), symbol("C"), Role::result,
                               divided(curve, with_copies({}, curve.degree(), t))});
     return picture;

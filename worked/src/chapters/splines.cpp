@@ -3,6 +3,8 @@
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "triangles.hpp"
@@ -88,7 +90,8 @@ Picture spline_picture(const PlaneSpline& plane, std::string caption, const Limi
     }
     picture.lines.push_back(std::move(polygon));
     for (const BezierCurve& segment : bezier_segments(plane.curve, limits)) {
-        picture.curves.push_back(curve_over(segment, segment.interval(), Role::control, limits));
+        std::ranges::move(curves_over(segment, segment.interval(), Role::control, limits),
+                          std::back_inserter(picture.curves));
     }
     return picture;
 }

@@ -1,6 +1,8 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/maps/bezier_curve.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "triangle_net.hpp"
@@ -95,7 +97,8 @@ void TrianglePicture::add_side(std::size_t from, std::size_t to, Role role) {
         const Place at = place(name);
         points.push_back({at.x, at.y});
     }
-    picture_.curves.push_back(curve_over(BezierCurve(points), Interval(), role, net_.limits()));
+    std::ranges::move(curves_over(BezierCurve(points), Interval(), role, net_.limits()),
+                      std::back_inserter(picture_.curves));
 }
 
 void TrianglePicture::add_points(std::size_t level, Role role) {

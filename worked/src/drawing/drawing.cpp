@@ -41,6 +41,10 @@ std::vector<Spot> flattened(const Drawing::Path& path) {
     return spots;
 }
 
+bool has_name(const PicturePoint& point) {
+    return point.label.kind != FormulaKind::words || !point.label.name.empty();
+}
+
 /// Points at one place have one dot, of the most important role, and one label with all their names.
 void add_points(const Picture& picture, const Paper& paper, const Notation& notation, Drawing& drawing) {
     for (const PicturePoint& point : picture.points) {
@@ -48,12 +52,14 @@ void add_points(const Picture& picture, const Paper& paper, const Notation& nota
         const auto same = std::ranges::find(drawing.dots, spot, &Drawing::Dot::spot);
         if (same == drawing.dots.end()) {
             drawing.dots.push_back({spot, point.role});
-            drawing.labels.push_back({{}, {point.label}, {}});
+            auto& names = drawing.labels.emplace_back().names;
+            if (has_name(point)) names.push_back(point.label);
             continue;
         }
         auto& names = drawing.labels[static_cast<std::size_t>(same - drawing.dots.begin())].names;
         const auto text = [&](const Formula& name) { return to_text(name, notation); };
-        if (std::ranges::find(names, text(point.label), text) == names.end()) names.push_back(point.label);
+        const bool is_new = std::ranges::find(names, text(point.label), text) == names.end();
+        if (has_name(point) && is_new) names.push_back(point.label);
         same->role = std::max(same->role, point.role);
     }
 }
@@ -65,14 +71,27 @@ void add_labels(Drawing& drawing, const Box& room, const Notation& notation) {
     std::vector<Segment> segments;
     for (const Drawing::Path& path : drawing.paths) append_segments(segments, flattened(path));
     std::vector<LabelSize> sizes;
+    std::vector<Drawing::Label*> named;
     for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
+        if (drawing.labels[i].names.empty()) continue;
         const std::string text = to_text(label_formula(drawing.labels[i]), notation);
         sizes.push_back({drawing.dots[i].spot, text_width(text, bold(drawing.dots[i].role)), label_height});
+        named.push_back(&drawing.labels[i]);
     }
     const std::vector<PlacedLabel> placed = place_labels(sizes, segments, room);
     for (std::size_t i = 0; i < placed.size(); ++i) {
-        drawing.labels[i].box = placed[i].box;
-        if (placed[i].away) drawing.labels[i].leader = leader(sizes[i].anchor, placed[i].box);
+        named[i]->box = placed[i].box;
+        if (placed[i].away) named[i]->leader = leader(sizes[i].anchor, placed[i].box);
+    }
+}
+
+/// The names of curves above the picture.
+void add_legend(const Picture& picture, const Box& room, Drawing& drawing) {
+    Length x = room.left;
+    for (const PictureCurve& curve : picture.curves) {
+        if (curve.name.empty()) continue;
+        drawing.legend.push_back({{{x, room.top + 100}, {x + 200, room.top + 100}}, curve});
+        x += 400 + text_width(curve.name);
     }
 }
 
@@ -96,7 +115,11 @@ Length text_width(std::string_view text, bool bold) {
     return bold ? width * 9 / 8 : width;
 }
 
-Formula label_formula(const Drawing::Label& label) { return equation(label.names); }
+Formula label_formula(const Drawing::Label& label) {
+    const bool relations = std::ranges::any_of(
+        label.names, [](const Formula& name) { return name.kind == FormulaKind::relation; });
+    return relations ? list_of(label.names) : equation(label.names);
+}
 
 std::string pixels(Length length) {
     const std::string sign = length < 0 ? "-" : "";
@@ -118,8 +141,13 @@ Drawing drawn(const Picture& picture, const Notation& notation) {
     for (const PictureCurve& curve : picture.curves) {
         drawing.paths.push_back({paper.spots(curve.places), curve.cubic, curve.role, true});
     }
+    for (const PictureFace& face : picture.faces) drawing.faces.push_back({paper.spots(face.places), face});
+    for (const PictureWords& words : picture.words) drawing.words.push_back({paper.spot(words.place), words});
     add_points(picture, paper, notation, drawing);
-    add_labels(drawing, paper.room(), notation);
+    Box room = paper.room();
+    add_legend(picture, room, drawing);
+    if (!drawing.legend.empty()) room.top += label_height;
+    add_labels(drawing, room, notation);
     return drawing;
 }
 

@@ -25,6 +25,19 @@ struct Drawing {
         Role role = Role::construction;
         bool is_curve = false;
     };
+    struct Face {
+        std::vector<Spot> spots;
+        const PictureFace& face;
+    };
+    struct Words {
+        Spot spot;
+        const PictureWords& words;
+    };
+    /// A piece of line with the name of what is drawn so.
+    struct Key {
+        Segment line;
+        const PictureCurve& curve;
+    };
     struct Label {
         Box box;
         std::vector<Formula> names;  ///< of all points at this place
@@ -35,7 +48,7 @@ struct Drawing {
         Role role = Role::construction;
     };
     struct Tick {
-        Spot spot;
+        Segment across;  ///< from the axis over the paper
         std::string text;
         bool horizontal = true;  ///< on the axis of x
     };
@@ -43,15 +56,18 @@ struct Drawing {
     Length width = 0;
     Length height = 0;
     std::vector<Path> paths;
+    std::vector<Face> faces;
+    std::vector<Words> words;
+    std::vector<Key> legend;
     std::vector<Dot> dots;
-    std::vector<Label> labels;
+    std::vector<Label> labels;  ///< of each dot; those without names have no place
     std::vector<Segment> axes;
     std::vector<Tick> ticks;
 };
 
 Drawing drawn(const Picture& picture, const Notation& notation);
 
-/// The names of one label in one line: "p(0, 0, 1) = p(1, 1, 1)".
+/// The names of one label in one line: "p(0, 0, 1) = p(1, 1, 1)", and relations separately, "t = 0, t = 1".
 Formula label_formula(const Drawing::Label& label);
 
 /// Tenths of a pixel as pixels: 123 is "12.3".

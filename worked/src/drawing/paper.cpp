@@ -8,22 +8,13 @@ namespace blossom::worked {
 
 namespace {
 
-constexpr Length plot_width = 3600;
-constexpr Length plot_height = 3200;
-constexpr Length graph_height = 2800;
 constexpr Length least_height = 700;
 constexpr Length side_margin = 620;
 constexpr Length end_margin = 420;
 constexpr Length axis_width = 440;   ///< of the strip with the numbers of the y axis
 constexpr Length axis_height = 320;  ///< of the strip with those of the x axis
 
-Length rounded(const Rational& value) {
-    const Integer twice = value.numerator() * Integer(2) + value.denominator();
-    const Integer divisor = value.denominator() * Integer(2);
-    Integer quotient = twice / divisor;
-    if (twice.sign() < 0 && !(twice % divisor).is_zero()) quotient -= Integer(1);
-    return quotient.to_int64().value_or(0);
-}
+Length length_of(const Rational& value) { return rounded(value).to_int64().value_or(0); }
 
 std::vector<Place> all_places(const Picture& picture) {
     std::vector<Place> places;
@@ -32,6 +23,7 @@ std::vector<Place> all_places(const Picture& picture) {
     };
     for (const PictureCurve& curve : picture.curves) append(curve.places);
     for (const PictureLine& line : picture.lines) append(line.places);
+    for (const PictureFace& face : picture.faces) append(face.places);
     for (const PicturePoint& point : picture.points) places.push_back(point.place);
     if (places.empty()) places.emplace_back();
     return places;
@@ -50,12 +42,27 @@ Rational round_step(const Rational& least) {
 
 }  // namespace
 
-Length Paper::Axis::length() const { return rounded((greatest - least) * scale); }
+Integer rounded(const Rational& value) {
+    const Integer twice = value.numerator() * Integer(2) + value.denominator();
+    const Integer divisor = value.denominator() * Integer(2);
+    Integer quotient = twice / divisor;
+    if (twice.sign() < 0 && !(twice % divisor).is_zero()) quotient -= Integer(1);
+    return quotient;
+}
 
-Length Paper::Axis::at(const Rational& value) const { return begin + rounded((value - least) * scale); }
+Length Paper::Axis::length() const { return length_of((greatest - least) * scale); }
 
-std::vector<Rational> Paper::Axis::marks() const {
-    const Rational step = round_step((greatest - least) / Rational(4));
+Length Paper::Axis::at(const Rational& value) const { return begin + length_of((value - least) * scale); }
+
+void Paper::Axis::widen(Length length) {
+    const Rational more = (Rational(length) / scale - (greatest - least)) / 2;
+    if (more.sign() <= 0) return;
+    least -= more;
+    greatest += more;
+}
+
+std::vector<Rational> Paper::Axis::marks(Length apart) const {
+    const Rational step = round_step(Rational(apart) / scale);
     const Rational quotient = least / step;
     Rational mark = Rational(quotient.numerator() / quotient.denominator()) * step;
     while (mark - step >= least) mark -= step;
@@ -65,7 +72,7 @@ std::vector<Rational> Paper::Axis::marks() const {
     return marks;
 }
 
-Paper::Paper(const Picture& picture) : graph_(picture.graph) {
+Paper::Paper(const Picture& picture) : axes_(picture.graph || picture.grid) {
     const std::vector<Place> places = all_places(picture);
     const auto extent = [&](auto member) {
         const auto [least, greatest] = std::ranges::minmax(places, {}, member);
@@ -79,20 +86,17 @@ Paper::Paper(const Picture& picture) : graph_(picture.graph) {
     };
     x_ = extent(&Place::x);
     y_ = extent(&Place::y);
+    const auto plot_width = static_cast<Length>(10 * picture.width);
     x_.scale = Rational(plot_width) / (x_.greatest - x_.least);
-    y_.scale = Rational(graph_ ? graph_height : plot_height) / (y_.greatest - y_.least);
-    if (!graph_) x_.scale = y_.scale = std::min(x_.scale, y_.scale);
-    x_.begin = side_margin + (graph_ ? axis_width : 0);
+    y_.scale = Rational(plot_width * (picture.graph ? 7 : 8) / 9) / (y_.greatest - y_.least);
+    if (!picture.graph) x_.scale = y_.scale = std::min(x_.scale, y_.scale);
+    // A narrow picture is centred on paper of the usual width, so that its labels have the usual size.
+    x_.widen(plot_width);
+    y_.widen(least_height);
+    x_.begin = side_margin + (axes_ ? axis_width : 0);
     y_.begin = end_margin;
     width_ = x_.begin + x_.length() + side_margin;
-    height_ = std::max(y_.length(), least_height) + 2 * end_margin + (graph_ ? axis_height : 0);
-    // A narrow picture is centred on paper of the usual width, so that its labels have the usual size.
-    const Length usual = plot_width + 2 * side_margin + (graph_ ? axis_width : 0);
-    if (width_ < usual) {
-        x_.begin += (usual - width_) / 2;
-        width_ = usual;
-    }
-    if (y_.length() < least_height) y_.begin += (least_height - y_.length()) / 2;
+    height_ = y_.length() + 2 * end_margin + (axes_ ? axis_height : 0);
 }
 
 Spot Paper::spot(const Place& place) const {
@@ -108,24 +112,27 @@ std::vector<Spot> Paper::spots(const std::vector<Place>& places) const {
 }
 
 Box Paper::room() const {
-    return {graph_ ? axis_width + 40 : 20, 20, width_ - 20, height_ - (graph_ ? axis_height + 40 : 20)};
+    return {axes_ ? axis_width + 40 : 20, 20, width_ - 20, height_ - (axes_ ? axis_height + 40 : 20)};
 }
 
 std::vector<Segment> Paper::axes() const {
-    if (!graph_) return {};
+    if (!axes_) return {};
     const Length left = axis_width;
     const Length bottom = height_ - axis_height;
     return {{{left, bottom}, {width_ - 40, bottom}}, {{left, bottom}, {left, 40}}};
 }
 
 std::vector<Drawing::Tick> Paper::ticks() const {
-    if (!graph_) return {};
+    if (!axes_) return {};
     std::vector<Drawing::Tick> ticks;
-    for (const Rational& mark : x_.marks()) {
-        ticks.push_back({{x_.at(mark), height_ - axis_height}, to_string(mark), true});
+    const Length bottom = height_ - axis_height;
+    for (const Rational& mark : x_.marks(900)) {
+        const Length x = x_.at(mark);
+        ticks.push_back({{{x, bottom}, {x, 40}}, short_text(mark), true});
     }
-    for (const Rational& mark : y_.marks()) {
-        ticks.push_back({{axis_width, spot({x_.least, mark}).y}, to_string(mark), false});
+    for (const Rational& mark : y_.marks(700)) {
+        const Length y = spot({x_.least, mark}).y;
+        ticks.push_back({{{axis_width, y}, {width_ - 40, y}}, short_text(mark), false});
     }
     return ticks;
 }

@@ -8,6 +8,9 @@
 
 namespace blossom::worked {
 
+/// The nearest integer.
+Integer rounded(const Rational& value);
+
 /// How the places of a picture lie on paper: an exact affine map, rounded at the end.
 class Paper {
 public:
@@ -19,9 +22,9 @@ public:
     std::vector<Spot> spots(const std::vector<Place>& places) const;
     /// Where labels may stand.
     Box room() const;
-    /// The two axes of a graph, or none.
+    /// The two axes, if there are any.
     std::vector<Segment> axes() const;
-    /// The numbers on the axes, at multiples of 1, 2 or 5 times a power of ten.
+    /// The numbers on the axes, at multiples of 1, 2 or 5 times a power of ten, with lines across the paper.
     std::vector<Drawing::Tick> ticks() const;
 
 private:
@@ -34,10 +37,13 @@ private:
 
         Length length() const;
         Length at(const Rational& value) const;
-        std::vector<Rational> marks() const;
+        /// At both ends, so that it becomes `length` long if it is shorter.
+        void widen(Length length);
+        /// Multiples of a round number, at least `apart` from each other.
+        std::vector<Rational> marks(Length apart) const;
     };
 
-    bool graph_;
+    bool axes_;
     Axis x_;
     Axis y_;
     Length width_ = 0;

@@ -1,202 +1,206 @@
+#include <blossom/rational/lists.hpp>
+#include <blossom/worked/json.hpp>
 #include <blossom/worked/render.hpp>
 
-#include <nlohmann/json.hpp>
-
+#include <array>
 #include <string>
 
 #include "document/overloaded.hpp"
-#include "formula_json.hpp"
-#include "pyramid_text.hpp"
 
 namespace blossom::worked {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// In the order of `FormulaKind`.
+constexpr std::array<std::string_view, 25> kind_names{
+    "number",      "symbol",  "words",      "sum",      "product",   "fraction",  "power",
+    "index",       "call",    "application", "derivative", "blossom", "elementary", "binomial",
+    "factorial",   "tuple",   "list",       "repeated", "pair",      "size",      "cases",
+    "set",         "interval", "summation", "relation"};
+static_assert(kind_names.size() == static_cast<std::size_t>(FormulaKind::relation) + 1);
 
-Json coordinates(const Place& place) { return {to_string(place.x), to_string(place.y)}; }
-
-Json places(const std::vector<Place>& list) {
-    Json json = Json::array();
-    for (const Place& place : list) json.push_back(coordinates(place));
-    return json;
+bool has_value(FormulaKind kind) {
+    return kind == FormulaKind::number || kind == FormulaKind::derivative || kind == FormulaKind::elementary;
 }
 
-Json points(const std::vector<Coordinates>& list) {
-    Json json = Json::array();
-    for (const Coordinates& point : list) {
-        Json& entry = json.emplace_back(Json::array());
-        for (const Rational& coordinate : point) entry.push_back(to_string(coordinate));
+Json::Array list_of(const auto& items, const auto& write) {
+    Json::Array list;
+    list.reserve(items.size());
+    for (const auto& item : items) list.emplace_back(write(item));
+    return list;
+}
+
+Json tree(const Formula& formula) {
+    Json json = Json::Object{{"kind", kind_names[static_cast<std::size_t>(formula.kind)]}};
+    if (has_value(formula.kind)) json["value"] = formula.value;
+    if (formula.kind == FormulaKind::blossom && formula.value.sign() > 0) {
+        json["span"] = Json::Number{to_string(formula.value - Rational(1))};
     }
+    if (!formula.name.empty()) json["name"] = formula.name;
+    if (!formula.parts.empty()) json["parts"] = list_of(formula.parts, tree);
     return json;
 }
 
-Json numbers(const std::vector<Rational>& list) {
-    Json json = Json::array();
-    for (const Rational& value : list) json.push_back(to_string(value));
-    return json;
-}
+Json numbers(const std::vector<Rational>& list) { return Json::Array(list.begin(), list.end()); }
+
+Json points(const std::vector<Coordinates>& list) { return list_of(list, numbers); }
+
+Json coordinates(const Place& place) { return Json::Array{place.x, place.y}; }
+
+Json places(const std::vector<Place>& list) { return list_of(list, coordinates); }
 
 struct DefinitionWriter {
     Json operator()(const PolynomialCurve& curve) const {
-        return {{"kind", "polynomial"}, {"coefficients", points(curve.coefficients().to_points())}};
+        return Json::Object{{"kind", "polynomial"}, {"coefficients", points(curve.coefficients().to_points())}};
     }
     Json operator()(const BezierCurve& curve) const {
-        return {{"kind", "bezier"},
-                {"interval", numbers({curve.interval().a(), curve.interval().b()})},
-                {"control_points", points(curve.control_points().to_points())}};
+        return Json::Object{{"kind", "bezier"},
+                            {"interval", numbers({curve.interval().a(), curve.interval().b()})},
+                            {"control_points", points(curve.control_points().to_points())}};
     }
     Json operator()(const BSplineCurve& curve) const {
-        return {{"kind", "bspline"},
-                {"degree", curve.degree()},
-                {"knots", numbers(curve.knots().knots())},
-                {"control_points", points(curve.control_points())}};
+        return Json::Object{{"kind", "bspline"},
+                            {"degree", curve.degree()},
+                            {"knots", numbers(curve.knots().knots())},
+                            {"control_points", points(curve.control_points())}};
     }
     Json operator()(const TriangleMap& triangle) const {
-        Json json{{"kind", "triangle"},
-                  {"degree", triangle.net.shape()[0].degree},
-                  {"control_net", points(triangle.net.control_net().to_points())}};
+        Json json = Json::Object{{"kind", "triangle"},
+                                 {"degree", triangle.net.shape()[0].degree},
+                                 {"control_net", points(triangle.net.control_net().to_points())}};
         if (triangle.frame) json["vertices"] = points(triangle.frame->vertices());
         return json;
     }
     Json operator()(const SymbolicMap& any) const {
-        Json coefficients = Json::array();
-        for (const Formula& coefficient : any.coefficients) coefficients.push_back(to_json(coefficient));
-        return {{"kind", "symbolic"}, {"coefficients", std::move(coefficients)}};
+        return Json::Object{{"kind", "symbolic"}, {"coefficients", list_of(any.coefficients, tree)}};
     }
     Json operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
 };
 
+/// A formula with how it reads, for who does not want to print trees.
+struct FormulaWriter {
+    const Notation& notation;
+
+    Json operator()(const Formula& formula) const {
+        return Json::Object{{"tree", tree(formula)},
+                            {"text", to_text(formula, notation)},
+                            {"latex", to_latex(formula, notation)}};
+    }
+};
+
 class JsonWriter {
 public:
-    explicit JsonWriter(const Notation& notation) : notation_(notation) {}
+    explicit JsonWriter(const Notation& notation) : formula_{notation} {}
 
     Json write(const Document& document) const {
-        Json maps = Json::array();
-        for (const NamedMap& map : document.maps) {
-            maps.push_back({{"map", map.map},
-                            {"blossom", map.blossom},
-                            {"variable", map.variable},
-                            {"definition", std::visit(DefinitionWriter(), map.definition)}});
-        }
-        Json steps = Json::array();
-        for (const Step& step : document.steps) {
-            steps.push_back({{"title", step.title}, {"blocks", blocks(step.blocks)}});
-        }
-        Json json{{"title", document.title},
-                  {"source", document.source},
-                  {"maps", std::move(maps)},
-                  {"points", Json::object()},
-                  {"statement", blocks(document.statement)},
-                  {"steps", std::move(steps)},
-                  {"result", blocks(document.result)}};
+        const auto map = [](const NamedMap& named) {
+            return Json::Object{{"map", named.map},
+                                {"blossom", named.blossom},
+                                {"variable", named.variable},
+                                {"definition", std::visit(DefinitionWriter(), named.definition)}};
+        };
+        const auto step = [&](const Step& one) {
+            return Json::Object{{"title", one.title}, {"blocks", blocks(one.blocks)}};
+        };
+        Json json = Json::Object{{"title", document.title},
+                                 {"source", document.source},
+                                 {"maps", list_of(document.maps, map)},
+                                 {"points", Json::Object()},
+                                 {"statement", blocks(document.statement)},
+                                 {"steps", list_of(document.steps, step)},
+                                 {"result", blocks(document.result)}};
         if (!document.general.empty()) json["general"] = blocks(document.general);
         for (const NamedPoint& point : document.points) {
             json["points"][point.name] = numbers(point.barycentric);
         }
         if (document.check) {
-            json["check"] = {{"blocks", blocks(document.check->blocks)}, {"holds", document.check->holds}};
+            json["check"] =
+                Json::Object{{"blocks", blocks(document.check->blocks)}, {"holds", document.check->holds}};
         }
         return json;
     }
 
 private:
     Json blocks(const std::vector<Block>& list) const {
-        Json json = Json::array();
-        for (const Block& block : list) {
-            json.push_back(std::visit([&](const auto& content) { return this->block(content); }, block));
-        }
-        return json;
+        return list_of(list, [&](const Block& block) {
+            return std::visit([&](const auto& content) { return this->block(content); }, block);
+        });
     }
 
-    Json block(const Paragraph& paragraph) const { return {{"paragraph", text(paragraph.text)}}; }
+    Json block(const Paragraph& paragraph) const { return Json::Object{{"paragraph", text(paragraph.text)}}; }
 
     Json block(const Display& display) const {
-        Json formulas = Json::array();
-        for (const Formula& formula : display.formulas) formulas.push_back(this->formula(formula));
-        return {{"display", std::move(formulas)}};
+        return Json::Object{{"display", list_of(display.formulas, formula_)}};
     }
 
     Json block(const Table& table) const {
-        Json header = Json::array();
-        for (const Text& title : table.header) header.push_back(text(title));
-        Json rows = Json::array();
-        for (const auto& cells : table.rows) {
-            Json& row = rows.emplace_back(Json::array());
-            for (const Cell& cell : cells) {
-                row.push_back({{"shown", text(cell.shown)}});
-                if (cell.meaning) row.back()["meaning"] = to_json(*cell.meaning);
-            }
-        }
-        return {{"table",
-                 {{"caption", table.caption}, {"header", std::move(header)}, {"rows", std::move(rows)}}}};
+        const auto cell = [&](const Cell& one) {
+            Json json = Json::Object{{"shown", text(one.shown)}};
+            if (one.meaning) json["meaning"] = tree(*one.meaning);
+            return json;
+        };
+        const auto title = [&](const Text& one) { return text(one); };
+        const auto row = [&](const std::vector<Cell>& cells) { return list_of(cells, cell); };
+        return Json::Object{{"table", Json::Object{{"caption", table.caption},
+                                                   {"header", list_of(table.header, title)},
+                                                   {"rows", list_of(table.rows, row)}}}};
     }
 
     Json block(const TrianglePyramid& pyramid) const {
-        Json levels = Json::array();
-        for (const auto& nodes : pyramid.levels) {
-            Json& level = levels.emplace_back(Json::array());
-            for (const PyramidNode& node : nodes) level.push_back(this->node(node));
-        }
-        return {{"pyramid", {{"caption", pyramid.caption}, {"levels", std::move(levels)}}}};
+        const auto node = [&](const PyramidNode& one) { return this->node(one); };
+        const auto level = [&](const std::vector<PyramidNode>& nodes) { return list_of(nodes, node); };
+        return Json::Object{{"pyramid", Json::Object{{"caption", pyramid.caption},
+                                                     {"levels", list_of(pyramid.levels, level)}}}};
     }
 
     Json block(const Picture& picture) const {
-        Json json{{"caption", picture.caption}, {"description", picture.description},
-                  {"graph", picture.graph},     {"curves", Json::array()},
-                  {"lines", Json::array()},     {"points", Json::array()}};
+        const auto curve = [](const PictureCurve& one) {
+            return Json::Object{
+                {"role", role_name(one.role)}, {"cubic", one.cubic}, {"places", places(one.places)}};
+        };
+        const auto line = [](const PictureLine& one) {
+            return Json::Object{{"role", role_name(one.role)}, {"places", places(one.places)}};
+        };
+        const auto point = [&](const PicturePoint& one) {
+            Json json = Json::Object{{"role", role_name(one.role)},
+                                     {"place", coordinates(one.place)},
+                                     {"label", formula_(one.label)}};
+            if (one.meaning) json["meaning"] = tree(*one.meaning);
+            return json;
+        };
+        Json json = Json::Object{{"caption", picture.caption},
+                                 {"description", picture.description},
+                                 {"graph", picture.graph},
+                                 {"curves", list_of(picture.curves, curve)},
+                                 {"lines", list_of(picture.lines, line)},
+                                 {"points", list_of(picture.points, point)}};
         if (!picture.projection.empty()) json["projection"] = points(picture.projection);
         if (!picture.corners.empty()) json["corners"] = places(picture.corners);
-        for (const PictureCurve& curve : picture.curves) {
-            json["curves"].push_back(
-                {{"role", role_name(curve.role)}, {"cubic", curve.cubic}, {"places", places(curve.places)}});
-        }
-        for (const PictureLine& line : picture.lines) {
-            json["lines"].push_back({{"role", role_name(line.role)}, {"places", places(line.places)}});
-        }
-        for (const PicturePoint& point : picture.points) {
-            json["points"].push_back({{"role", role_name(point.role)},
-                                      {"place", coordinates(point.place)},
-                                      {"label", formula(point.label)}});
-            if (point.meaning) json["points"].back()["meaning"] = to_json(*point.meaning);
-        }
-        return {{"picture", std::move(json)}};
+        return Json::Object{{"picture", std::move(json)}};
     }
 
     Json node(const PyramidNode& node) const {
-        Json json{{"label", formula(node.label)}, {"value", to_json(node.value)}};
-        if (node.left_weight) json["left_weight"] = to_json(*node.left_weight);
-        if (node.right_weight) json["right_weight"] = to_json(*node.right_weight);
+        Json json = Json::Object{{"label", formula_(node.label)}, {"value", tree(node.value)}};
+        if (node.left_weight) json["left_weight"] = tree(*node.left_weight);
+        if (node.right_weight) json["right_weight"] = tree(*node.right_weight);
         if (node.on_left_edge) json["on_left_edge"] = true;
         if (node.on_right_edge) json["on_right_edge"] = true;
         return json;
     }
 
-    /// A formula with how it reads, for who does not want to print trees.
-    Json formula(const Formula& formula) const {
-        return {{"tree", to_json(formula)},
-                {"text", to_text(formula, notation_)},
-                {"latex", to_latex(formula, notation_)}};
-    }
-
     Json text(const Text& text) const {
-        Json json = Json::array();
-        for (const Text::Part& part : text.parts()) {
-            json.push_back(
-                std::visit(Overloaded{[](const std::string& words) { return Json(words); },
-                                      [&](const Formula& formula) { return this->formula(formula); }},
-                           part));
-        }
-        return json;
+        return list_of(text.parts(), [&](const Text::Part& part) {
+            return std::visit(Overloaded{[](const std::string& words) { return Json(words); }, formula_}, part);
+        });
     }
 
-    const Notation& notation_;
+    FormulaWriter formula_;
 };
 
 }  // namespace
 
 std::string render_json(const Document& document, const Notation& notation) {
-    return JsonWriter(notation).write(document).dump(1) + "\n";
+    return to_text(JsonWriter(notation).write(document), 1) + "\n";
 }
 
 }  // namespace blossom::worked

@@ -85,15 +85,14 @@ private:
         const PyramidNode& node = pyramid_.levels[level][i];
         const Column& column = columns_[level];
         const Length y = middle(level, i);
-        pugi::xml_node box = svg.append_child("rect");
-        box.append_attribute("x") = pixels(column.left).c_str();
-        box.append_attribute("y") = pixels(y - node_height / 2).c_str();
-        box.append_attribute("width") = pixels(column.width).c_str();
-        box.append_attribute("height") = pixels(node_height).c_str();
-        box.append_attribute("rx") = "5";
-        box.append_attribute("class") =
-            (std::string("node") + (node.on_left_edge ? " left" : "") + (node.on_right_edge ? " right" : ""))
-                .c_str();
+        append(svg, "rect",
+               {{"x", pixels(column.left)},
+                {"y", pixels(y - node_height / 2)},
+                {"width", pixels(column.width)},
+                {"height", pixels(node_height)},
+                {"rx", "5"},
+                {"class", std::string("node") + (node.on_left_edge ? " left" : "") +
+                              (node.on_right_edge ? " right" : "")}});
         const Length centre = column.left + column.width / 2;
         append_label(svg, {centre, y - 95}, "middle", "name", text(node.label));
         append_label(svg, {centre, y + 95}, "middle", "value", text(node.value));

@@ -39,9 +39,9 @@ std::string axes(const Drawing& drawing) {
     std::string text;
     for (const Segment& axis : drawing.axes) text += line(axis, "blossom axis");
     for (const Drawing::Tick& tick : drawing.ticks) {
-        const Spot end =
-            tick.horizontal ? Spot{tick.spot.x, tick.spot.y + 40} : Spot{tick.spot.x - 40, tick.spot.y};
-        text += line({tick.spot, end}, "blossom axis") +
+        const Spot& spot = tick.across.begin;
+        const Spot end = tick.horizontal ? Spot{spot.x, spot.y + 40} : Spot{spot.x - 40, spot.y};
+        text += line({spot, end}, "blossom axis") +
                 node(end, std::string("blossom number,") + (tick.horizontal ? "below" : "left"),
                      "$" + tick.text + "$");
     }

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/interval.hpp>
 #include <blossom/core/maps/point_array.hpp>
+#include <blossom/rational/limits.hpp>
 #include <blossom/rational/rational.hpp>
 #include <blossom/worked/formula.hpp>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +24,7 @@ struct Place {
 
 /// What an element of a picture is, from which its colour and width follow.
 enum class Role {
+    before,        ///< what was before, faint
     control,       ///< the given control polygon
     construction,  ///< intermediate points and lines
     result,        ///< the point or polygon that was wanted
@@ -29,7 +34,7 @@ enum class Role {
 /// "control", "construction", ...: its name in JSON and in style sheets.
 std::string role_name(Role role);
 
-/// A point with the formula that names it.
+/// A point with the formula that names it; without parts and words it has no name.
 struct PicturePoint {
     Place place;
     Formula label;
@@ -48,6 +53,25 @@ struct PictureCurve {
     std::vector<Place> places;
     bool cubic = false;
     Role role = Role::control;
+    std::string name = {};  // NOLINT(readability-redundant-member-init): of the legend, may be left out
+};
+
+/// A face of a surface with its own colours, and how strong the line is from each corner to the next.
+struct PictureFace {
+    enum class Edge : unsigned char { none, inner, border };
+
+    std::vector<Place> places;
+    std::vector<Edge> edges;
+    std::string fill;
+    std::string line;
+};
+
+/// Words so many pixels to the right of a place and below it.
+struct PictureWords {
+    Place place;
+    std::string words;
+    int right = 0;
+    int below = 0;
 };
 
 /// A drawing in the plane. Renderings choose the scale and put labels where they cover nothing.
@@ -63,6 +87,22 @@ struct Picture {
     /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
     /// arguments of its name.
     std::vector<Place> corners = {};  // NOLINT(readability-redundant-member-init): may be left out
+    bool grid = false;                ///< lines at round numbers behind it, also where it is no graph
+    std::vector<PictureFace> faces = {};   // NOLINT(readability-redundant-member-init): in order of painting
+    std::vector<PictureWords> words = {};  // NOLINT(readability-redundant-member-init): may be left out
+    std::size_t width = 360;               ///< in pixels, without margins
 };
+
+/// The first two coordinates, of rational points divided by the weight, in lines that end at each point at
+/// infinity.
+std::vector<std::vector<Place>> lines_through(std::span<const Coordinates> points, bool rational = false);
+
+/// The curve over an interval: an exact cubic arc up to degree 3, otherwise and for a rational curve lines
+/// through exact points, `steps` parts of the interval.
+std::vector<PictureCurve> curves_over(const PolynomialMap& map, const Interval& interval, Role role,
+                                      const Limits& limits, bool rational = false, std::size_t steps = 96);
+
+/// The number, rounded to four digits where it is long.
+std::string short_text(const Rational& value);
 
 }  // namespace blossom::worked

@@ -1,0 +1,121 @@
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace blossom::cli {
+
+/// Jobs that several threads do. Each is taken, one at a time, as soon as it and all before it are done, also
+/// while the next is waited for; at most 4 a thread are held. One thread is that of the caller, in which each
+/// job is done and taken when it is added.
+template <class Job>
+class OrderedWork {
+public:
+    /// `take` is false when no more jobs are wanted.
+    OrderedWork(std::size_t threads, std::function<void(Job&)> work, std::function<bool(Job&)> take)
+        : work_(std::move(work)), take_(std::move(take)), most_jobs_(4 * threads) {
+        for (std::size_t i = 0; threads > 1 && i < threads; ++i) threads_.emplace_back([this] { run(); });
+    }
+    OrderedWork(OrderedWork&&) = delete;  // the threads refer to this object
+    OrderedWork& operator=(OrderedWork&&) = delete;
+    OrderedWork(const OrderedWork&) = delete;
+    OrderedWork& operator=(const OrderedWork&) = delete;
+    ~OrderedWork() { join(); }
+
+    /// Waits for room. False when no more jobs are wanted.
+    bool add(Job job) {
+        if (threads_.empty()) {
+            work_(job);
+            return take_(job);
+        }
+        std::unique_lock lock(mutex_);
+        has_room_.wait(lock, [&] { return jobs_.size() < most_jobs_; });
+        jobs_.push_back({std::move(job), false});
+        has_work_.notify_one();
+        return wanted_;
+    }
+
+    /// Waits until every job is taken. Throws what `work` or `take` has thrown.
+    void finish() {
+        join();
+        if (problem_) std::rethrow_exception(problem_);
+    }
+
+private:
+    struct Entry {
+        Job job;
+        bool done;
+    };
+
+    void join() {
+        {
+            const std::scoped_lock lock(mutex_);
+            finished_ = true;
+            has_work_.notify_all();
+        }
+        for (std::thread& thread : threads_) {
+            if (thread.joinable()) thread.join();
+        }
+    }
+
+    void run() {
+        std::unique_lock lock(mutex_);
+        while (true) {
+            has_work_.wait(lock, [&] { return finished_ || started_ < jobs_.size(); });
+            if (started_ == jobs_.size()) return;
+            Entry& entry = jobs_[started_++];  // stays where it is while others come and go at the ends
+            lock.unlock();
+            std::exception_ptr problem;
+            try {
+                work_(entry.job);
+            } catch (...) {
+                problem = std::current_exception();
+            }
+            lock.lock();
+            if (problem) stop(problem);
+            entry.done = true;
+            take_what_is_next();
+        }
+    }
+
+    void take_what_is_next() {
+        while (!jobs_.empty() && jobs_.front().done) {
+            try {
+                wanted_ = wanted_ && take_(jobs_.front().job);
+            } catch (...) {
+                stop(std::current_exception());
+            }
+            jobs_.pop_front();
+            --started_;
+            has_room_.notify_one();
+        }
+    }
+
+    /// The problem is kept for the thread that waits for the end; this is another.
+    void stop(const std::exception_ptr& problem) {
+        if (!problem_) problem_ = problem;
+        wanted_ = false;
+    }
+
+    std::function<void(Job&)> work_;
+    std::function<bool(Job&)> take_;
+    std::size_t most_jobs_;
+    std::mutex mutex_;
+    std::condition_variable has_work_;
+    std::condition_variable has_room_;
+    std::deque<Entry> jobs_;   ///< in order, from the first that is not taken
+    std::size_t started_ = 0;  ///< how many of them a thread works on, or has done
+    bool finished_ = false;
+    bool wanted_ = true;
+    std::exception_ptr problem_;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace blossom::cli
