@@ -238,10 +238,9 @@ Subcommand add_explain(CLI::App& app, const Operation& explain) {
     command->require_subcommand(0, 1);
     const CLI::Option* gallery =
         add_value(*command, "--gallery", "FOLDER", "write all chapters as a small web site");
-    std::vector<Subcommand> commands;
-    for (const Operation& operation : explained_operations()) {
-        commands.push_back(add_operation(*command, operation));
-    }
+    std::vector<Subcommand> commands = mapped(explained_operations(), [&](const Operation& operation) {
+        return add_operation(*command, operation);
+    });
     command->footer([&explain] { return example_text(explain); });
     const auto action = [=](const Streams& streams) {
         if (gallery->count() > 0) return write_gallery(result_of(*gallery), streams);
@@ -335,11 +334,9 @@ Outcome run(std::span<const std::string> arguments, const Streams& given) {
         "Exit status: 0 success, 1 a request was refused, 2 wrong usage, 3 constructions disagree.");
     app.get_formatter()->column_width(34);
 
-    std::vector<Subcommand> commands;
-    for (const Operation& operation : operations()) {
-        commands.push_back(operation.has_own_command ? add_own_command(app, operation)
-                                                     : add_operation(app, operation));
-    }
+    std::vector<Subcommand> commands = mapped(operations(), [&](const Operation& operation) {
+        return operation.has_own_command ? add_own_command(app, operation) : add_operation(app, operation);
+    });
     commands.push_back(add_check_certificate(app));
     commands.push_back(add_batch(app));
     commands.push_back(add_completion(app));

@@ -28,7 +28,9 @@ struct CurvePainter {
     void operator()(const PolynomialCurve& curve) const {
         segments({control_points(curve, interval.value_or(Interval()), limits)});
     }
-    void operator()(const OnePolynomial auto& curve) const { std::visit(*this, polynomial_map(curve, limits)); }
+    void operator()(const OnePolynomial auto& curve) const {
+        std::visit(*this, polynomial_map(curve, limits));
+    }
     void operator()(const BezierCurve& curve) const {
         polygon(curve.control_points().to_points());
         segments({curve});
@@ -68,10 +70,11 @@ private:
         knot(segments.back(), segments.back().interval().b(), named);
     }
     void knot(const BezierCurve& segment, const Rational& t, bool named) const {
-        const auto label = equation({worked::symbol("t"), worked::number(t)});
-        const std::vector points{evaluate(segment, t, limits)};
-        for (const auto& places : worked::lines_through(points, rational))
-            picture.points.push_back({places.front(), named ? label : worked::words("")});
+        const auto label =
+            named ? worked::equation({worked::symbol("t"), worked::number(t)}) : worked::words("");
+        const Coordinates point = evaluate(segment, t, limits);
+        for (const auto& places : worked::lines_through({&point, 1}, rational))
+            picture.points.push_back({places.front(), label});
     }
 };
 
@@ -82,8 +85,7 @@ void draw_curve(worked::Picture& picture, const Map& map, const std::optional<In
     const bool graph = dimension_of(map) - (map.form.rational ? 1 : 0) == 1;
     const Map plane = graph ? graph_of(map, limits) : map;
     picture.graph = picture.graph || (graph && role != Role::before);
-    dispatch_on_kind<void>(plane,
-                           CurvePainter{picture, plane.form.rational, interval, role, name, limits});
+    dispatch_on_kind<void>(plane, CurvePainter{picture, plane.form.rational, interval, role, name, limits});
 }
 
 }  // namespace blossom::protocol

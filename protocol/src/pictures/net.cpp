@@ -1,3 +1,4 @@
+#include <blossom/rational/lists.hpp>
 #include <numeric>
 
 #include "mesh.hpp"
@@ -60,9 +61,8 @@ void add_net(Mesh& mesh, const Patch& patch, const PointForm& form) {
 
 void add_net(Mesh& mesh, const TensorBSpline& spline, const PointForm& form) {
     // The grid of control points is that of one Bezier patch.
-    std::vector<std::size_t> degrees;
-    for (const KnotVector& knots : spline.knots()) degrees.push_back(knots.points() - 1);
-    const NetShape grid = NetShape::tensor(degrees);
+    const NetShape grid =
+        NetShape::tensor(mapped(spline.knots(), [&](const KnotVector& knots) { return knots.points() - 1; }));
     const auto indices = net_indices(grid);
     for (std::size_t i = 0; i < indices.size(); ++i) {
         Coordinates parameters;

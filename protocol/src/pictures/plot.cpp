@@ -130,7 +130,8 @@ std::string plot_of_maps(const Answered& answered) {
 
 std::string plot_of_result(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (is_surface(results.front())) return svg_of(surfaces(operation_of(answered), results, answered.limits));
+    if (is_surface(results.front()))
+        return svg_of(surfaces(operation_of(answered), results, answered.limits));
     return with_results(begun(operation_of(answered)), answered);
 }
 

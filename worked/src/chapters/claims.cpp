@@ -47,13 +47,12 @@ std::optional<WrittenCase> case_of(const proofs::Block& block, const proofs::Cou
 /// The general statement as a question: nothing is computed from its formulas.
 void append_general(Document& document, const proofs::Block& block, const proofs::Statement& line) {
     const Text declarations = declarations_in_words(block);
-    if (!declarations.empty()) document.general.emplace_back(Paragraph{declarations});
+    if (!declarations.empty()) document.general.say(declarations);
     ClaimInWords claim = claim_in_words(block, line, "");
-    document.general.emplace_back(
-        Paragraph{"The question is whether this holds for all maps and all values of the variables:"});
+    document.general.say("The question is whether this holds for all maps and all values of the variables:");
     claim.claim.name = "≟";
-    document.general.emplace_back(Display{{std::move(claim.claim)}});
-    if (!claim.after.empty()) document.general.emplace_back(Paragraph{std::move(claim.after)});
+    document.general.show({std::move(claim.claim)});
+    if (!claim.after.empty()) document.general.say(std::move(claim.after));
 }
 
 /// The case that is written out, where it does not look like the general statement.
@@ -71,8 +70,8 @@ void append_case(Document& document, const WrittenCase& written) {
     Text text(values.empty() ? "Written out:" : "Here, ");
     for (const Text::Part& part : values.parts()) text.append(part);
     if (!values.empty()) text.append(std::string(" this is, written out:"));
-    document.statement.emplace_back(Paragraph{std::move(text)});
-    document.statement.emplace_back(shown);
+    document.statement.say(std::move(text));
+    document.statement.add(shown);
 }
 
 /// The page of one claim; `written` is a case of it that can be read.
@@ -83,7 +82,7 @@ Document page_of(const DecidedClaim& claim, std::optional<WrittenCase> written, 
     if (!claim.block.title.empty()) document.title += ": " + claim.block.title;
     document.style = BlossomStyle::brackets;
     append_general(document, claim.block, claim.block.statements[claim.decision.statement]);
-    document.statement.emplace_back(statement_table(claim));
+    document.statement.add(statement_table(claim));
     if (!proved) written = case_of(claim.block, *claim.decision.counterexample(), limits);
     const bool has_hypotheses = written && !written->block.hypotheses.empty();
     if (proved && has_hypotheses) written.reset();

@@ -4,8 +4,8 @@
 #include <blossom/worked/document.hpp>
 #include <blossom/worked/proof_chapter.hpp>
 
+#include "curve_pictures.hpp"
 #include "ground_formulas.hpp"
-#include "steps.hpp"
 
 namespace blossom::worked {
 

@@ -35,8 +35,7 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     const Contact joint = contact(curve, knot, limits);
     const std::size_t left = curve.knots().span_before(knot);
     const std::size_t right = curve.knots().span_at(knot);
-    document.statement.emplace_back(
-        Paragraph{{"Find how smoothly the segments on both sides of ", number(knot), " meet."}});
+    document.statement.say({"Find how smoothly the segments on both sides of ", number(knot), " meet."});
     Table table{"Both blossoms at the knot and beside it.",
                 {symbol("k"), "arguments", "segment before", "segment after", "values"},
                 {}};
@@ -44,23 +43,22 @@ Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Li
     for (std::size_t k = 0; k <= std::min(last, curve.degree()); ++k) {
         table.rows.push_back(row(curve, left, right, knot, k, limits));
     }
-    document.steps.push_back(StepBuilder("Compare the blossoms")
-                                 .say({"Two maps meet with order ", symbol("k"),
-                                       " exactly when their blossoms agree wherever all but ", symbol("k"),
-                                       std::string(" arguments are the knot. As they are affine in each "
-                                                   "argument, it is enough to put "),
-                                       number(knot + Rational(1)), " for these ", symbol("k"), "."})
-                                 .add(std::move(table))
-                                 .done());
+    document.step("Compare the blossoms")
+        .say({"Two maps meet with order ", symbol("k"),
+              " exactly when their blossoms agree wherever all but ", symbol("k"),
+              std::string(" arguments are the knot. As they are affine in each "
+                          "argument, it is enough to put "),
+              number(knot + Rational(1)), " for these ", symbol("k"), "."})
+        .add(std::move(table));
     const std::size_t multiplicity = curve.knots().multiplicity(knot);
-    document.result.emplace_back(
-        joint.is_infinite() ? Paragraph{"All values agree: both segments are one polynomial, and the curve "
+    document.result.add(joint.is_infinite()
+                            ? Paragraph{"All values agree: both segments are one polynomial, and the curve "
                                         "has all derivatives here."}
                             : Paragraph{{"The values agree up to ", symbol("k"), " = ",
                                          number(Rational(Integer(static_cast<std::int64_t>(*joint.order)))),
                                          " and not beyond: the curve meets with this order."}});
     if (const auto plane = plane_spline(curve)) {
-        document.result.emplace_back(spline_picture(*plane, "The curve with its control polygon.", limits));
+        document.result.add(spline_picture(*plane, "The curve with its control polygon.", limits));
     }
     const auto promised =
         static_cast<std::ptrdiff_t>(curve.degree()) - static_cast<std::ptrdiff_t>(multiplicity);

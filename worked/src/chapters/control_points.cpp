@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "elementary.hpp"
-#include "steps.hpp"
+#include "curve_pictures.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 
@@ -18,7 +18,7 @@ Table symmetric_table(const PolynomialCurve& curve, const BezierCurve& polygon) 
     for (std::size_t k = 0; k <= n; ++k) table.header.emplace_back(index(symbol("e"), number(k)));
     table.header.emplace_back("value");
     for (std::size_t i = 0; i <= n; ++i) {
-        const auto arguments = end_arguments(polygon.interval().a(), polygon.interval().b(), n, i);
+        const auto arguments = end_arguments(polygon, i);
         std::vector<Cell> row{tuple(argument_formulas(arguments))};
         const std::vector<Rational> values = elementary_values(arguments);
         for (std::size_t k = 0; k <= n; ++k) {
@@ -35,8 +35,7 @@ bool is_one(const Coordinates& point) { return point.size() == 1 && point.front(
 /// p(u_1, ..., u_n) = sum of coefficients e_k / C(n, k).
 Formula symmetric_formula(const PolynomialCurve& curve) {
     const std::size_t n = curve.degree();
-    std::vector<Formula> variables;
-    for (std::size_t i = 1; i <= n; ++i) variables.push_back(symbol("u" + std::to_string(i)));
+    const std::vector<Formula> variables = numbered_symbols("u", n);
     std::vector<Formula> terms;
     for (std::size_t k = 0; k <= n; ++k) {
         const Coordinates c = curve.coefficients()[k];
@@ -56,27 +55,21 @@ Picture polygon_picture(const PlaneMap& plane, const BezierCurve& polygon, const
     picture.caption = "The control polygon and the curve over the interval.";
     picture.description = "Each control point is named by its blossom value.";
     picture.graph = plane.graph;
-    const std::vector<Place> places = places_of(points.control_points());
-    picture.lines.push_back({places, Role::control});
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const auto arguments = end_arguments(interval.a(), interval.b(), polygon.degree(), k);
-        picture.points.push_back({places[k], value_of_blossom(arguments), Role::control});
-    }
+    add_polygon(picture, polygon, points.control_points(), Role::control, named_by("p"));
     picture.curves = curves_over(plane.map, interval, Role::control, limits);
     return picture;
 }
 
 /// From one polygon to another: a pyramid for each inner point would repeat itself; both edges of the one at
 /// b, and then those at a, have all of them.
-Step two_subdivisions(const BezierCurve& given, const Interval& interval, const Limits& limits) {
-    StepBuilder step("From the given polygon");
+void append_subdivisions(Blocks& step, const BezierCurve& given, const Interval& interval,
+                         const Limits& limits) {
     step.say({"Each value is the apex of a pyramid over ",
               interval_of(number(given.interval().a()), number(given.interval().b())),
               ". This is the one of the last but one control point:"});
     const std::size_t n = given.degree();
-    const auto arguments = end_arguments(interval.a(), interval.b(), n, n > 0 ? n - 1 : 0);
+    const auto arguments = end_arguments(interval, n, n > 0 ? n - 1 : 0);
     step.add(casteljau_triangle(given, arguments, "One value as the apex of a pyramid.", limits));
-    return step.done();
 }
 
 }  // namespace
@@ -84,31 +77,27 @@ Step two_subdivisions(const BezierCurve& given, const Interval& interval, const 
 Document control_points_over(const GivenMap& given, const Interval& interval, const Limits& limits) {
     Document document =
         begun(given, "Control points over an interval", "Goldman, theorem 4: the dual functional property");
-    document.statement.emplace_back(
-        Paragraph{{"Find the Bézier control points over ",
-                   interval_of(number(interval.a()), number(interval.b())), "."}});
+    document.statement.say({"Find the Bézier control points over ",
+                            interval_of(number(interval.a()), number(interval.b())), "."});
     const BezierCurve polygon =
         std::visit([&](const auto& curve) { return control_points(curve, interval, limits); }, given.map);
-    document.steps.push_back(
-        StepBuilder("Which values they are")
-            .say({"Control point ", symbol("k"), " is the value of the blossom at ",
-                  sum({number(polygon.degree()), product({number(-1), symbol("k")})}), " copies of ",
-                  number(interval.a()), " and ", symbol("k"), " copies of ", number(interval.b()), "."})
-            .done());
+    document.step("Which values they are")
+        .say({"Control point ", symbol("k"), " is the value of the blossom at ",
+              sum({number(polygon.degree()), product({number(-1), symbol("k")})}), " copies of ",
+              number(interval.a()), " and ", symbol("k"), " copies of ", number(interval.b()), "."});
     if (const auto* bezier = std::get_if<BezierCurve>(&given.map)) {
-        document.steps.push_back(two_subdivisions(*bezier, interval, limits));
+        append_subdivisions(document.step("From the given polygon"), *bezier, interval, limits);
     } else {
         const auto& curve = std::get<PolynomialCurve>(given.map);
-        document.steps.push_back(StepBuilder("Their values")
-                                     .say("By elementary symmetric functions the blossom is")
-                                     .show({symmetric_formula(curve)})
-                                     .say("and at the arguments of the control points")
-                                     .add(symmetric_table(curve, polygon))
-                                     .done());
+        document.step("Their values")
+            .say("By elementary symmetric functions the blossom is")
+            .show({symmetric_formula(curve)})
+            .say("and at the arguments of the control points")
+            .add(symmetric_table(curve, polygon));
     }
-    document.result.emplace_back(Display{control_point_equations(polygon)});
+    document.result.show(control_point_equations(polygon));
     if (const auto plane = plane_map(given.map, limits)) {
-        document.result.emplace_back(polygon_picture(*plane, polygon, limits));
+        document.result.add(polygon_picture(*plane, polygon, limits));
     }
     const PolynomialCurve back = monomial_form(polygon, limits);
     document.check = {{Paragraph{"Turned back into coefficients, the control points give the map again:"},

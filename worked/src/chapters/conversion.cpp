@@ -2,7 +2,7 @@
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 #include "triangles.hpp"
 
 namespace blossom::worked {
@@ -45,27 +45,25 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
     const std::size_t n = curve.degree();
     Document document = begun({curve, given.variable}, "From coefficients to control points",
                               "Goldman, section 5 and figure 11(b)");
-    document.statement.emplace_back(Paragraph{"Find its control points over [0, 1]."});
+    document.statement.say("Find its control points over [0, 1].");
     const Blossom p(curve, limits);
     TrianglePyramid triangle =
         triangle_by({n, [n](std::size_t r, std::size_t i) { return adding_label(n, r, i); },
                      [](std::size_t, std::size_t) { return std::pair<Rational, Rational>(1, 1); },
-                     std::cref(p), [](std::span<const Argument> at) { return value_of_blossom(at); }},
+                     std::cref(p), named_by("p")},
                     "Every node is the sum of its two neighbours; the upper edge has the control points.");
     mark_upper_edge(triangle);
-    document.steps.push_back(StepBuilder("Coefficients are blossom values")
-                                 .say({"The coefficient of ", power(symbol(given.variable), symbol("k")),
-                                       ", divided by a binomial coefficient, is the value with ", symbol("k"),
-                                       " copies of ", symbol("delta"), ":"})
-                                 .show(normalised_equations(curve))
-                                 .done());
-    document.steps.push_back(StepBuilder("Adding instead of subtracting")
-                                 .say({"As pairs, ", equation({number(1), sum({number(0), symbol("delta")})}),
-                                       ": replacing a vector by the point 1 adds two values."})
-                                 .add(std::move(triangle))
-                                 .done());
+    document.step("Coefficients are blossom values")
+        .say({"The coefficient of ", power(symbol(given.variable), symbol("k")),
+              ", divided by a binomial coefficient, is the value with ", symbol("k"), " copies of ",
+              symbol("delta"), ":"})
+        .show(normalised_equations(curve));
+    document.step("Adding instead of subtracting")
+        .say({"As pairs, ", equation({number(1), sum({number(0), symbol("delta")})}),
+              ": replacing a vector by the point 1 adds two values."})
+        .add(std::move(triangle));
     const BezierCurve polygon = control_points(curve, Interval(), limits);
-    document.result.emplace_back(Display{control_point_equations(polygon)});
+    document.result.show(control_point_equations(polygon));
     document.check = {{Paragraph{"Back from the control points to coefficients:"},
                        Display{{polynomial_equation(polygon, given.variable, limits)}}},
                       monomial_form(polygon, limits) == curve};
@@ -75,38 +73,31 @@ Document coefficients_to_control_points(const GivenMap& given, const Limits& lim
 Document control_points_to_coefficients(const GivenMap& given, const Limits& limits) {
     Document document =
         begun(given, "From control points to coefficients", "Goldman, section 5 and figure 11(a)");
-    document.statement.emplace_back(Paragraph{"Find its coefficients."});
+    document.statement.say("Find its coefficients.");
     const BezierCurve bezier = bezier_form(given.map, limits);
     const BezierCurve unit = control_points(bezier, Interval(), limits);
     const std::size_t n = unit.degree();
     if (!(bezier.interval() == Interval())) {
-        document.steps.push_back(
-            StepBuilder("The control points over [0, 1]")
-                .say("The triangle wants control points over [0, 1]. They are blossom values "
-                     "like those over any interval:")
-                .show(control_point_equations(unit))
-                .done());
+        document.step("The control points over [0, 1]")
+            .say(
+                "The triangle wants control points over [0, 1]. They are blossom values "
+                "like those over any interval:")
+            .show(control_point_equations(unit));
     }
     TrianglePyramid triangle = casteljau_triangle(
         unit, with_copies({}, n, delta),
         "Every node is a difference; the upper edge has the normalised coefficients.", limits);
     mark_upper_edge(triangle);
-    document.steps.push_back(
-        StepBuilder("Differences")
-            .say({"As pairs, ",
-                  equation({symbol("delta"), sum({number(1), product({number(-1), number(0)})})}),
-                  ": replacing a point by the vector subtracts two values. On every level the argument is ",
-                  symbol("delta"), "."})
-            .add(std::move(triangle))
-            .done());
+    document.step("Differences")
+        .say({"As pairs, ", equation({symbol("delta"), sum({number(1), product({number(-1), number(0)})})}),
+              ": replacing a point by the vector subtracts two values. On every level the argument is ",
+              symbol("delta"), "."})
+        .add(std::move(triangle));
     const PolynomialCurve curve = monomial_form(bezier, limits);
-    std::vector<Formula> equations = normalised_equations(curve);
-    document.steps.push_back(
-        StepBuilder("From values to coefficients")
-            .say("Each value on the upper edge is a coefficient divided by a binomial coefficient:")
-            .show(std::move(equations))
-            .done());
-    document.result.emplace_back(Display{{polynomial_equation(curve, given.variable, limits)}});
+    document.step("From values to coefficients")
+        .say("Each value on the upper edge is a coefficient divided by a binomial coefficient:")
+        .show(normalised_equations(curve));
+    document.result.show({polynomial_equation(curve, given.variable, limits)});
     const BezierCurve back = control_points(curve, bezier.interval(), limits);
     document.check = {
         {Paragraph{"The polynomial has the given control points:"}, Display{control_point_equations(back)}},

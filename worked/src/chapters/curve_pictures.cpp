@@ -1,11 +1,11 @@
 #include "curve_pictures.hpp"
 
 #include <blossom/core/blossom/conversion.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <utility>
 
-#include "formulas_of_values.hpp"
 #include "triangles.hpp"
 
 namespace blossom::worked {
@@ -63,10 +63,13 @@ std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits&) {
 
 Place place_of(const Coordinates& point) { return {point[0], point[1]}; }
 
-std::vector<Place> places_of(const PointArray& points) {
-    std::vector<Place> places;
-    for (const Coordinates& point : points.to_points()) places.push_back(place_of(point));
-    return places;
+std::vector<Place> places_of(const PointArray& points) { return mapped(points.to_points(), place_of); }
+
+void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& points, Role role,
+                 const Naming& name, bool named) {
+    picture.lines.push_back({places_of(points), role});
+    for (std::size_t k = 0; named && k <= curve.degree(); ++k)
+        picture.points.push_back({place_of(points[k]), name(end_arguments(curve, k)), role});
 }
 
 bool all_points(std::span<const Argument> arguments) {
@@ -84,9 +87,7 @@ TrianglePyramid casteljau_triangle(const BezierCurve& curve, std::span<const Arg
         return std::pair((b * u.mass - u.u) / (b - a), (u.u - a * u.mass) / (b - a));
     };
     const auto label = [&](std::size_t r, std::size_t i) { return node_arguments(curve, arguments, r, i); };
-    return triangle_by({curve.degree(), label, weights, std::cref(p),
-                        [](std::span<const Argument> at) { return value_of_blossom(at); }},
-                       std::move(caption));
+    return triangle_by({curve.degree(), label, weights, std::cref(p), named_by("p")}, std::move(caption));
 }
 
 std::optional<Picture> construction_picture(const PolynomialMap& map, std::span<const Argument> arguments,

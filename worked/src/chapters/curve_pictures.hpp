@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "formulas_of_values.hpp"
+
 namespace blossom::worked {
 
 /// A map into the plane for pictures: a plane map itself, a scalar one as its graph (t, P(t)); none for
@@ -21,6 +23,11 @@ std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits& limits
 
 Place place_of(const Coordinates& point);
 std::vector<Place> places_of(const PointArray& points);
+
+/// Adds the polygon through `points`, the control points of `curve` in the plane, with their blossom values
+/// as names where it is `named`.
+void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& points, Role role,
+                 const Naming& name, bool named = true);
 
 /// Whether all arguments are points, so that every node of a pyramid is a point.
 bool all_points(std::span<const Argument> arguments);

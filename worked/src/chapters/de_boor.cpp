@@ -34,14 +34,8 @@ Check de_boor_check(const BSplineCurve& curve, std::size_t span, const Parameter
                     const Limits& limits) {
     const BezierCurve bezier = sablonniere(curve, span, limits);
     const Coordinates direct = evaluate(bezier, t, limits);
-    std::vector<Formula> points;
-    for (std::size_t k = 0; k <= bezier.degree(); ++k) {
-        const auto arguments =
-            end_arguments(bezier.interval().a(), bezier.interval().b(), bezier.degree(), k);
-        points.push_back(
-            equation({spline_value(arguments, span), point_formula(bezier.control_points()[k])}));
-    }
-    return {{Paragraph{"The segment as a Bézier curve has the control points"}, Display{std::move(points)},
+    return {{Paragraph{"The segment as a Bézier curve has the control points"},
+             Display{control_point_equations(bezier, named_on(span))},
              Paragraph{"and de Casteljau's algorithm gives the same value:"},
              Display{{equation({call("F", {number(t.value)}), point_formula(direct)})}}},
             direct == value};
@@ -55,7 +49,7 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
     const std::size_t span = curve.knots().span_at(t.value);
     const std::vector<Argument> arguments = with_copies({}, curve.degree(), t);
     const Formula wanted = call("F", {number(t.value)});
-    document.statement.emplace_back(Paragraph{{"Find ", wanted, "."}});
+    document.statement.say({"Find ", wanted, "."});
     Text used{"The parameter lies between the knots ", number(curve.knots()[span]), " and ",
               number(curve.knots()[span + 1]),
               ". Only those control points count whose knots reach this span: "};
@@ -64,18 +58,16 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
         used.append(spline_value(window_arguments(curve.knots(), curve.knots().first_point(span) + i)));
     }
     used.append(std::string("."));
-    document.steps.push_back(StepBuilder("The segment").say(std::move(used)).done());
-    StepBuilder triangle("Knots are replaced by the parameter, one per level");
+    document.step("The segment").say(std::move(used));
+    Blocks& triangle = document.step("Knots are replaced by the parameter, one per level");
     triangle
         .say(
             "Each node combines two neighbours whose arguments differ in one knot; the weights are the "
             "coordinates of the parameter between these two knots.")
         .add(de_boor_triangle(curve, span, arguments, "De Boor's triangle.", limits));
     if (const auto plane = plane_spline(curve)) triangle.add(construction(*plane, span, arguments, limits));
-    document.steps.push_back(triangle.done());
     const Coordinates value = de_boor(curve, t, limits);
-    document.result.emplace_back(
-        Display{{equation({wanted, spline_value(arguments, span), point_formula(value)})}});
+    document.result.show({equation({wanted, spline_value(arguments, span), point_formula(value)})});
     document.check = de_boor_check(curve, span, t, value, limits);
     return document;
 }

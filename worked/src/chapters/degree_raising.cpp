@@ -2,7 +2,8 @@
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 
@@ -11,17 +12,13 @@ namespace {
 /// q(a^(m-i), b^i) = i/m p(a^(n-i+1), b^(i-1)) + (m-i)/m p(a^(n-i), b^i), with m = n + 1.
 Formula raised_equation(const BezierCurve& before, const BezierCurve& after, std::size_t i,
                         const std::string& old_name, const std::string& new_name) {
-    const std::size_t n = before.degree();
-    const std::size_t m = n + 1;
-    const Interval& interval = before.interval();
-    const auto value = [&](std::size_t k) {
-        return value_of_blossom(end_arguments(interval.a(), interval.b(), n, k), old_name);
-    };
+    const std::size_t m = after.degree();
+    const auto value = [&](std::size_t k) { return value_of_blossom(end_arguments(before, k), old_name); };
     std::vector<std::pair<Rational, Formula>> terms;
     if (i > 0) terms.emplace_back(Rational(i) / Rational(m), value(i - 1));
     if (i < m) terms.emplace_back(Rational(m - i) / Rational(m), value(i));
-    return equation({value_of_blossom(end_arguments(interval.a(), interval.b(), m, i), new_name),
-                     combination(terms), point_formula(after.control_points()[i])});
+    return equation({value_of_blossom(end_arguments(after, i), new_name), combination(terms),
+                     point_formula(after.control_points()[i])});
 }
 
 /// The names of the blossoms: p, q, then q2, q3, ....
@@ -32,8 +29,7 @@ std::string raised_name(std::size_t step) {
 
 /// The mean of p over the ways to leave one argument out.
 Formula mean_formula(std::size_t m, const std::string& old_name, const std::string& new_name) {
-    std::vector<Formula> all;
-    for (std::size_t i = 1; i <= m; ++i) all.push_back(symbol("u" + std::to_string(i)));
+    const std::vector<Formula> all = numbered_symbols("u", m);
     std::vector<std::pair<Rational, Formula>> terms;
     for (std::size_t left_out = m; left_out-- > 0;) {
         std::vector<Formula> rest = all;
@@ -56,22 +52,10 @@ std::optional<Picture> raised_picture(const PolynomialMap& map, const BezierCurv
                     {},
                     {},
                     plane->graph};
-    picture.lines.push_back({places_of(old_points.control_points()), Role::control});
-    picture.lines.push_back({places_of(new_points.control_points()), Role::result});
     picture.curves = curves_over(plane->map, before.interval(), Role::control, limits);
-    const auto add = [&](const BezierCurve& curve, const BezierCurve& points, const std::string& blossom,
-                         Role role) {
-        for (std::size_t k = 0; k <= curve.degree(); ++k) {
-            const auto arguments =
-                end_arguments(curve.interval().a(), curve.interval().b(), curve.degree(), k);
-            picture.points.push_back(
-                {place_of(points.control_points()[k]), value_of_blossom(arguments, blossom), role});
-        }
-    };
-    if (after.degree() <= 6) {
-        add(before, old_points, "p", Role::control);
-        add(after, new_points, name, Role::result);
-    }
+    const bool named = after.degree() <= 6;
+    add_polygon(picture, before, old_points.control_points(), Role::control, named_by("p"), named);
+    add_polygon(picture, after, new_points.control_points(), Role::result, named_by(name), named);
     return picture;
 }
 
@@ -81,8 +65,8 @@ Document degree_raised(const GivenMap& given, std::size_t times, const Limits& l
     require_within(degree_of(given.map) + times, page_degree, "page degree", "raised degree");
     Document document = begun(given, "Degree raising", "DeRose, section 4.4; Goldman, exercise 12");
     const BezierCurve first = bezier_form(given.map, limits);
-    document.statement.emplace_back(Paragraph{
-        {"Find the control points of the same map as one of degree ", number(first.degree() + times), "."}});
+    document.statement.say(
+        {"Find the control points of the same map as one of degree ", number(first.degree() + times), "."});
     BezierCurve current = first;
     for (std::size_t step = 1; step <= times; ++step) {
         const BezierCurve next = elevate(current, 1, limits);
@@ -95,21 +79,20 @@ Document degree_raised(const GivenMap& given, std::size_t times, const Limits& l
         for (std::size_t i = 0; i <= next.degree(); ++i) {
             equations.push_back(raised_equation(current, next, i, before, after));
         }
-        document.steps.push_back(StepBuilder("From degree " + std::to_string(current.degree()) +
-                                             " to degree " + std::to_string(next.degree()))
-                                     .say("The mean over the ways to leave out one argument is symmetric and "
-                                          "affine in each, and on "
-                                          "the diagonal it is the map: it is the blossom.")
-                                     .show({mean_formula(next.degree(), before, after)})
-                                     .say("At the ends of the interval many of the terms are equal:")
-                                     .show(std::move(equations))
-                                     .done());
+        document
+            .step("From degree " + std::to_string(current.degree()) + " to degree " +
+                  std::to_string(next.degree()))
+            .say(
+                "The mean over the ways to leave out one argument is symmetric and "
+                "affine in each, and on "
+                "the diagonal it is the map: it is the blossom.")
+            .show({mean_formula(next.degree(), before, after)})
+            .say("At the ends of the interval many of the terms are equal:")
+            .show(std::move(equations));
         current = next;
     }
-    document.result.emplace_back(Display{control_point_equations(current, raised_name(times))});
-    if (auto picture = raised_picture(given.map, first, current, raised_name(times), limits)) {
-        document.result.emplace_back(std::move(*picture));
-    }
+    document.result.show(control_point_equations(current, named_by(raised_name(times))));
+    document.result.add_if(raised_picture(given.map, first, current, raised_name(times), limits));
     const PolynomialCurve back = monomial_form(current, limits);
     document.check = {
         {Paragraph{

@@ -3,7 +3,7 @@
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 
 namespace blossom::worked {
 
@@ -37,16 +37,13 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
         begun(given, "A derivative is a blossom value at delta", "Goldman, theorem 9 and figures 9 and 10");
     const std::size_t n = degree_of(given.map);
     const Formula wanted = derivative_of("P", order, number(t.value));
-    document.statement.emplace_back(
-        Paragraph{{"Find ", wanted, ", the derivative of order ", number(order), "."}});
+    document.statement.say({"Find ", wanted, ", the derivative of order ", number(order), "."});
     const Coordinates value = derivative(given.map, order, t, limits);
     if (order > n) {
-        document.steps.push_back(
-            StepBuilder("The order is above the degree")
-                .say({"The blossom has only ", number(n),
-                      " arguments, too few for so many vectors: the derivative is zero."})
-                .done());
-        document.result.emplace_back(Display{{equation({wanted, point_formula(value)})}});
+        document.step("The order is above the degree")
+            .say({"The blossom has only ", number(n),
+                  " arguments, too few for so many vectors: the derivative is zero."});
+        document.result.show({equation({wanted, point_formula(value)})});
         document.check = derivative_check(given, order, t, value, limits);
         return document;
     }
@@ -55,32 +52,25 @@ Document derivative_by_delta(const GivenMap& given, std::size_t order, const Par
     const std::vector<Argument> arguments = with_copies(with_copies({}, order, delta), n - order, t);
     const Formula at = value_of_blossom(arguments);
     const Formula general = product({falling(n, order), at});
-    document.steps.push_back(StepBuilder("The formula")
-                                 .say({"A difference of parameters is a vector, and ", symbol("delta"),
-                                       " is the unit vector (1, 0). Each derivative takes one argument from "
-                                       "the diagonal, and there "
-                                       "are as many to choose from as are left:"})
-                                 .show({equation({wanted, general})})
-                                 .done());
-    document.steps.push_back(
-        StepBuilder("The triangle")
-            .say({"Over the interval ",
-                  interval_of(number(bezier.interval().a()), number(bezier.interval().b())), " the vector ",
-                  symbol("delta"), " has the coordinates ", number(Rational(-1) / length), " and ",
-                  number(Rational(1) / length), ": on its level", order == 1 ? "" : "s",
-                  " the triangle takes differences; on the others it is de Casteljau's."})
-            .add(
-                casteljau_triangle(bezier, arguments, "The triangle with delta on its first levels.", limits))
-            .done());
-    document.steps.push_back(
-        StepBuilder("The factor")
-            .say("The apex has to be multiplied by the factor of the formula.")
-            .show({equation({wanted, general,
-                             product({number(Rational(falling_factorial(n, order))),
-                                      point_formula(Blossom(given.map, limits)(arguments))}),
-                             point_formula(value)})})
-            .done());
-    document.result.emplace_back(Display{{equation({wanted, point_formula(value)})}});
+    document.step("The formula")
+        .say({"A difference of parameters is a vector, and ", symbol("delta"),
+              " is the unit vector (1, 0). Each derivative takes one argument from "
+              "the diagonal, and there "
+              "are as many to choose from as are left:"})
+        .show({equation({wanted, general})});
+    document.step("The triangle")
+        .say({"Over the interval ", interval_of(number(bezier.interval().a()), number(bezier.interval().b())),
+              " the vector ", symbol("delta"), " has the coordinates ", number(Rational(-1) / length),
+              " and ", number(Rational(1) / length), ": on its level", order == 1 ? "" : "s",
+              " the triangle takes differences; on the others it is de Casteljau's."})
+        .add(casteljau_triangle(bezier, arguments, "The triangle with delta on its first levels.", limits));
+    document.step("The factor")
+        .say("The apex has to be multiplied by the factor of the formula.")
+        .show({equation({wanted, general,
+                         product({number(Rational(falling_factorial(n, order))),
+                                  point_formula(Blossom(given.map, limits)(arguments))}),
+                         point_formula(value)})});
+    document.result.show({equation({wanted, point_formula(value)})});
     document.check = derivative_check(given, order, t, value, limits);
     return document;
 }

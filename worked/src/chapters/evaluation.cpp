@@ -1,7 +1,7 @@
 #include <blossom/core/blossom/evaluation.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 
 namespace blossom::worked {
 
@@ -34,11 +34,11 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
     const std::vector<Argument> arguments = with_copies({}, n, t);
     const Formula wanted = call("P", {number(t.value)});
     const Formula diagonal = value_of_blossom(arguments);
-    document.statement.emplace_back(Paragraph{{"Find ", wanted, "."}});
+    document.statement.say({"Find ", wanted, "."});
 
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
-    StepBuilder diagonal_value("The value is a diagonal value of the blossom");
+    Blocks& diagonal_value = document.step("The value is a diagonal value of the blossom");
     diagonal_value.say("When all arguments agree, the blossom is the map:")
         .show({equation({wanted, diagonal})});
     if (std::holds_alternative<BezierCurve>(given.map)) {
@@ -49,18 +49,15 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
             .say("The computation starts from the control points, the values at the ends of the interval:")
             .show(control_point_equations(bezier));
     }
-    document.steps.push_back(diagonal_value.done());
-    document.steps.push_back(
-        StepBuilder("One argument per level becomes the parameter")
-            .say({"The parameter is a combination of the ends, ",
-                  equation({number(t.value), combination({{(b - t.value) / (b - a), number(a)},
-                                                          {(t.value - a) / (b - a), number(b)}})}),
-                  ", and the blossom, affine in each argument, combines its values with the same weights."})
-            .add(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits))
-            .add_if(construction_picture(given.map, arguments, "The construction in the plane.", limits))
-            .done());
+    document.step("One argument per level becomes the parameter")
+        .say({"The parameter is a combination of the ends, ",
+              equation({number(t.value), combination({{(b - t.value) / (b - a), number(a)},
+                                                      {(t.value - a) / (b - a), number(b)}})}),
+              ", and the blossom, affine in each argument, combines its values with the same weights."})
+        .add(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits))
+        .add_if(construction_picture(given.map, arguments, "The construction in the plane.", limits));
     const Coordinates value = Blossom(given.map, limits)(arguments);
-    document.result.emplace_back(Display{{equation({wanted, diagonal, point_formula(value)})}});
+    document.result.show({equation({wanted, diagonal, point_formula(value)})});
 
     const PolynomialCurve coefficients = coefficient_form(given.map, limits);
     const Coordinates direct = evaluate(coefficients, t, limits);

@@ -1,14 +1,13 @@
 #include "formulas_of_values.hpp"
 
 #include <blossom/core/blossom/conversion.hpp>
+#include <blossom/rational/lists.hpp>
 
 namespace blossom::worked {
 
 Formula point_formula(const Coordinates& point) {
     if (point.size() == 1) return number(point.front());
-    std::vector<Formula> coordinates;
-    for (const Rational& coordinate : point) coordinates.push_back(number(coordinate));
-    return tuple(std::move(coordinates));
+    return tuple(mapped(point, number));
 }
 
 Formula argument_formula(const Argument& argument) {
@@ -19,13 +18,17 @@ Formula argument_formula(const Argument& argument) {
 }
 
 std::vector<Formula> argument_formulas(std::span<const Argument> arguments) {
-    std::vector<Formula> formulas;
-    for (const Argument& argument : arguments) formulas.push_back(argument_formula(argument));
-    return formulas;
+    return mapped(arguments, argument_formula);
 }
 
 Formula value_of_blossom(std::span<const Argument> arguments, const std::string& name) {
     return blossom_of(name, argument_formulas(arguments));
+}
+
+Naming named_by(std::string blossom) {
+    return [blossom = std::move(blossom)](std::span<const Argument> arguments) {
+        return value_of_blossom(arguments, blossom);
+    };
 }
 
 Formula polynomial_formula(const Polynomial& polynomial, const std::string& variable) {
@@ -70,29 +73,42 @@ PolynomialCurve coefficient_form(const PolynomialMap& map, const Limits& limits)
     return monomial_form(std::get<BezierCurve>(map), limits);
 }
 
-std::vector<Argument> end_arguments(const Rational& a, const Rational& b, std::size_t n, std::size_t k) {
-    return with_copies(with_copies({}, n - k, Parameter(a)), k, Parameter(b));
+std::vector<Argument> end_arguments(const Interval& interval, std::size_t n, std::size_t k) {
+    return with_copies(with_copies({}, n - k, Parameter(interval.a())), k, Parameter(interval.b()));
+}
+
+std::vector<Argument> end_arguments(const BezierCurve& curve, std::size_t k) {
+    return end_arguments(curve.interval(), curve.degree(), k);
+}
+
+std::vector<Formula> control_point_equations(const BezierCurve& curve, const Naming& name) {
+    std::vector<Formula> equations;
+    for (std::size_t k = 0; k <= curve.degree(); ++k) {
+        equations.push_back(
+            equation({name(end_arguments(curve, k)), point_formula(curve.control_points()[k])}));
+    }
+    return equations;
 }
 
 Display definition_of(const GivenMap& given) {
     if (const auto* curve = std::get_if<PolynomialCurve>(&given.map)) {
         std::vector<Formula> coordinates;
-        coordinates.reserve(curve->dimension());
         for (std::size_t j = 0; j < curve->dimension(); ++j) {
             coordinates.push_back(polynomial_formula(curve->coordinate(j), given.variable));
         }
         Formula right = coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
         return {{equation({map_at_variable(given), std::move(right)})}};
     }
-    const auto& bezier = std::get<BezierCurve>(given.map);
-    const std::size_t n = bezier.degree();
-    Display display;
-    for (std::size_t k = 0; k <= n; ++k) {
-        const auto arguments = end_arguments(bezier.interval().a(), bezier.interval().b(), n, k);
-        display.formulas.push_back(
-            equation({value_of_blossom(arguments), point_formula(bezier.control_points()[k])}));
-    }
-    return display;
+    return {control_point_equations(std::get<BezierCurve>(given.map))};
+}
+
+Formula polynomial_equation(const PolynomialMap& map, const std::string& variable, const Limits& limits) {
+    return definition_of({coefficient_form(map, limits), variable}).formulas.front();
+}
+
+Formula division(const Coordinates& homogeneous) {
+    const Coordinates others(homogeneous.begin(), homogeneous.end() - 1);
+    return product({number(Rational(1) / homogeneous.back()), point_formula(others)});
 }
 
 Document begun(const GivenMap& given, std::string title, std::string source) {
@@ -103,15 +119,11 @@ Document begun(const GivenMap& given, std::string title, std::string source) {
     document.source = std::move(source);
     document.maps.push_back({"P", "p", given.variable, given.map});
     const bool polynomial = std::holds_alternative<PolynomialCurve>(given.map);
-    std::string words =
-        polynomial ? "Given the polynomial map of formal degree " : "Given the Bézier curve of degree ";
-    Text text{words, number(n),
-              polynomial ? ":" : ", by its control points, which are values of its blossom "};
-    if (!polynomial)
-        text = {words, number(n),
-                " by its control points, the values of its blossom at the ends of its interval:"};
-    document.statement.emplace_back(Paragraph{std::move(text)});
-    document.statement.emplace_back(definition_of(given));
+    document.statement.say(
+        polynomial ? Text{"Given the polynomial map of formal degree ", number(n), ":"}
+                   : Text{"Given the Bézier curve of degree ", number(n),
+                          " by its control points, the values of its blossom at the ends of its interval:"});
+    document.statement.add(definition_of(given));
     return document;
 }
 

@@ -5,6 +5,7 @@
 #include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/worked/chapters.hpp>
 
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -21,6 +22,10 @@ std::vector<Formula> argument_formulas(std::span<const Argument> arguments);
 
 /// p(arguments).
 Formula value_of_blossom(std::span<const Argument> arguments, const std::string& name = "p");
+
+/// How the value of a blossom at given arguments is written.
+using Naming = std::function<Formula(std::span<const Argument>)>;
+Naming named_by(std::string blossom);
 
 /// 1 + 2t + 4t^2 - t^3.
 Formula polynomial_formula(const Polynomial& polynomial, const std::string& variable);
@@ -42,8 +47,19 @@ BezierCurve bezier_form(const PolynomialMap& map, const Limits& limits);
 /// The map by its coefficients.
 PolynomialCurve coefficient_form(const PolynomialMap& map, const Limits& limits);
 
-/// "1, 2 and delta are ..." for the arguments (a^(n-k), b^k).
-std::vector<Argument> end_arguments(const Rational& a, const Rational& b, std::size_t n, std::size_t k);
+/// (a^(n-k), b^k) for the interval [a, b].
+std::vector<Argument> end_arguments(const Interval& interval, std::size_t n, std::size_t k);
+/// The arguments at which the blossom is control point k.
+std::vector<Argument> end_arguments(const BezierCurve& curve, std::size_t k);
+
+/// p(a^(n-k), b^k) = P_k for all control points.
+std::vector<Formula> control_point_equations(const BezierCurve& curve, const Naming& name = named_by("p"));
+
+/// The equation of the map by its coefficients, for a check: P(t) = ....
+Formula polynomial_equation(const PolynomialMap& map, const std::string& variable, const Limits& limits);
+
+/// The division of the first coordinates by the last: its inverse times a point.
+Formula division(const Coordinates& homogeneous);
 
 /// A document with what every chapter on one polynomial map has: title, source, map and definition.
 /// Errors: `limit_exceeded` for a degree above `page_degree`.

@@ -1,3 +1,4 @@
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/gallery.hpp>
 
 #include <blossom/core/algebra/polynomial_text.hpp>
@@ -29,9 +30,7 @@ BSplineCurve plane_spline() {
 }
 
 std::vector<Argument> points(std::initializer_list<int> parameters) {
-    std::vector<Argument> arguments;
-    for (const int parameter : parameters) arguments.emplace_back(Parameter(parameter));
-    return arguments;
+    return mapped(parameters, [&](const int parameter) { return Argument(Parameter(parameter)); });
 }
 
 /// The unit circle as (1 - t^2, 2t) / (1 + t^2).

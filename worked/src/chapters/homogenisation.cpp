@@ -1,10 +1,10 @@
 #include <blossom/core/blossom/agreement.hpp>
 #include <blossom/core/constructions/constructions.hpp>
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
-#include "subsets.hpp"
+#include "curve_pictures.hpp"
 #include "symbols.hpp"
 
 namespace blossom::worked {
@@ -70,9 +70,9 @@ Formula parameters_first(const SparsePolynomial& polynomial, std::span<const For
 }
 
 Formula coordinates_formula(const Symbolic& coordinates, std::span<const Formula> symbols) {
-    std::vector<Formula> formulas;
-    for (const SparsePolynomial& coordinate : coordinates)
-        formulas.push_back(parameters_first(coordinate, symbols));
+    std::vector<Formula> formulas = mapped(coordinates, [&](const SparsePolynomial& coordinate) {
+        return parameters_first(coordinate, symbols);
+    });
     return formulas.size() == 1 ? formulas.front() : tuple(std::move(formulas));
 }
 
@@ -136,9 +136,8 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
     Document document = begun({curve, given.variable}, "Blossoming and homogenising commute",
                               "Goldman, figures 4 and 5, theorem 6");
     require_within(n, written_degree, "degree of a page with all arguments", "formal degree");
-    document.statement.emplace_back(
-        Paragraph{"Find its blossom for all arguments, points and vectors alike."});
-    document.statement.emplace_back(square(n, given.variable));
+    document.statement.say("Find its blossom for all arguments, points and vectors alike.");
+    document.statement.add(square(n, given.variable));
 
     const auto affine = agreement_for_all_arguments(curve, limits);
     const Symbolic& blossom = *affine.results.front().value;
@@ -149,32 +148,24 @@ Document homogenisation(const GivenMap& given, const Limits& limits) {
         second.push_back(polarized_form(curve.coordinate(j), n));
     }
     const std::vector<Formula> symbols = pair_symbols(n);
-    document.steps.push_back(
-        StepBuilder("Blossom, then homogenise")
-            .say("The blossom of the map, one argument in place of each parameter:")
-            .show({equation(
-                {blossom_of("p", numbered_symbols("u", n)), coordinates_formula(blossom, symbols)})})
-            .say({"Each argument becomes a pair ", tuple({symbol("u"), symbol("v")}), "; a mass ",
-                  symbol("v"), " of 1 makes it the point ", symbol("u"),
-                  ", a mass of 0 a vector. A term gets the ", symbol("v"), " of every argument whose ",
-                  symbol("u"), " it lacks:"})
-            .show({equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})})
-            .done());
-    document.steps.push_back(
-        StepBuilder("Homogenise, then blossom")
-            .say("The map as a form, every term of the same degree:")
-            .show({form_equation(curve, given.variable)})
-            .say("Its polarization, the alternating sum of the form at all sums of pairs:")
-            .show({equation({blossom_of("p", pairs(n)), coordinates_formula(second, symbols)})})
-            .done());
+    document.step("Blossom, then homogenise")
+        .say("The blossom of the map, one argument in place of each parameter:")
+        .show({equation({blossom_of("p", numbered_symbols("u", n)), coordinates_formula(blossom, symbols)})})
+        .say({"Each argument becomes a pair ", tuple({symbol("u"), symbol("v")}), "; a mass ", symbol("v"),
+              " of 1 makes it the point ", symbol("u"), ", a mass of 0 a vector. A term gets the ",
+              symbol("v"), " of every argument whose ", symbol("u"), " it lacks:"})
+        .show({equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})});
+    document.step("Homogenise, then blossom")
+        .say("The map as a form, every term of the same degree:")
+        .show({form_equation(curve, given.variable)})
+        .say("Its polarization, the alternating sum of the form at all sums of pairs:")
+        .show({equation({blossom_of("p", pairs(n)), coordinates_formula(second, symbols)})});
     if (n <= 3) {
-        document.steps.push_back(StepBuilder("The same for the monomials")
-                                     .say("Every map of this degree is a combination of these:")
-                                     .add(monomials(n, given.variable))
-                                     .done());
+        document.step("The same for the monomials")
+            .say("Every map of this degree is a combination of these:")
+            .add(monomials(n, given.variable));
     }
-    document.result.emplace_back(
-        Display{{equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})}});
+    document.result.show({equation({blossom_of("p", pairs(n)), coordinates_formula(first, symbols)})});
     document.check = {
         {Paragraph{"Both ways round the square give the same polynomial in all arguments, and the "
                    "three constructions of the blossom agree for all of them."}},

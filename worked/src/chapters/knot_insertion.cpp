@@ -1,5 +1,6 @@
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <algorithm>
@@ -53,21 +54,17 @@ Picture insertion_picture(const PlaneSpline& before, const PlaneSpline& after, c
 Document knots_inserted(const BSplineCurve& curve, std::span<const Rational> knots, const Limits& limits) {
     Document document =
         begun(curve, "Knot insertion by Boehm's algorithm", "Hart, knot insertion; DeRose, section 4.7");
-    std::vector<Formula> wanted;
-    for (const Rational& knot : knots) wanted.push_back(number(knot));
-    document.statement.emplace_back(
-        Paragraph{{"Find the control points of the same curve with the further knots ",
-                   tuple(std::move(wanted)), "."}});
+    std::vector<Formula> wanted = mapped(knots, number);
+    document.statement.say(
+        {"Find the control points of the same curve with the further knots ", tuple(std::move(wanted)), "."});
     BSplineCurve current = curve;
     for (const Rational& knot : knots) {
         const BSplineCurve next = insert_knots_boehm(current, std::array{knot}, limits);
-        document.steps.push_back(
-            StepBuilder("The knot " + to_string(knot))
-                .say({"Every control point whose arguments the new knot ", number(knot),
-                      " would interrupt is replaced. A new value differs from two old neighbours in one "
-                      "argument, and combines them:"})
-                .show(new_points(current, knot, limits))
-                .done());
+        document.step("The knot " + to_string(knot))
+            .say({"Every control point whose arguments the new knot ", number(knot),
+                  " would interrupt is replaced. A new value differs from two old neighbours in one "
+                  "argument, and combines them:"})
+            .show(new_points(current, knot, limits));
         current = next;
     }
     document.maps.push_back({"G", "g", "t", current});
@@ -76,12 +73,11 @@ Document knots_inserted(const BSplineCurve& curve, std::span<const Rational> kno
         Formula value = value_of_blossom(window_arguments(current.knots(), j), "g");
         equations.push_back(equation({std::move(value), point_formula(current.control_points()[j])}));
     }
-    document.result.emplace_back(
-        Paragraph{{"The same curve over the new knots, its blossom called g there:"}});
-    document.result.emplace_back(Display{std::move(equations)});
+    document.result.say({"The same curve over the new knots, its blossom called g there:"});
+    document.result.show(std::move(equations));
     const auto plane = plane_spline(curve);
     const auto refined = plane_spline(current);
-    if (plane && refined) document.result.emplace_back(insertion_picture(*plane, *refined, limits));
+    if (plane && refined) document.result.add(insertion_picture(*plane, *refined, limits));
     const BSplineCurve oslo = insert_knots_oslo(curve, knots, limits);
     std::vector<Formula> values;
     const Interval domain = curve.knots().domain();

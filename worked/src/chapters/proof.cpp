@@ -44,22 +44,19 @@ void append_expansions(Document& document, const WrittenCase& written, const Lim
         std::vector<Formula> values;
         values.reserve(applications.size());
         for (const proofs::NodeId node : applications) values.push_back(expansion(node));
-        document.steps.push_back(
-            StepBuilder("Every value by coefficients")
-                .say("The maps are any polynomials of their degrees; their coefficients are variables too:")
-                .show(maps)
-                .say("A blossom value has the elementary symmetric functions of its arguments, divided by "
-                     "binomial coefficients, in the place of the powers:")
-                .show(std::move(values))
-                .done());
+        document.step("Every value by coefficients")
+            .say("The maps are any polynomials of their degrees; their coefficients are variables too:")
+            .show(maps)
+            .say(
+                "A blossom value has the elementary symmetric functions of its arguments, divided by "
+                "binomial coefficients, in the place of the powers:")
+            .show(std::move(values));
     }
-    document.steps.push_back(StepBuilder("Both sides expanded")
-                                 .say("Put in, the two sides become")
-                                 .show({expansion(written.relation.left), expansion(written.relation.right)})
-                                 .say("These are the same in every variable, and so for all values of them.")
-                                 .done());
-    document.result.emplace_back(
-        Display{{equation({formulas(written.relation.left), formulas(written.relation.right)})}});
+    document.step("Both sides expanded")
+        .say("Put in, the two sides become")
+        .show({expansion(written.relation.left), expansion(written.relation.right)})
+        .say("These are the same in every variable, and so for all values of them.");
+    document.result.show({equation({formulas(written.relation.left), formulas(written.relation.right)})});
 }
 
 }  // namespace
@@ -94,15 +91,13 @@ void append_proof(Document& document, const DecidedClaim& claim, const std::opti
     if (written) {
         append_expansions(document, *written, limits);
     } else {
-        document.steps.push_back(
-            StepBuilder("Both sides expanded")
-                .say(
-                    "Both sides were expanded as rational functions of the variables and of the coefficients "
-                    "of the maps, after the hypotheses, if there are any, had been solved for "
-                    "coefficients. They have the same normal form. Its " +
-                    std::to_string(decision.terms()) + " terms in " + cases_text(cases) +
-                    " are not written out.")
-                .done());
+        document.step("Both sides expanded")
+            .say(
+                "Both sides were expanded as rational functions of the variables and of the coefficients "
+                "of the maps, after the hypotheses, if there are any, had been solved for "
+                "coefficients. They have the same normal form. Its " +
+                std::to_string(decision.terms()) + " terms in " + cases_text(cases) +
+                " are not written out.");
     }
     std::string holds = "This holds for all maps of the degrees and all values of the variables";
     std::string before = ", where ";
@@ -112,10 +107,10 @@ void append_proof(Document& document, const DecidedClaim& claim, const std::opti
         holds += before + text;
         before = ", ";
     }
-    document.result.emplace_back(Paragraph{holds + "."});
+    document.result.say(holds + ".");
     if (cases > 1) {
-        document.result.emplace_back(
-            Paragraph{"The other cases, " + cases_text(cases) + " in all, were decided in the same way."});
+        document.result.say("The other cases, " + cases_text(cases) +
+                            " in all, were decided in the same way.");
     }
     document.check = {
         {Paragraph{

@@ -1,9 +1,10 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 
 namespace blossom::worked {
 
@@ -18,8 +19,9 @@ std::string coordinate_name(std::size_t j, std::size_t dimension) {
 
 void name_coordinates(Document& document, const BezierCurve& curve) {
     for (std::size_t j = 0; j < curve.dimension(); ++j) {
-        std::vector<Coordinates> points;
-        for (const Coordinates& point : curve.control_points().to_points()) points.push_back({point[j]});
+        std::vector<Coordinates> points =
+            mapped(curve.control_points().to_points(),
+                   [&](const Coordinates& point) { return Coordinates{point[j]}; });
         const std::string name = coordinate_name(j, curve.dimension());
         std::string map = name;
         map.front() = j + 1 == curve.dimension() ? 'W' : 'X';
@@ -44,7 +46,7 @@ Table weight_table(const BezierCurve& curve) {
         "The control points, divided by their weights.", {"value", "homogeneous", "weight", "point"}, {}};
     const std::size_t n = curve.degree();
     for (std::size_t k = 0; k <= n; ++k) {
-        const auto arguments = end_arguments(curve.interval().a(), curve.interval().b(), n, k);
+        const auto arguments = end_arguments(curve, k);
         const Coordinates point = curve.control_points()[k];
         const Rational& weight = point.back();
         const Formula name = value_of_blossom(arguments);
@@ -68,7 +70,7 @@ std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t,
         if (point.back().is_zero()) return std::nullopt;
         const Place place = projected_place(point);
         polygon.places.push_back(place);
-        const auto arguments = end_arguments(curve.interval().a(), curve.interval().b(), curve.degree(), k);
+        const auto arguments = end_arguments(curve, k);
         picture.points.push_back(
             {place, index(symbol("P"), number(k)), Role::control, divided(curve, arguments)});
     }
@@ -89,26 +91,22 @@ Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& l
     const Coordinates homogeneous = evaluate(bezier, t, limits);
     const Coordinates point = projected(homogeneous);
     const Formula at = call("P", {number(t.value)});
-    document.statement.emplace_back(
-        Paragraph{"The last coordinate is a weight: a point of the rational curve has the others divided by "
-                  "it."});
-    document.statement.emplace_back(
-        Paragraph{{"Find the point ", symbol("C"), " of the rational curve at ", number(t.value), "."}});
-    document.steps.push_back(StepBuilder("Control points with weights")
-                                 .say("The blossom works on all coordinates alike.")
-                                 .add(weight_table(bezier))
-                                 .done());
-    document.steps.push_back(StepBuilder("De Casteljau's algorithm, weights included")
-                                 .add(casteljau_triangle(bezier, with_copies({}, bezier.degree(), t),
-                                                         "The pyramid in homogeneous coordinates.", limits))
-                                 .done());
-    document.steps.push_back(StepBuilder("Divide by the weight")
-                                 .show({equation({at, point_formula(homogeneous)}),
-                                        equation({symbol("C"), division(homogeneous), point_formula(point)})})
-                                 .done());
-    document.result.emplace_back(
-        Display{{equation({symbol("C"), division(homogeneous), point_formula(point)})}});
-    if (auto picture = arc_picture(bezier, t, limits)) document.result.emplace_back(std::move(*picture));
+    document.statement.say(
+        "The last coordinate is a weight: a point of the rational curve has the others divided by "
+        "it.");
+    document.statement.say(
+        {"Find the point ", symbol("C"), " of the rational curve at ", number(t.value), "."});
+    document.step("Control points with weights")
+        .say("The blossom works on all coordinates alike.")
+        .add(weight_table(bezier));
+    document.step("De Casteljau's algorithm, weights included")
+        .add(casteljau_triangle(bezier, with_copies({}, bezier.degree(), t),
+                                "The pyramid in homogeneous coordinates.", limits));
+    document.step("Divide by the weight")
+        .show({equation({at, point_formula(homogeneous)}),
+               equation({symbol("C"), division(homogeneous), point_formula(point)})});
+    document.result.show({equation({symbol("C"), division(homogeneous), point_formula(point)})});
+    document.result.add_if(arc_picture(bezier, t, limits));
     const Coordinates direct = evaluate(coefficient_form(given.map, limits), t, limits);
     document.check = {
         {Paragraph{"The coefficients, evaluated directly, give the same point with its weight:"},

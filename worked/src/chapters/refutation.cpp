@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "claims.hpp"
-#include "elementary.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 
@@ -59,7 +59,7 @@ Formula value_equation(const Formula& name, const PolynomialCurve& curve, std::s
 }
 
 /// What stands on a side, its values with numbers, and the number that it is.
-void append_side(StepBuilder& step, const WrittenCase& written, std::span<const Rational> values,
+void append_side(Blocks& step, const WrittenCase& written, std::span<const Rational> values,
                  const std::vector<proofs::NodeId>& applications, proofs::NodeId side) {
     GroundFormulas numbers(written.block, values);
     proofs::Evaluator evaluate(written.block, values);
@@ -89,9 +89,9 @@ void append_side(StepBuilder& step, const WrittenCase& written, std::span<const 
 }
 
 /// The maps and numbers of the counterexample.
-Step counterexample_step(Document& document, const WrittenCase& written,
-                         const proofs::Counterexample& found) {
-    StepBuilder step("The counterexample");
+void append_counterexample(Document& document, const WrittenCase& written,
+                           const proofs::Counterexample& found) {
+    Blocks& step = document.step("The counterexample");
     const std::string variable = free_letter(written.block);
     std::vector<Formula> maps;
     for (const proofs::WitnessMap& witness : found.maps) {
@@ -111,7 +111,6 @@ Step counterexample_step(Document& document, const WrittenCase& written,
         numbers.push_back(equation({formulas.symbol_formula(i), number(value)}));
     }
     if (!numbers.empty()) step.say("with").show(std::move(numbers));
-    return step.done();
 }
 
 /// A side with its value; an expression in variables without a rational value as it is written.
@@ -120,8 +119,7 @@ Formula side_formula(const proofs::Counterexample& found, const std::string& sid
 }
 
 /// The counterexample in words, for maps whose values are not written.
-Step counterexample_in_words(const proofs::Counterexample& found) {
-    StepBuilder step("The counterexample");
+Table counterexample_table(const proofs::Counterexample& found) {
     Table table{"What makes the two sides differ.", {"what", "value"}, {}};
     for (const proofs::WitnessMap& map : found.maps) {
         table.rows.push_back({Cell(map.name.c_str()), Cell(map.text.c_str())});
@@ -134,7 +132,7 @@ Step counterexample_in_words(const proofs::Counterexample& found) {
         table.rows.push_back(
             {Cell(value.text.substr(0, sign).c_str()), Cell(value.text.substr(sign + 3).c_str())});
     }
-    return step.add(std::move(table)).done();
+    return table;
 }
 
 }  // namespace
@@ -149,29 +147,24 @@ void append_refutation(Document& document, const DecidedClaim& claim,
     if (written && found.roots.empty()) {
         const std::vector<Rational> values = values_of(*written, found);
         const std::vector<proofs::NodeId> applications = applications_of(*written);
-        document.steps.push_back(counterexample_step(document, *written, found));
-        StepBuilder left("The left side");
-        append_side(left, *written, values, applications, written->relation.left);
-        document.steps.push_back(left.done());
-        StepBuilder right("The right side");
-        append_side(right, *written, values, applications, written->relation.right);
-        document.steps.push_back(right.done());
+        append_counterexample(document, *written, found);
+        append_side(document.step("The left side"), *written, values, applications, written->relation.left);
+        append_side(document.step("The right side"), *written, values, applications, written->relation.right);
         GroundFormulas numbers(written->block, values);
-        document.result.emplace_back(
-            Display{{relation("≠", {numbers(written->relation.left), numbers(written->relation.right)})}});
+        document.result.show(
+            {relation("≠", {numbers(written->relation.left), numbers(written->relation.right)})});
     } else {
-        document.steps.push_back(counterexample_in_words(found));
+        document.step("The counterexample").add(counterexample_table(found));
     }
-    document.result.emplace_back(
-        Paragraph{{"The sides are ", left_value, " and ", right_value, ": the claim does not hold."}});
-    std::vector<Block> again{Paragraph{"Both sides were computed anew with these numbers, and differ:"},
-                             Display{{differ}}};
+    document.result.say({"The sides are ", left_value, " and ", right_value, ": the claim does not hold."});
+    Blocks again{Paragraph{"Both sides were computed anew with these numbers, and differ:"},
+                 Display{{differ}}};
     Table commands{"Every value can be computed again with these commands.", {"value", "command"}, {}};
     for (const proofs::WitnessValue& value : found.values) {
         if (!value.command.empty())
             commands.rows.push_back({Cell(value.text.c_str()), Cell(value.command.c_str())});
     }
-    if (!commands.rows.empty()) again.emplace_back(std::move(commands));
+    if (!commands.rows.empty()) again.add(std::move(commands));
     document.check = {std::move(again), found.left != found.right, "The claim is refuted."};
 }
 

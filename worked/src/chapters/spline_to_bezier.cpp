@@ -12,19 +12,17 @@ std::string interval_text(const Interval& interval) {
     return "[" + to_string(interval.a()) + ", " + to_string(interval.b()) + "]";
 }
 
-Step segment_step(const BSplineCurve& curve, std::size_t span, const BezierCurve& bezier,
-                  const Limits& limits) {
+void append_segment(Document& document, const BSplineCurve& curve, std::size_t span,
+                    const BezierCurve& bezier, const Limits& limits) {
     const Interval& interval = bezier.interval();
-    const std::size_t n = bezier.degree();
-    return StepBuilder("The segment on " + interval_text(interval))
+    document.step("The segment on " + interval_text(interval))
         .say({"Its Bézier control points are the values of its blossom at ", number(interval.a()), " and ",
               number(interval.b()),
               std::string(
                   ". De Boor's triangle replaces the knots of the control points of the spline by these, "
                   "one per level. This is the triangle of one of them; its lower levels have others too:")})
-        .add(de_boor_triangle(curve, span, end_arguments(interval.a(), interval.b(), n, n / 2),
-                              "De Boor's triangle.", limits))
-        .done();
+        .add(de_boor_triangle(curve, span, end_arguments(bezier, bezier.degree() / 2), "De Boor's triangle.",
+                              limits));
 }
 
 Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
@@ -34,15 +32,8 @@ Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
     for (const std::size_t span : plane.curve.knots().spans()) {
         const BezierCurve bezier = sablonniere(plane.curve, span, limits);
         const Role role = index++ % 2 == 0 ? Role::result : Role::second;
-        const std::vector<Place> places = places_of(bezier.control_points());
-        picture.lines.push_back({places, role});
-        for (std::size_t k = 0; k < places.size(); ++k) {
-            const auto arguments =
-                end_arguments(bezier.interval().a(), bezier.interval().b(), bezier.degree(), k);
-            if (plane.curve.knots().spans().size() <= 3) {
-                picture.points.push_back({places[k], spline_value(arguments, span), role});
-            }
-        }
+        add_polygon(picture, bezier, bezier.control_points(), role, named_on(span),
+                    plane.curve.knots().spans().size() <= 3);
     }
     return picture;
 }
@@ -52,23 +43,16 @@ Picture bezier_picture(const PlaneSpline& plane, const Limits& limits) {
 Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits) {
     Document document = begun(curve, "From a B-spline to Bézier curves",
                               "Hart, Boehm blossoms; DeRose, section 4.6 and figure 9");
-    document.statement.emplace_back(Paragraph{"Find the Bézier control points of all its segments."});
+    document.statement.say("Find the Bézier control points of all its segments.");
     const std::vector<std::size_t> spans = curve.knots().spans();
     std::vector<BezierCurve> segments;
     for (const std::size_t span : spans) {
         segments.push_back(sablonniere(curve, span, limits));
-        document.steps.push_back(segment_step(curve, span, segments.back(), limits));
-        document.result.emplace_back(Paragraph{{"Over " + interval_text(segments.back().interval()) + ":"}});
-        const Interval& interval = segments.back().interval();
-        std::vector<Formula> equations;
-        for (std::size_t k = 0; k <= curve.degree(); ++k) {
-            equations.push_back(
-                equation({spline_value(end_arguments(interval.a(), interval.b(), curve.degree(), k), span),
-                          point_formula(segments.back().control_points()[k])}));
-        }
-        document.result.emplace_back(Display{std::move(equations)});
+        append_segment(document, curve, span, segments.back(), limits);
+        document.result.say({"Over " + interval_text(segments.back().interval()) + ":"});
+        document.result.show(control_point_equations(segments.back(), named_on(span)));
     }
-    if (const auto plane = plane_spline(curve)) document.result.emplace_back(bezier_picture(*plane, limits));
+    if (const auto plane = plane_spline(curve)) document.result.add(bezier_picture(*plane, limits));
     bool holds = true;
     for (std::size_t i = 0; i + 1 < segments.size(); ++i) {
         const Rational& knot = segments[i].interval().b();

@@ -2,6 +2,7 @@
 
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/de_boor.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -14,9 +15,7 @@ namespace blossom::worked {
 namespace {
 
 std::vector<Argument> points_of(std::span<const Rational> parameters) {
-    std::vector<Argument> arguments;
-    for (const Rational& parameter : parameters) arguments.emplace_back(Parameter(parameter));
-    return arguments;
+    return mapped(parameters, [&](const Rational& parameter) { return Argument(Parameter(parameter)); });
 }
 
 Rational mean(std::span<const Rational> numbers) {
@@ -31,6 +30,10 @@ Formula spline_value(std::span<const Argument> arguments, std::optional<std::siz
     Formula formula = value_of_blossom(arguments, "f");
     if (span) formula.value = Rational(*span + 1);
     return formula;
+}
+
+Naming named_on(std::size_t span) {
+    return [span](std::span<const Argument> arguments) { return spline_value(arguments, span); };
 }
 
 std::vector<Argument> window_arguments(const KnotVector& knots, std::size_t point) {
@@ -55,13 +58,12 @@ Document begun(const BSplineCurve& curve, std::string title, std::string source)
     document.title = std::move(title);
     document.source = std::move(source);
     document.maps.push_back({"F", "f", "t", curve});
-    std::vector<Formula> knots;
-    for (const Rational& knot : curve.knots().knots()) knots.push_back(number(knot));
-    document.statement.emplace_back(Paragraph{
-        {"Given the B-spline curve of degree ", number(curve.degree()), " over the knots ",
-         tuple(std::move(knots)), ". Its control points are values of the blossoms of its segments at ",
-         number(curve.degree()), " consecutive knots:"}});
-    document.statement.emplace_back(Display{spline_equations(curve)});
+    std::vector<Formula> knots = mapped(curve.knots().knots(), number);
+    document.statement.say({"Given the B-spline curve of degree ", number(curve.degree()), " over the knots ",
+                            tuple(std::move(knots)),
+                            ". Its control points are values of the blossoms of its segments at ",
+                            number(curve.degree()), " consecutive knots:"});
+    document.statement.show(spline_equations(curve));
     return document;
 }
 
@@ -113,8 +115,7 @@ TrianglePyramid de_boor_triangle(const BSplineCurve& curve, std::size_t span,
         return std::pair((end * u.mass - u.u) / (end - begin), (u.u - begin * u.mass) / (end - begin));
     };
     const auto value = [&](std::span<const Argument> at) { return segment_blossom(curve, span, at, limits); };
-    const auto name = [&](std::span<const Argument> at) { return spline_value(at, span); };
-    return triangle_by({n, label, weights, value, name}, std::move(caption));
+    return triangle_by({n, label, weights, value, named_on(span)}, std::move(caption));
 }
 
 }  // namespace blossom::worked

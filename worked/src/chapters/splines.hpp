@@ -8,12 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 
 namespace blossom::worked {
 
 /// f(arguments) of the segment on a span; without one at consecutive knots, where all segments agree.
 Formula spline_value(std::span<const Argument> arguments, std::optional<std::size_t> span = {});
+
+Naming named_on(std::size_t span);
 
 /// The window of n knots of a control point.
 std::vector<Argument> window_arguments(const KnotVector& knots, std::size_t point);

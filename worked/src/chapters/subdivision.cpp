@@ -1,7 +1,7 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/worked/chapters.hpp>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 
 namespace blossom::worked {
 
@@ -36,26 +36,23 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
     const Rational& a = bezier.interval().a();
     const Rational& b = bezier.interval().b();
     const auto [left, right] = subdivide(bezier, t, limits);
-    document.statement.emplace_back(
-        Paragraph{{"Find its control points over ", interval_of(number(a), number(t.value)), " and over ",
-                   interval_of(number(t.value), number(b)), "."}});
+    document.statement.say({"Find its control points over ", interval_of(number(a), number(t.value)),
+                            " and over ", interval_of(number(t.value), number(b)), "."});
     TrianglePyramid pyramid = casteljau_triangle(
         bezier, with_copies({}, bezier.degree(), t),
         "The pyramid: the upper edge has the left polygon, the lower edge the right one.", limits);
     mark_edges(pyramid);
-    document.steps.push_back(
-        StepBuilder("One pyramid has both")
-            .say(
-                "De Casteljau's pyramid has, along one lateral edge, the values with ever more copies of the "
-                "parameter and ever fewer of the right end, and along the other the same for the left end. "
-                "These are the required control points.")
-            .add(std::move(pyramid))
-            .add_if(both_polygons(given.map, bezier, t, limits))
-            .done());
-    document.result.emplace_back(Paragraph{"The left polygon:"});
-    document.result.emplace_back(Display{control_point_equations(left)});
-    document.result.emplace_back(Paragraph{"The right polygon:"});
-    document.result.emplace_back(Display{control_point_equations(right)});
+    document.step("One pyramid has both")
+        .say(
+            "De Casteljau's pyramid has, along one lateral edge, the values with ever more copies of the "
+            "parameter and ever fewer of the right end, and along the other the same for the left end. "
+            "These are the required control points.")
+        .add(std::move(pyramid))
+        .add_if(both_polygons(given.map, bezier, t, limits));
+    document.result.say("The left polygon:");
+    document.result.show(control_point_equations(left));
+    document.result.say("The right polygon:");
+    document.result.show(control_point_equations(right));
     const PolynomialCurve whole = coefficient_form(given.map, limits);
     document.check = {{Paragraph{"Both polygons, turned into coefficients, give the same map:"},
                        Display{{polynomial_equation(left, given.variable, limits)}}},

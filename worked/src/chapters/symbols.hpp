@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/core/algebra/sparse_polynomial.hpp>
+#include <blossom/core/maps/argument.hpp>
 #include <blossom/worked/formula.hpp>
 
 #include <span>
@@ -16,5 +17,11 @@ std::vector<Formula> numbered_symbols(const std::string& letter, std::size_t n);
 /// degree in the first `counted` variables.
 Formula sparse_formula(const SparsePolynomial& polynomial, std::span<const Formula> symbols,
                        std::size_t counted);
+
+/// e_0, ..., e_n of homogeneous arguments: the coefficients of prod (mass_i + u_i X).
+std::vector<Rational> elementary_values(std::span<const Argument> arguments);
+
+/// The subsets of {0, ..., n - 1} with k elements, in lexicographic order. Cost: C(n, k) lists.
+std::vector<std::vector<std::size_t>> subsets_of_size(std::size_t n, std::size_t k);
 
 }  // namespace blossom::worked

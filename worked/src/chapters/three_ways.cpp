@@ -2,15 +2,15 @@
 #include <blossom/core/blossom/evaluation.hpp>
 #include <blossom/core/constructions/constructions.hpp>
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/chapters.hpp>
 
 #include <algorithm>
 #include <utility>
 
 #include "curve_pictures.hpp"
-#include "elementary.hpp"
 #include "formulas_of_values.hpp"
-#include "subsets.hpp"
+#include "symbols.hpp"
 
 namespace blossom::worked {
 
@@ -38,29 +38,25 @@ Formula elementary_equation(std::span<const Argument> arguments, std::size_t k, 
     std::vector<Formula> sides{elementary(k, argument_formulas(arguments))};
     const auto subsets = subsets_of_size(arguments.size(), k);
     if (subsets.size() <= terms_written && arguments.size() > 1 && k > 0) {
-        std::vector<Formula> terms;
-        terms.reserve(subsets.size());
-        for (const auto& subset : subsets) terms.push_back(elementary_term(arguments, subset));
-        sides.push_back(sum(std::move(terms)));
+        sides.push_back(
+            sum(mapped(subsets, [&](const auto& subset) { return elementary_term(arguments, subset); })));
     }
     sides.push_back(number(value));
     return equation(std::move(sides));
 }
 
-Step symmetric_step(const GivenMap& given, std::span<const Argument> arguments, const Coordinates& value,
-                    const Limits& limits) {
+void append_symmetric(Blocks& step, const GivenMap& given, std::span<const Argument> arguments,
+                      const Coordinates& value, const Limits& limits) {
     const PolynomialCurve curve = coefficient_form(given.map, limits);
     const std::size_t n = curve.degree();
     const std::vector<Rational> values = elementary_values(arguments);
-    Step step{"By elementary symmetric functions", {}};
-    step.blocks.emplace_back(Paragraph{
-        {"Each power ", power(symbol(given.variable), symbol("k")), " of the polynomial is replaced by ",
-         fraction(index(symbol("e"), symbol("k")), binomial_of(number(n), symbol("k"))), ", where ",
-         index(symbol("e"), symbol("k")), " is the sum of all products of ", symbol("k"),
-         all_points(arguments)
-             ? " arguments:"
-             : " arguments, each times the masses of the arguments that are left out (1 for "
-               "a point, 0 for a vector):"}});
+    step.say({"Each power ", power(symbol(given.variable), symbol("k")), " of the polynomial is replaced by ",
+              fraction(index(symbol("e"), symbol("k")), binomial_of(number(n), symbol("k"))), ", where ",
+              index(symbol("e"), symbol("k")), " is the sum of all products of ", symbol("k"),
+              all_points(arguments)
+                  ? " arguments:"
+                  : " arguments, each times the masses of the arguments that are left out (1 for "
+                    "a point, 0 for a vector):"});
     Display sums;
     std::vector<Formula> general;
     std::vector<Formula> written;
@@ -77,11 +73,10 @@ Step symmetric_step(const GivenMap& given, std::span<const Argument> arguments, 
                                 : product({number(values[k]), point_formula(normalised)}));
         if (normalised.size() == 1 && !alone) std::swap(written.back().parts[0], written.back().parts[1]);
     }
-    step.blocks.emplace_back(std::move(sums));
-    step.blocks.emplace_back(Paragraph{"With the coefficients of the polynomial this gives"});
-    step.blocks.emplace_back(Display{{equation({value_of_blossom(arguments), sum(std::move(general)),
-                                                sum(std::move(written)), point_formula(value)})}});
-    return step;
+    step.add(std::move(sums));
+    step.say("With the coefficients of the polynomial this gives");
+    step.show({equation({value_of_blossom(arguments), sum(std::move(general)), sum(std::move(written)),
+                         point_formula(value)})});
 }
 
 /// v^n P(u / v) at the pair that a subset adds up to, or for v = 0 the leading form.
@@ -132,11 +127,9 @@ std::vector<SubsetRow> subset_rows(std::span<const Argument> arguments) {
 
 /// The sum of the arguments as pairs.
 Formula sum_of_pairs(std::span<const Argument> arguments) {
-    std::vector<Formula> pairs;
-    for (const Argument& argument : arguments) {
-        pairs.push_back(tuple({number(argument.u), number(argument.mass)}));
-    }
-    return sum(std::move(pairs));
+    return sum(mapped(arguments, [&](const Argument& argument) {
+        return tuple({number(argument.u), number(argument.mass)});
+    }));
 }
 
 /// (-1)^(n-N), times N^n where values at means are added, times the number of subsets that look alike.
@@ -174,18 +167,17 @@ Table polarization_table(const PolynomialCurve& curve, std::span<const SubsetRow
     return table;
 }
 
-Step polarization_step(const GivenMap& given, std::span<const Argument> arguments, const Coordinates& value,
-                       const Limits& limits) {
+void append_polarization(Blocks& step, const GivenMap& given, std::span<const Argument> arguments,
+                         const Coordinates& value, const Limits& limits) {
     const PolynomialCurve curve = coefficient_form(given.map, limits);
     const std::size_t n = curve.degree();
-    Step step{"By polarization", {}};
     if (n == 0) {
-        step.blocks.emplace_back(Paragraph{"A constant has no arguments, and nothing to average."});
-        return step;
+        step.say("A constant has no arguments, and nothing to average.");
+        return;
     }
     const bool points = all_points(arguments);
     const std::vector<SubsetRow> rows = subset_rows(arguments);
-    step.blocks.emplace_back(Paragraph{
+    step.say(
         points
             ? Text{"Only values of the map are used. Every subset of some ", symbol("N"),
                    " arguments contributes the value at its mean with the factor ",
@@ -195,37 +187,31 @@ Step polarization_step(const GivenMap& given, std::span<const Argument> argument
             : Text{"The map becomes the form F(u, v) of degree ", number(n), ", and every subset of some ",
                    symbol("N"), " arguments contributes the form at its sum with the sign ",
                    power(tuple({number(-1)}), sum({number(n), product({number(-1), symbol("N")})})),
-                   "; subsets that look alike are counted together."}});
+                   "; subsets that look alike are counted together."});
     if (rows.size() > rows_written) {
-        step.blocks.emplace_back(
-            Paragraph{{"The table would have ", number(rows.size()), " rows and is not written out."}});
+        step.say({"The table would have ", number(rows.size()), " rows and is not written out."});
     } else {
-        step.blocks.emplace_back(polarization_table(curve, rows, points));
+        step.add(polarization_table(curve, rows, points));
     }
     Coordinates total = value;
     for (Rational& coordinate : total) coordinate *= Rational(factorial(n));
     const Formula times{product({factorial_of(number(n)), value_of_blossom(arguments)})};
-    step.blocks.emplace_back(
-        Paragraph{{"The terms add up to ", equation({times, point_formula(total)}), ", and so"}});
-    step.blocks.emplace_back(
-        Display{{equation({value_of_blossom(arguments),
-                           product({fraction(number(1), factorial_of(number(n))), point_formula(total)}),
-                           point_formula(value)})}});
-    return step;
+    step.say({"The terms add up to ", equation({times, point_formula(total)}), ", and so"});
+    step.show({equation({value_of_blossom(arguments),
+                         product({fraction(number(1), factorial_of(number(n))), point_formula(total)}),
+                         point_formula(value)})});
 }
 
-Step casteljau_step(const GivenMap& given, std::span<const Argument> arguments, const Limits& limits) {
+void append_casteljau(Blocks& step, const GivenMap& given, std::span<const Argument> arguments,
+                      const Limits& limits) {
     const BezierCurve bezier = bezier_form(given.map, limits);
-    Step step{"By de Casteljau's algorithm, one argument per level", {}};
-    step.blocks.emplace_back(Paragraph{
+    step.say(
         {"Each level replaces one end of the interval ",
          interval_of(number(bezier.interval().a()), number(bezier.interval().b())),
          " by the next argument. On its arrows stand the coordinates of this argument in the interval: the "
-         "weights with which the two neighbours are combined."}});
-    step.blocks.emplace_back(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits));
-    auto picture = construction_picture(given.map, arguments, "The construction in the plane.", limits);
-    if (picture) step.blocks.emplace_back(std::move(*picture));
-    return step;
+         "weights with which the two neighbours are combined."});
+    step.add(casteljau_triangle(bezier, arguments, "De Casteljau's pyramid.", limits));
+    step.add_if(construction_picture(given.map, arguments, "The construction in the plane.", limits));
 }
 
 Check agreement_check(const Agreement<Coordinates>& values, const Formula& left) {
@@ -253,11 +239,12 @@ Document three_ways(const GivenMap& given, std::span<const Argument> arguments, 
     const Agreement<Coordinates> values = agreement(given.map, arguments, limits);
     const Coordinates value = *values.results.front().value;
     const Formula left = value_of_blossom(arguments);
-    document.statement.emplace_back(Paragraph{{"Find the value ", left, " of its blossom."}});
-    document.steps.push_back(symmetric_step(given, arguments, value, limits));
-    document.steps.push_back(polarization_step(given, arguments, value, limits));
-    document.steps.push_back(casteljau_step(given, arguments, limits));
-    document.result.emplace_back(Display{{equation({left, point_formula(value)})}});
+    document.statement.say({"Find the value ", left, " of its blossom."});
+    append_symmetric(document.step("By elementary symmetric functions"), given, arguments, value, limits);
+    append_polarization(document.step("By polarization"), given, arguments, value, limits);
+    append_casteljau(document.step("By de Casteljau's algorithm, one argument per level"), given, arguments,
+                     limits);
+    document.result.show({equation({left, point_formula(value)})});
     document.check = agreement_check(values, left);
     return document;
 }

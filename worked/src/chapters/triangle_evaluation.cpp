@@ -44,17 +44,17 @@ Document triangle_evaluation(const GivenTriangle& given, const Coordinates& u, c
     const TriangleNet net(given, u, limits);
     Document document = begun(given, net, "De Casteljau's algorithm on a triangle", "DeRose, section 5.2");
     const Formula wanted = call("P", {symbol("u")});
-    document.statement.emplace_back(Paragraph{{"Find ", wanted, " for the point"}});
-    document.statement.emplace_back(point_display(given, net));
+    document.statement.say({"Find ", wanted, " for the point"});
+    document.statement.add(point_display(given, net));
 
-    document.steps = level_steps(given, net);
-    if (net.degree() > 0) document.steps.back().blocks.emplace_back(construction(given, net));
+    append_levels(document, given, net);
+    if (net.degree() > 0) document.steps.back().blocks.add(construction(given, net));
     const MultiIndex none(3);
     const Coordinates value = net.value(none);
-    document.result.emplace_back(Display{{equation({wanted, net.name(none), point_formula(value)})}});
+    document.result.show({equation({wanted, net.name(none), point_formula(value)})});
     if (given.weighted) {
-        document.result.emplace_back(Paragraph{"Divided by the weight this is the point"});
-        document.result.emplace_back(Display{{equation({division(value), point_formula(projected(value))})}});
+        document.result.say("Divided by the weight this is the point");
+        document.result.show({equation({division(value), point_formula(projected(value))})});
     }
     const Coordinates direct = evaluate(net.patch(), {u}, limits);
     std::vector<Formula> sides{wanted};

@@ -3,6 +3,7 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <numeric>
@@ -68,11 +69,8 @@ Formula polynomial_formula(const PolynomialPatch& patch, std::span<const Formula
 }
 
 std::vector<Formula> equations(const TriangleNet& net, std::size_t level) {
-    std::vector<Formula> list;
-    for (const MultiIndex& index : net.indices(level)) {
-        list.push_back(level == 0 ? net.known(index) : net.made(index));
-    }
-    return list;
+    return mapped(net.indices(level),
+                  [&](const MultiIndex& index) { return level == 0 ? net.known(index) : net.made(index); });
 }
 
 }  // namespace
@@ -142,16 +140,15 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
         std::vector<Formula> variables;
         variables.reserve(given.variables.size());
         for (const std::string& variable : given.variables) variables.push_back(symbol(variable));
-        document.statement.emplace_back(
-            Paragraph{{"Given the polynomial map of formal total degree ", degree, " in the plane:"}});
-        document.statement.emplace_back(
-            Display{{equation({call("P", variables), polynomial_formula(*polynomial, variables)})}});
+        document.statement.say(
+            {"Given the polynomial map of formal total degree ", degree, " in the plane:"});
+        document.statement.show(
+            {equation({call("P", variables), polynomial_formula(*polynomial, variables)})});
     } else {
-        document.statement.emplace_back(
-            Paragraph{{"Given the triangular Bézier patch of degree ", degree, " over the triangle ",
-                       symbol("r"), ", ", symbol("s"), ", ", symbol("t"),
-                       " by its control points, the values of its blossom at the vertices:"}});
-        document.statement.emplace_back(Display{equations(net, 0)});
+        document.statement.say({"Given the triangular Bézier patch of degree ", degree, " over the triangle ",
+                                symbol("r"), ", ", symbol("s"), ", ", symbol("t"),
+                                " by its control points, the values of its blossom at the vertices:"});
+        document.statement.show(equations(net, 0));
     }
     if (frame) {
         Text text{std::holds_alternative<PolynomialPatch>(given.map) ? "It is worked out over the triangle "
@@ -161,26 +158,24 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
             text.append(equation({symbol(vertex_names[k]), point_formula(frame->vertices()[k])}));
         }
         text.append(std::string("."));
-        document.statement.emplace_back(Paragraph{std::move(text)});
+        document.statement.say(std::move(text));
     }
     if (given.weighted) {
-        document.statement.emplace_back(Paragraph{
+        document.statement.say(
             "The patch is rational, and its values are homogeneous: the last coordinate is a weight, "
-            "and a point of the patch has the others divided by it."});
+            "and a point of the patch has the others divided by it.");
     }
     return document;
 }
 
-std::vector<Step> level_steps(const GivenTriangle& given, const TriangleNet& net) {
-    std::vector<Step> steps;
+void append_levels(Document& document, const GivenTriangle& given, const TriangleNet& net) {
     if (std::holds_alternative<PolynomialPatch>(given.map)) {
-        steps.push_back(StepBuilder("The control points")
-                            .say("The control points over the triangle are the values of the blossom at its "
-                                 "vertices:")
-                            .show(equations(net, 0))
-                            .done());
+        document.step("The control points")
+            .say("The control points over the triangle are the values of the blossom at its vertices:")
+            .show(equations(net, 0));
     }
-    StepBuilder levels("One argument per level becomes the point");
+    if (net.degree() == 0) return;
+    Blocks& levels = document.step("One argument per level becomes the point");
     levels.say({"The blossom is affine in each argument, and so a value with the argument ", symbol("u"),
                 " is the combination, with the coordinates of ", symbol("u"),
                 " as weights, of three values of the level before, those with ", symbol("r"), ", ",
@@ -188,8 +183,6 @@ std::vector<Step> level_steps(const GivenTriangle& given, const TriangleNet& net
     for (std::size_t level = 1; level <= net.degree(); ++level) {
         levels.say("Level " + std::to_string(level) + ":").show(equations(net, level));
     }
-    if (net.degree() > 0) steps.push_back(levels.done());
-    return steps;
 }
 
 }  // namespace blossom::worked

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "steps.hpp"
+#include "curve_pictures.hpp"
 
 namespace blossom::worked {
 
@@ -47,7 +47,7 @@ private:
 Document begun(const GivenTriangle& given, const TriangleNet& net, std::string title, std::string source);
 
 /// The steps that both chapters begin with: the control net of a polynomial, and the levels one by one.
-std::vector<Step> level_steps(const GivenTriangle& given, const TriangleNet& net);
+void append_levels(Document& document, const GivenTriangle& given, const TriangleNet& net);
 
 /// u = 1/2 r + 1/4 s + 1/4 t, and where the vertices have coordinates those of u.
 Display point_display(const GivenTriangle& given, const TriangleNet& net);

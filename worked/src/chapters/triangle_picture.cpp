@@ -1,5 +1,6 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -14,9 +15,7 @@ namespace {
 /// The corners of the drawn triangle where its vertices have no coordinates: nearly equilateral.
 std::vector<Place> drawn_corners(const GivenTriangle& given) {
     if (given.frame && given.frame->space_dimension() == 2) {
-        std::vector<Place> corners;
-        for (const Coordinates& vertex : given.frame->vertices()) corners.push_back(place_of(vertex));
-        return corners;
+        return mapped(given.frame->vertices(), place_of);
     }
     return {{0, 0}, {1, 0}, {Rational(1, 2), Rational(7, 8)}};
 }

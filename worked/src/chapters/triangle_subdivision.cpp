@@ -58,20 +58,18 @@ Document triangle_subdivision(const GivenTriangle& given, const Coordinates& u, 
     const TriangleNet net(given, u, limits);
     const std::vector<BezierPatch> parts = subdivide(net.patch(), 0, u, limits);
     Document document = begun(given, net, "Subdivision of a triangle", "DeRose, section 5.2");
-    document.statement.emplace_back(
-        Paragraph{"Find the control points over the three triangles into "
-                  "which a point divides the given one:"});
-    document.statement.emplace_back(point_display(given, net));
+    document.statement.say(
+        "Find the control points over the three triangles into "
+        "which a point divides the given one:");
+    document.statement.add(point_display(given, net));
 
-    document.steps = level_steps(given, net);
-    document.steps.push_back(
-        StepBuilder("Three faces of the pyramid")
-            .say({"The control points over a triangle with the vertex ", symbol("u"),
-                  " in the place of another are the values without this other one. The pyramid has them on "
-                  "its three faces."})
-            .add(parts_picture(given, net))
-            .done());
-    document.result.emplace_back(parts_table(net));
+    append_levels(document, given, net);
+    document.step("Three faces of the pyramid")
+        .say({"The control points over a triangle with the vertex ", symbol("u"),
+              " in the place of another are the values without this other one. The pyramid has them on "
+              "its three faces."})
+        .add(parts_picture(given, net));
+    document.result.add(parts_table(net));
 
     bool holds = true;
     for (std::size_t k = 0; k < 3; ++k) {

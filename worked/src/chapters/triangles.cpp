@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "curve_pictures.hpp"
-#include "formulas_of_values.hpp"
 
 namespace blossom::worked {
 

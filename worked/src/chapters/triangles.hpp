@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "formulas_of_values.hpp"
+
 namespace blossom::worked {
 
 /// What a triangle of blossom values is made from: node i of level r is the value at `label`, a combination
@@ -19,7 +21,7 @@ struct TriangleRule {
     std::function<std::vector<Argument>(std::size_t level, std::size_t i)> label;
     std::function<std::pair<Rational, Rational>(std::size_t level, std::size_t i)> weights;
     std::function<Coordinates(std::span<const Argument> arguments)> value;
-    std::function<Formula(std::span<const Argument> arguments)> name;
+    Naming name;
 };
 
 TrianglePyramid triangle_by(const TriangleRule& rule, std::string caption);

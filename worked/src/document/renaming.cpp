@@ -52,7 +52,7 @@ public:
         text = std::move(renamed);
     }
 
-    void apply(std::vector<Block>& blocks) const {
+    void apply(Blocks& blocks) const {
         for (Block& block : blocks) std::visit([&](auto& content) { apply(content); }, block);
     }
 

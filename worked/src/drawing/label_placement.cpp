@@ -1,4 +1,5 @@
 #include "label_placement.hpp"
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <array>
@@ -73,10 +74,7 @@ public:
             for (std::size_t i = 0; i < labels_.size(); ++i) changed = improve(i) || changed;
             if (!changed) break;
         }
-        std::vector<PlacedLabel> result;
-        result.reserve(placed_.size());
-        for (const auto& label : placed_) result.push_back(*label);
-        return result;
+        return mapped(placed_, [&](const auto& label) { return *label; });
     }
 
 private:

@@ -1,4 +1,5 @@
 #include "paper.hpp"
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <array>
@@ -105,10 +106,7 @@ Spot Paper::spot(const Place& place) const {
 }
 
 std::vector<Spot> Paper::spots(const std::vector<Place>& places) const {
-    std::vector<Spot> spots;
-    spots.reserve(places.size());
-    for (const Place& place : places) spots.push_back(spot(place));
-    return spots;
+    return mapped(places, [&](const Place& place) { return spot(place); });
 }
 
 Box Paper::room() const {

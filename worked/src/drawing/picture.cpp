@@ -55,7 +55,9 @@ std::string short_text(const Rational& value) {
     constexpr std::int64_t digits = 4;
     std::string fraction = to_string(value);
     if (fraction.size() <= longest) return fraction;
-    const auto length = [](const Integer& integer) { return static_cast<std::int64_t>(to_string(integer).size()); };
+    const auto length = [](const Integer& integer) {
+        return static_cast<std::int64_t>(to_string(integer).size());
+    };
     const auto power_of_ten = [](std::int64_t k) {
         const Rational power = pow(Rational(10), static_cast<std::size_t>(k < 0 ? -k : k));
         return k < 0 ? Rational(1) / power : power;

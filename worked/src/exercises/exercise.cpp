@@ -1,4 +1,5 @@
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/exercise.hpp>
@@ -118,7 +119,7 @@ const Topic& find_topic(const std::string& name) {
 Step solution(const Document& document, std::string title) {
     Step step{std::move(title), document.statement};
     const auto append = [&](const std::string& heading, const std::vector<Block>& blocks) {
-        step.blocks.emplace_back(Paragraph{heading + "."});
+        step.blocks.say(heading + ".");
         step.blocks.insert(step.blocks.end(), blocks.begin(), blocks.end());
     };
     for (const Step& part : document.steps) append(part.title, part.blocks);
@@ -143,12 +144,7 @@ bool alike(const Document& a, const Document& b) {
 
 }  // namespace
 
-std::vector<std::string_view> exercise_topics() {
-    std::vector<std::string_view> names;
-    names.reserve(topics.size());
-    for (const Topic& topic : topics) names.push_back(topic.name);
-    return names;
-}
+std::vector<std::string_view> exercise_topics() { return mapped(topics, &Topic::name); }
 
 Sheet exercise_sheet(const SheetRequest& request) {
     const Topic& topic = find_topic(request.topic);

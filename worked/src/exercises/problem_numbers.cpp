@@ -1,4 +1,5 @@
 #include "problem_numbers.hpp"
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 
@@ -122,10 +123,7 @@ std::vector<Argument> ProblemNumbers::arguments(std::size_t n) {
             level_ == 3 ? Rational(between(-5, 5)) / Rational(2) : Rational(between(-3, 5));
         if (std::ranges::find(numbers, value) == numbers.end()) numbers.push_back(value);
     }
-    std::vector<Argument> arguments;
-    arguments.reserve(numbers.size());
-    for (const Rational& value : numbers) arguments.emplace_back(Parameter(value));
-    return arguments;
+    return mapped(numbers, [&](const Rational& value) { return Argument(Parameter(value)); });
 }
 
 Rational ProblemNumbers::inside(const Interval& interval) {

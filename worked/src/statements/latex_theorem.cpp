@@ -1,3 +1,4 @@
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/general_statement.hpp>
 
 #include <algorithm>
@@ -21,9 +22,7 @@ const Notation brackets{BlossomStyle::brackets, false};
 /// About how wide the formula is drawn.
 std::size_t width_of(const Layout& layout) {
     const auto script = [](std::size_t width) { return width * 7 / 10; };
-    std::vector<std::size_t> widths;
-    widths.reserve(layout.parts.size());
-    for (const Layout& part : layout.parts) widths.push_back(width_of(part));
+    std::vector<std::size_t> widths = mapped(layout.parts, width_of);
     switch (layout.kind) {
         case Kind::row:
             return std::accumulate(widths.begin(), widths.end(), std::size_t{0});

@@ -1,5 +1,6 @@
 #include "statement_formulas.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
@@ -154,10 +155,8 @@ Formula StatementFormulas::derivative(const Expression& e) {
 
 Formula StatementFormulas::blossom(const Expression& e) {
     if (e.groups.size() == 1) return blossom_of(e.name, list(e.groups[0]));
-    std::vector<Formula> directions;
-    directions.reserve(e.groups.size());
-    for (const auto& group : e.groups) directions.push_back(list_of(list(group)));
-    return blossom_of(e.name, {list_of(std::move(directions), ";")});
+    return blossom_of(
+        e.name, {list_of(mapped(e.groups, [&](const auto& group) { return list_of(list(group)); }), ";")});
 }
 
 std::vector<Formula> StatementFormulas::entries(const Expression& e) {

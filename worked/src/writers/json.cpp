@@ -13,10 +13,10 @@ namespace {
 
 /// In the order of `FormulaKind`.
 constexpr std::array<std::string_view, 25> kind_names{
-    "number",      "symbol",  "words",      "sum",      "product",   "fraction",  "power",
-    "index",       "call",    "application", "derivative", "blossom", "elementary", "binomial",
-    "factorial",   "tuple",   "list",       "repeated", "pair",      "size",      "cases",
-    "set",         "interval", "summation", "relation"};
+    "number",    "symbol",   "words",       "sum",        "product", "fraction",   "power",
+    "index",     "call",     "application", "derivative", "blossom", "elementary", "binomial",
+    "factorial", "tuple",    "list",        "repeated",   "pair",    "size",       "cases",
+    "set",       "interval", "summation",   "relation"};
 static_assert(kind_names.size() == static_cast<std::size_t>(FormulaKind::relation) + 1);
 
 bool has_value(FormulaKind kind) {
@@ -51,7 +51,8 @@ Json places(const std::vector<Place>& list) { return list_of(list, coordinates);
 
 struct DefinitionWriter {
     Json operator()(const PolynomialCurve& curve) const {
-        return Json::Object{{"kind", "polynomial"}, {"coefficients", points(curve.coefficients().to_points())}};
+        return Json::Object{{"kind", "polynomial"},
+                            {"coefficients", points(curve.coefficients().to_points())}};
     }
     Json operator()(const BezierCurve& curve) const {
         return Json::Object{{"kind", "bezier"},
@@ -190,7 +191,8 @@ private:
 
     Json text(const Text& text) const {
         return list_of(text.parts(), [&](const Text::Part& part) {
-            return std::visit(Overloaded{[](const std::string& words) { return Json(words); }, formula_}, part);
+            return std::visit(Overloaded{[](const std::string& words) { return Json(words); }, formula_},
+                              part);
         });
     }
 

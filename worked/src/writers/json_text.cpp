@@ -37,7 +37,8 @@ public:
         } else if (const Rational* exact = value.exact()) {
             text += '"' + to_string(*exact) + '"';
         } else if (const std::string* characters = value.text()) {
-            text += nlohmann::json(*characters).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+            text +=
+                nlohmann::json(*characters).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
         } else if (const Json::Array* elements = value.array()) {
             list("[]", *elements, [&](const Json& element) { write(element); });
         } else {

@@ -66,8 +66,9 @@ void append_faces(pugi::xml_node svg, const Drawing& drawing) {
 void append_paths(pugi::xml_node svg, const Drawing& drawing, bool before) {
     for (const Drawing::Path& path : drawing.paths) {
         if ((path.role == Role::before) != before) continue;
-        append(svg, "path",
-               {{"d", path_data(path)}, {"class", (path.is_curve ? "curve " : "line ") + role_name(path.role)}});
+        append(
+            svg, "path",
+            {{"d", path_data(path)}, {"class", (path.is_curve ? "curve " : "line ") + role_name(path.role)}});
     }
     for (const Drawing::Label& label : drawing.labels) {
         if (label.leader && !before) append_line(svg, *label.leader, "leader");
@@ -153,7 +154,9 @@ constexpr Colours dark{{{"--ink", "#ececec"},
                         {"--second", "#8bdca0"}}};
 
 std::string declared(const Colours& colours) {
-    const auto text = [](const auto& colour) { return std::string(colour.first) + ":" + std::string(colour.second); };
+    const auto text = [](const auto& colour) {
+        return std::string(colour.first) + ":" + std::string(colour.second);
+    };
     return ":root{" + joined(colours, text, ";") + "}";
 }
 
@@ -185,9 +188,7 @@ pugi::xml_node append_picture(pugi::xml_node parent, const Picture& picture, con
     return svg;
 }
 
-std::string svg_style() {
-    return std::string(svg_rules) + declared(light) + if_dark + declared(dark) + "}";
-}
+std::string svg_style() { return std::string(svg_rules) + declared(light) + if_dark + declared(dark) + "}"; }
 
 std::string render_svg(const Picture& picture, const Notation& notation) {
     pugi::xml_document document;

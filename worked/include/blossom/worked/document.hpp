@@ -84,14 +84,28 @@ struct TrianglePyramid {
 
 using Block = std::variant<Paragraph, Display, Table, TrianglePyramid, Picture>;
 
+/// What stands on a page, in order.
+struct Blocks : std::vector<Block> {
+    using std::vector<Block>::vector;
+
+    Blocks& say(Text text) { return add(Paragraph{std::move(text)}); }
+    Blocks& show(std::vector<Formula> formulas) { return add(Display{std::move(formulas)}); }
+    Blocks& add(Block block) {
+        push_back(std::move(block));
+        return *this;
+    }
+    /// Nothing where there is no picture.
+    Blocks& add_if(std::optional<Picture> picture) { return picture ? add(std::move(*picture)) : *this; }
+};
+
 struct Step {
     std::string title;
-    std::vector<Block> blocks;
+    Blocks blocks;
 };
 
 /// What was verified, and whether it holds.
 struct Check {
-    std::vector<Block> blocks;
+    Blocks blocks;
     bool holds = true;
     std::string verdict = "This holds exactly.";  ///< what is said where it holds
 };
@@ -132,14 +146,18 @@ struct Document {
     std::vector<NamedPoint> points;
     std::vector<std::string> symbols;  ///< letters that its formulas define
     /// What is claimed in general, in formulas with indices and ranges instead of numbers.
-    std::vector<Block> general;
-    std::vector<Block> statement;
+    Blocks general;
+    Blocks statement;
     std::vector<Step> steps;
-    std::vector<Block> result;
+    Blocks result;
     std::optional<Check> check;  ///< a sheet of problems has none, and no result
     /// How blossom values are written unless a reader chooses: where a blossom has the name of its map it
     /// needs brackets.
     BlossomStyle style = BlossomStyle::parentheses;
+
+    Blocks& step(std::string title_of_step) {
+        return steps.emplace_back(Step{std::move(title_of_step), {}}).blocks;
+    }
 };
 
 /// The largest degree of its maps.
