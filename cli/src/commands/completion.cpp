@@ -49,12 +49,6 @@ std::vector<CompletedCommand> commands_of(const CLI::App& app) {
     return commands;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-    return text;
-}
-
 /// In single quotes for a shell; brackets and colons have a meaning of their own in zsh's descriptions.
 std::string shell_quoted(std::string_view text, std::string_view escaped = "") {
     std::string result = "'";
@@ -74,7 +68,7 @@ std::string option_names(const std::vector<CompletedOption>& options) {
     for (const CompletedOption& option : options) {
         if (!option.name.empty()) names.push_back(option.name);
     }
-    return joined(names);
+    return fmt::format("{}", fmt::join(names, " "));
 }
 
 std::string bash_command(const CompletedCommand& command) {
@@ -82,9 +76,9 @@ std::string bash_command(const CompletedCommand& command) {
     std::string positional;
     for (const CompletedOption& option : command.options) {
         if (option.name.empty()) {
-            if (!option.values.empty()) positional = " " + joined(option.values);
+            if (!option.values.empty()) positional = fmt::format(" {}", fmt::join(option.values, " "));
         } else if (option.takes_value) {
-            cases += fmt::format("        {}) words='{}' ;;\n", option.name, joined(option.values));
+            cases += fmt::format("        {}) words='{}' ;;\n", option.name, fmt::join(option.values, " "));
         }
     }
     return fmt::format("    {})\n      case $previous in\n{}        *) words='{}{}' ;;\n      esac ;;\n",
@@ -108,13 +102,14 @@ std::string bash_script(const CLI::App& app) {
 }}
 complete -o default -F _blossom blossom
 )",
-                       cases, joined(names), option_names(options_of(app)));
+                       cases, fmt::join(names, " "), option_names(options_of(app)));
 }
 
 std::string zsh_argument(const CompletedOption& option) {
     const std::string help = shell_quoted("[" + option.help + "]", ":");
-    const std::string values =
-        option.values.empty() ? "':value:_files'" : fmt::format("':value:({})'", joined(option.values));
+    const std::string values = option.values.empty()
+                                   ? "':value:_files'"
+                                   : fmt::format("':value:({})'", fmt::join(option.values, " "));
     if (option.name.empty()) return fmt::format("        '*'{}\n", values);
     // The brackets of the help are those that _arguments expects around it.
     return fmt::format("        '{}'{}{}\n", option.name, help, option.takes_value ? values : "");
@@ -160,7 +155,7 @@ std::string fish_script(const CLI::App& app) {
         const std::string condition = fmt::format("'__fish_seen_subcommand_from {}'", command.name);
         for (const CompletedOption& option : command.options) {
             const std::string values =
-                option.values.empty() ? "" : fmt::format(" -a '{}'", joined(option.values));
+                option.values.empty() ? "" : fmt::format(" -a '{}'", fmt::join(option.values, " "));
             if (option.name.empty()) {
                 if (!values.empty())
                     script += fmt::format("complete -c blossom -n {}{}\n", condition, values);

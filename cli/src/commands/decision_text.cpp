@@ -83,6 +83,13 @@ std::string conditions_text(const proofs::Block& block, const Decision& decision
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+/// The parameters of the cases with this verdict; for all of several parameters their ranges. Empty without
+/// parameters.
+std::string cases_text(const proofs::Block& block, const Decision& decision, Verdict verdict) {
+    const proofs::Cases cases = proofs::cases_with(decision, verdict);
+    return cases.empty() ? "" : parameters_of(block, decision, cases);
+}
+
 /// "for n = 1, 3; holds for n = 2, 4"
 std::string verdicts_text(const proofs::Block& block, const Decision& decision) {
     const Verdict worst = decision.verdict();
@@ -122,44 +129,15 @@ std::string notes(const Decision& decision) {
     return fmt::format("{}", fmt::join(lines, ""));
 }
 
-}  // namespace
-
-std::string cases_text(const proofs::Block& block, const Decision& decision, Verdict verdict) {
-    const proofs::Cases cases = proofs::cases_with(decision, verdict);
-    return cases.empty() ? "" : parameters_of(block, decision, cases);
-}
-
-std::string readable(const proofs::Block& block, const Decision& decision, const std::string& title,
-                     const Style& style) {
-    const std::string verdict = fmt::format("{:<9}", proofs::verdict_name(decision.verdict()));
-    const std::string conditions =
-        decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
-    std::string text;
-    if (!conditions.empty()) text = fmt::format("if {}:\n  ", conditions);
-    text += decision.as_expected() ? style.good(verdict) : style.bad(verdict);
-    text += " " + title;
-    const std::string verdicts = verdicts_text(block, decision);
-    if (!verdicts.empty()) text += "  " + verdicts;
-    if (decision.verdict() == Verdict::proved) {
-        text += fmt::format("  ({} {}, {} {})", decision.cases.size(),
-                            decision.cases.size() == 1 ? "case" : "cases", decision.terms(),
-                            decision.terms() == 1 ? "term" : "terms");
-    }
-    text += style.bad(std::string(complaint(decision))) + "\n" + notes(decision);
-    if (const proofs::Counterexample* found = decision.counterexample()) text += readable(*found);
-    return text;
-}
-
-std::string readable(const proofs::Counterexample& counterexample) {
+/// "n = 2, a(t) = t (degree 2), t = 0" and both sides, on indented lines, with commands that compute the
+/// values.
+std::string counterexample_text(const proofs::Counterexample& counterexample) {
     std::vector<std::string> parts;
     for (const auto& [name, value] : counterexample.parameters)
         parts.push_back(fmt::format("{} = {}", name, value));
     for (const proofs::WitnessMap& map : counterexample.maps) {
-        std::string variables;
-        for (const std::string& name : proofs::variables_of(map))
-            variables += (variables.empty() ? "" : ", ") + name;
-        parts.push_back(
-            fmt::format("{}({}) = {} ({})", map.name, variables, map.text, proofs::degrees_text(map)));
+        parts.push_back(fmt::format("{}({}) = {} ({})", map.name, fmt::join(proofs::variables_of(map), ", "),
+                                    map.text, proofs::degrees_text(map)));
     }
     for (const auto& [name, value] : counterexample.variables)
         parts.push_back(fmt::format("{} = {}", name, to_string(value)));
@@ -181,6 +159,29 @@ std::string readable(const proofs::Counterexample& counterexample) {
         text += value.command.empty() ? fmt::format("    {}\n", value.text)
                                       : fmt::format("    {:<{}}  $ {}\n", value.text, width, value.command);
     }
+    return text;
+}
+
+}  // namespace
+
+std::string readable(const proofs::Block& block, const Decision& decision, const std::string& title,
+                     const Style& style) {
+    const std::string verdict = fmt::format("{:<9}", proofs::verdict_name(decision.verdict()));
+    const std::string conditions =
+        decision.verdict() == Verdict::proved ? conditions_text(block, decision) : "";
+    std::string text;
+    if (!conditions.empty()) text = fmt::format("if {}:\n  ", conditions);
+    text += decision.as_expected() ? style.good(verdict) : style.bad(verdict);
+    text += " " + title;
+    const std::string verdicts = verdicts_text(block, decision);
+    if (!verdicts.empty()) text += "  " + verdicts;
+    if (decision.verdict() == Verdict::proved) {
+        text += fmt::format("  ({} {}, {} {})", decision.cases.size(),
+                            decision.cases.size() == 1 ? "case" : "cases", decision.terms(),
+                            decision.terms() == 1 ? "term" : "terms");
+    }
+    text += style.bad(std::string(complaint(decision))) + "\n" + notes(decision);
+    if (const proofs::Counterexample* found = decision.counterexample()) text += counterexample_text(*found);
     return text;
 }
 

@@ -1,6 +1,7 @@
 #include "certificate.hpp"
 
 #include <fmt/format.h>
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/rational_vector.hpp>
 
@@ -107,8 +108,7 @@ std::string words_text(const Certificate& certificate, const Limits& limits) {
 }
 
 std::string point_text(const Coordinates& point) {
-    std::string text;
-    for (const Rational& coordinate : point) text += (text.empty() ? "" : ", ") + to_string(coordinate);
+    const std::string text = joined(point, [&](const Rational& coordinate) { return to_string(coordinate); });
     return point.size() == 1 ? text : "(" + text + ")";
 }
 

@@ -1,5 +1,6 @@
 #include "document_format.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/render.hpp>
 
@@ -27,22 +28,16 @@ worked::BlossomStyle read_style(const Json& value) {
 
 using Documents = std::vector<worked::Document>;
 
-/// One document after the other.
-template <class Write>
-std::string joined(const Documents& documents, std::string_view between, const Write& write) {
-    std::string text;
-    for (const worked::Document& document : documents)
-        text += (text.empty() ? "" : std::string(between)) + write(document);
-    return text;
-}
-
 /// The object of a document; of several documents a list.
 std::string json_text(const Documents& documents, const worked::Notation& notation) {
-    const std::string objects = joined(documents, ",\n", [&](const worked::Document& document) {
-        std::string object = render_json(document, notation);
-        if (object.ends_with('\n')) object.pop_back();
-        return object;
-    });
+    const std::string objects = joined(
+        documents,
+        [&](const worked::Document& document) {
+            std::string object = render_json(document, notation);
+            if (object.ends_with('\n')) object.pop_back();
+            return object;
+        },
+        ",\n");
     return documents.size() == 1 ? objects + "\n" : "[" + objects + "]\n";
 }
 
@@ -54,23 +49,25 @@ struct Format {
 constexpr std::array<Format, 6> formats{
     {{"text",
       [](const Documents& documents, const worked::Notation& notation, std::size_t columns) {
-          return joined(documents, "\n", [&](const worked::Document& document) {
-              return render_text(document, notation, columns);
-          });
+          return joined(
+              documents,
+              [&](const worked::Document& document) { return render_text(document, notation, columns); },
+              "\n");
       }},
      {"markdown",
       [](const Documents& documents, const worked::Notation& notation, std::size_t) {
-          return joined(documents, "\n", [&](const worked::Document& document) {
-              return render_markdown(document, notation);
-          });
+          return joined(
+              documents,
+              [&](const worked::Document& document) { return render_markdown(document, notation); }, "\n");
       }},
      {"latex", [](const Documents& documents, const worked::Notation& notation,
                   std::size_t) { return render_latex(documents, notation); }},
      {"latex-fragment",
       [](const Documents& documents, const worked::Notation& notation, std::size_t) {
-          return joined(documents, "", [&](const worked::Document& document) {
-              return render_latex_fragment(document, notation);
-          });
+          return joined(
+              documents,
+              [&](const worked::Document& document) { return render_latex_fragment(document, notation); },
+              "");
       }},
      {"html", [](const Documents& documents, const worked::Notation& notation,
                  std::size_t) { return render_html(documents, notation); }},

@@ -7,9 +7,15 @@
 
 #include "domain_grid.hpp"
 #include "maps/map.hpp"
-#include "place.hpp"
 
 namespace blossom::protocol {
+
+/// A place in space, exact.
+struct SpacePoint {
+    Rational x;
+    Rational y;
+    Rational z;
+};
 
 /// What the places of a mesh are.
 enum class MeshSpace : unsigned char {
@@ -45,5 +51,15 @@ Mesh mesh_of(const Map& map, const Limits& limits);
 /// scalar map stands over the mean of its vertices or knots.
 void add_net(Mesh& mesh, const Patch& patch, const PointForm& form);
 void add_net(Mesh& mesh, const TensorBSpline& spline, const PointForm& form);
+
+/// A value of a map at some parameters: its coordinates, or its graph where it is scalar; none at infinity.
+std::optional<SpacePoint> placed(Coordinates value, bool rational, const Coordinates& parameters);
+
+/// The parameters of a point of the domain; without vertices those of the unit simplex.
+Coordinates parameters_of(const Patch& patch, const PatchPoint& point);
+
+/// Where a value of the map is, as a result gives it for a parameter of a request; none at infinity.
+std::optional<SpacePoint> place_of_value(const Map& map, const Json& parameter, const Json& value,
+                                         const Limits& limits);
 
 }  // namespace blossom::protocol

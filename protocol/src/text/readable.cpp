@@ -1,6 +1,7 @@
 #include "readable.hpp"
 
 #include <fmt/format.h>
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
@@ -29,15 +30,14 @@ const Json* rounded_twin(const Json& result, std::string_view name) {
 std::string bare_text(const Json& point) {
     const Json::Array* coordinates = point.array();
     if (!coordinates) return leaf_text(point);
-    std::string text;
-    for (const Json& coordinate : *coordinates) text += (text.empty() ? "" : ", ") + bare_text(coordinate);
+    const std::string text =
+        joined(*coordinates, [&](const Json& coordinate) { return bare_text(coordinate); });
     return "(" + text + ")";
 }
 
 std::string argument_text(const Json& argument) {
     if (const Json::Array* list = argument.array()) {
-        std::string text;
-        for (const Json& element : *list) text += (text.empty() ? "" : ", ") + argument_text(element);
+        const std::string text = joined(*list, [&](const Json& element) { return argument_text(element); });
         return "(" + text + ")";
     }
     if (const Json* direction = argument.find("vector")) {
@@ -78,10 +78,7 @@ std::string parameter_text(const Json& parameter) {
 }
 
 std::string arguments_text(const Json& arguments) {
-    std::string text;
-    for (const Json& argument : *arguments.array())
-        text += (text.empty() ? "" : ", ") + argument_text(argument);
-    return text;
+    return joined(*arguments.array(), [&](const Json& argument) { return argument_text(argument); });
 }
 
 std::string table_text(const std::vector<std::vector<std::string>>& rows) {

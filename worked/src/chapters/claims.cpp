@@ -68,8 +68,8 @@ void append_case(Document& document, const WrittenCase& written) {
     parameters.insert(parameters.end(), more.begin(), more.end());
     const Text values = parameters_text(parameters);
     Text text(values.empty() ? "Written out:" : "Here, ");
-    for (const Text::Part& part : values.parts()) text.append(part);
-    if (!values.empty()) text.append(std::string(" this is, written out:"));
+    text.append(values);
+    if (!values.empty()) text.append(" this is, written out:");
     document.statement.say(std::move(text));
     document.statement.add(shown);
 }

@@ -57,7 +57,7 @@ Document de_boor_at(const BSplineCurve& curve, const Parameter& t, const Limits&
         if (i > 0) used.append(std::string(i == curve.degree() ? " and " : ", "));
         used.append(spline_value(window_arguments(curve.knots(), curve.knots().first_point(span) + i)));
     }
-    used.append(std::string("."));
+    used.append(".");
     document.step("The segment").say(std::move(used));
     Blocks& triangle = document.step("Knots are replaced by the parameter, one per level");
     triangle

@@ -157,7 +157,7 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
             if (k > 0) text.append(std::string(k == 1 ? ", " : " and "));
             text.append(equation({symbol(vertex_names[k]), point_formula(frame->vertices()[k])}));
         }
-        text.append(std::string("."));
+        text.append(".");
         document.statement.say(std::move(text));
     }
     if (given.weighted) {

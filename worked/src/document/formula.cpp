@@ -27,8 +27,6 @@ Formula symbol(std::string name) {
     return index(symbol(name.substr(0, 1)), number(subscript));
 }
 
-Formula words(std::string text) { return node(FormulaKind::words, {}, std::move(text)); }
-
 Formula sum(std::vector<Formula> parts) {
     if (parts.empty()) return number(0);
     return parts.size() == 1 ? std::move(parts.front()) : node(FormulaKind::sum, std::move(parts));
@@ -39,40 +37,10 @@ Formula product(std::vector<Formula> parts) {
     return parts.size() == 1 ? std::move(parts.front()) : node(FormulaKind::product, std::move(parts));
 }
 
-Formula fraction(Formula numerator, Formula denominator) {
-    return node(FormulaKind::fraction, {std::move(numerator), std::move(denominator)});
-}
-
 Formula power(Formula base, Formula exponent) {
     if (exponent == number(1)) return base;
     return node(FormulaKind::power, {std::move(base), std::move(exponent)});
 }
-
-Formula index(Formula base, Formula subscript) {
-    return node(FormulaKind::index, {std::move(base), std::move(subscript)});
-}
-
-Formula call(std::string map, std::vector<Formula> arguments) {
-    return node(FormulaKind::call, std::move(arguments), std::move(map));
-}
-
-Formula derivative_of(std::string map, std::size_t order, Formula at) {
-    return node(FormulaKind::derivative, {std::move(at)}, std::move(map), order);
-}
-
-Formula blossom_of(std::string name, std::vector<Formula> arguments) {
-    return node(FormulaKind::blossom, std::move(arguments), std::move(name));
-}
-
-Formula elementary(std::size_t order, std::vector<Formula> arguments) {
-    return node(FormulaKind::elementary, std::move(arguments), "e", order);
-}
-
-Formula binomial_of(Formula n, Formula k) {
-    return node(FormulaKind::binomial, {std::move(n), std::move(k)});
-}
-
-Formula factorial_of(Formula n) { return node(FormulaKind::factorial, {std::move(n)}); }
 
 Formula application(Formula head, std::vector<Formula> arguments) {
     arguments.insert(arguments.begin(), std::move(head));
@@ -82,28 +50,6 @@ Formula application(Formula head, std::vector<Formula> arguments) {
 Formula list_of(std::vector<Formula> parts, std::string separator) {
     if (parts.size() == 1) return std::move(parts.front());
     return node(FormulaKind::list, std::move(parts), std::move(separator));
-}
-
-Formula repeated(Formula argument, Formula times) {
-    return node(FormulaKind::repeated, {std::move(argument), std::move(times)});
-}
-
-Formula pair_of(Formula first, Formula second) {
-    return node(FormulaKind::pair, {std::move(first), std::move(second)});
-}
-
-Formula size_of(Formula set) { return node(FormulaKind::size, {std::move(set)}); }
-
-Formula cases_of(Formula value, Formula condition, Formula otherwise) {
-    return node(FormulaKind::cases, {std::move(value), std::move(condition), std::move(otherwise)});
-}
-
-Formula tuple(std::vector<Formula> parts) { return node(FormulaKind::tuple, std::move(parts)); }
-
-Formula set_of(std::vector<Formula> parts) { return node(FormulaKind::set, std::move(parts)); }
-
-Formula interval_of(Formula begin, Formula end) {
-    return node(FormulaKind::interval, {std::move(begin), std::move(end)});
 }
 
 Formula summation(Formula below, Formula of) {

@@ -47,7 +47,7 @@ public:
         Text renamed;
         for (Text::Part part : text.parts()) {
             if (auto* formula = std::get_if<Formula>(&part)) apply(*formula);
-            renamed.append(std::move(part));
+            renamed.append(Text{std::move(part)});
         }
         text = std::move(renamed);
     }

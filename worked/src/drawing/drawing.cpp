@@ -12,33 +12,8 @@ namespace blossom::worked {
 
 namespace {
 
-constexpr std::size_t pieces_of_arc = 24;
-
-/// Arc points by de Casteljau's algorithm on integers, fine enough to find what covers what.
-Spot on_arc(std::span<const Spot> arc, Length k) {
-    constexpr auto n = static_cast<Length>(pieces_of_arc);
-    const auto value = [&](auto member) {
-        const Length u = n - k;
-        const Length sum = u * u * u * arc[0].*member + 3 * u * u * k * arc[1].*member +
-                           3 * u * k * k * arc[2].*member + k * k * k * arc[3].*member;
-        return sum / (n * n * n);
-    };
-    return {value(&Spot::x), value(&Spot::y)};
-}
-
 void append_segments(std::vector<Segment>& segments, const std::vector<Spot>& spots) {
     for (std::size_t i = 0; i + 1 < spots.size(); ++i) segments.push_back({spots[i], spots[i + 1]});
-}
-
-std::vector<Spot> flattened(const Drawing::Path& path) {
-    if (!path.cubic) return path.spots;
-    std::vector<Spot> spots{path.spots.front()};
-    for (std::size_t arc = 0; arc + 3 < path.spots.size(); arc += 3) {
-        for (std::size_t k = 1; k <= pieces_of_arc; ++k) {
-            spots.push_back(on_arc(std::span(path.spots).subspan(arc, 4), static_cast<Length>(k)));
-        }
-    }
-    return spots;
 }
 
 bool has_name(const PicturePoint& point) {
@@ -69,7 +44,8 @@ bool bold(Role role) { return role == Role::result || role == Role::second; }
 
 void add_labels(Drawing& drawing, const Box& room, const Notation& notation) {
     std::vector<Segment> segments;
-    for (const Drawing::Path& path : drawing.paths) append_segments(segments, flattened(path));
+    for (const Drawing::Path& path : drawing.paths)
+        append_segments(segments, path.cubic ? flattened(path.spots) : path.spots);
     std::vector<LabelSize> sizes;
     std::vector<Drawing::Label*> named;
     for (std::size_t i = 0; i < drawing.labels.size(); ++i) {
@@ -87,7 +63,7 @@ void add_labels(Drawing& drawing, const Box& room, const Notation& notation) {
 
 /// The names of curves above the picture.
 void add_legend(const Picture& picture, const Box& room, Drawing& drawing) {
-    Length x = room.left;
+    Length x = room.left + 60;
     for (const PictureCurve& curve : picture.curves) {
         if (curve.name.empty()) continue;
         drawing.legend.push_back({{{x, room.top + 100}, {x + 200, room.top + 100}}, curve});

@@ -22,7 +22,8 @@ std::vector<Place> all_places(const Picture& picture) {
     const auto append = [&](const std::vector<Place>& more) {
         places.insert(places.end(), more.begin(), more.end());
     };
-    for (const PictureCurve& curve : picture.curves) append(curve.places);
+    for (const PictureCurve& curve : picture.curves)
+        append(curve.cubic ? flattened(curve.places) : curve.places);
     for (const PictureLine& line : picture.lines) append(line.places);
     for (const PictureFace& face : picture.faces) append(face.places);
     for (const PicturePoint& point : picture.points) places.push_back(point.place);

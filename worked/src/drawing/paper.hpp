@@ -11,6 +11,29 @@ namespace blossom::worked {
 /// The nearest integer.
 Integer rounded(const Rational& value);
 
+/// Points on cubic arcs by de Casteljau's algorithm, exact places or, rounded, spots: fine enough to find how
+/// far a curve goes and what covers what.
+template <class Point>
+std::vector<Point> flattened(const std::vector<Point>& points) {
+    using Number = decltype(Point::x);
+    constexpr std::int64_t pieces = 24;
+    std::vector<Point> all{points.front()};
+    for (std::size_t arc = 0; arc + 3 < points.size(); arc += 3) {
+        for (std::int64_t k = 1; k <= pieces; ++k) {
+            const auto value = [&](auto member) {
+                const Number v(k);
+                const Number u(pieces - k);
+                const Number sum = u * u * u * points[arc].*member + 3 * u * u * v * points[arc + 1].*member +
+                                   3 * u * v * v * points[arc + 2].*member +
+                                   v * v * v * points[arc + 3].*member;
+                return Number(sum / Number(pieces * pieces * pieces));
+            };
+            all.push_back({value(&Point::x), value(&Point::y)});
+        }
+    }
+    return all;
+}
+
 /// How the places of a picture lie on paper: an exact affine map, rounded at the end.
 class Paper {
 public:

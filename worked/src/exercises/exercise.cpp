@@ -22,97 +22,76 @@ struct Topic {
     Document (*make)(ProblemNumbers& numbers);
 };
 
-Document blossom_problem(ProblemNumbers& numbers) {
-    const PolynomialCurve curve = numbers.polynomial();
-    return three_ways({curve}, numbers.arguments(curve.degree()));
-}
-
-Document evaluation_problem(ProblemNumbers& numbers) {
-    const BezierCurve curve = numbers.polygon();
-    return evaluation_at({curve}, numbers.inside(curve.interval()));
-}
-
-Document derivative_problem(ProblemNumbers& numbers) {
-    const PolynomialCurve curve = numbers.polynomial();
-    const std::size_t order = numbers.level() == 1 ? 1 : 2;
-    return derivative_by_delta({curve}, order, numbers.inside(Interval(0, 2)));
-}
-
-Document control_points_problem(ProblemNumbers& numbers) {
-    return control_points_over({numbers.polynomial()}, numbers.interval());
-}
-
-Document subdivision_problem(ProblemNumbers& numbers) {
-    const BezierCurve curve = numbers.polygon();
-    return subdivision_at({curve}, numbers.inside(curve.interval()));
-}
-
-Document raising_problem(ProblemNumbers& numbers) { return degree_raised({numbers.polygon()}, 1); }
-
-Document conversion_problem(ProblemNumbers& numbers) {
-    return coefficients_to_control_points({numbers.polynomial()});
-}
-
-Document de_boor_problem(ProblemNumbers& numbers) {
-    const BSplineCurve curve = numbers.spline();
-    return de_boor_at(curve, numbers.inside(curve.knots().domain()));
-}
-
-Document insertion_problem(ProblemNumbers& numbers) {
-    const BSplineCurve curve = numbers.spline();
-    return knots_inserted(curve, std::array{numbers.inside(curve.knots().domain())});
-}
-
-Document homogenisation_problem(ProblemNumbers& numbers) { return homogenisation({numbers.polynomial()}); }
-
-Document coefficients_problem(ProblemNumbers& numbers) {
-    return control_points_to_coefficients({numbers.polygon()});
-}
-
-Document segments_problem(ProblemNumbers& numbers) { return spline_to_bezier(numbers.spline()); }
-
-Document continuity_problem(ProblemNumbers& numbers) { return continuity_at(numbers.joint(), 1); }
-
-Document rational_problem(ProblemNumbers& numbers) {
-    const BezierCurve curve = numbers.weighted_polygon();
-    return rational_arc({curve}, numbers.inside(curve.interval()));
-}
-
-Document triangle_problem(ProblemNumbers& numbers) {
-    const BezierPatch net = numbers.triangle();
-    return triangle_evaluation({net, {}, {}, false}, numbers.inside_triangle());
-}
-
-Document triangle_subdivision_problem(ProblemNumbers& numbers) {
-    const BezierPatch net = numbers.triangle();
-    return triangle_subdivision({net, {}, {}, false}, numbers.inside_triangle());
-}
-
 constexpr std::array<Topic, 16> topics{
-    {{"blossom", "Blossom values in three ways", blossom_problem},
-     {"homogenisation", "Blossoming and homogenising", homogenisation_problem},
-     {"evaluation", "De Casteljau's algorithm", evaluation_problem},
-     {"derivative", "Derivatives by delta", derivative_problem},
-     {"control-points", "Control points over an interval", control_points_problem},
-     {"subdivision", "Subdivision", subdivision_problem},
-     {"degree-raising", "Degree raising", raising_problem},
-     {"conversion", "From coefficients to control points", conversion_problem},
-     {"coefficients", "From control points to coefficients", coefficients_problem},
-     {"spline-to-bezier", "From B-splines to Bézier curves", segments_problem},
-     {"de-boor", "De Boor's algorithm", de_boor_problem},
-     {"knot-insertion", "Knot insertion", insertion_problem},
-     {"continuity", "Continuity at a knot", continuity_problem},
-     {"rational-arc", "Rational arcs", rational_problem},
-     {"triangle", "De Casteljau's algorithm on a triangle", triangle_problem},
-     {"triangle-subdivision", "Subdivision of a triangle", triangle_subdivision_problem}}};
+    {{"blossom", "Blossom values in three ways",
+      [](ProblemNumbers& numbers) {
+          const PolynomialCurve curve = numbers.polynomial();
+          return three_ways({curve}, numbers.arguments(curve.degree()));
+      }},
+     {"homogenisation", "Blossoming and homogenising",
+      [](ProblemNumbers& numbers) { return homogenisation({numbers.polynomial()}); }},
+     {"evaluation", "De Casteljau's algorithm",
+      [](ProblemNumbers& numbers) {
+          const BezierCurve curve = numbers.polygon();
+          return evaluation_at({curve}, numbers.inside(curve.interval()));
+      }},
+     {"derivative", "Derivatives by delta",
+      [](ProblemNumbers& numbers) {
+          const PolynomialCurve curve = numbers.polynomial();
+          const std::size_t order = numbers.level() == 1 ? 1 : 2;
+          return derivative_by_delta({curve}, order, numbers.inside(Interval(0, 2)));
+      }},
+     {"control-points", "Control points over an interval",
+      [](ProblemNumbers& numbers) {
+          return control_points_over({numbers.polynomial()}, numbers.interval());
+      }},
+     {"subdivision", "Subdivision",
+      [](ProblemNumbers& numbers) {
+          const BezierCurve curve = numbers.polygon();
+          return subdivision_at({curve}, numbers.inside(curve.interval()));
+      }},
+     {"degree-raising", "Degree raising",
+      [](ProblemNumbers& numbers) { return degree_raised({numbers.polygon()}, 1); }},
+     {"conversion", "From coefficients to control points",
+      [](ProblemNumbers& numbers) { return coefficients_to_control_points({numbers.polynomial()}); }},
+     {"coefficients", "From control points to coefficients",
+      [](ProblemNumbers& numbers) { return control_points_to_coefficients({numbers.polygon()}); }},
+     {"spline-to-bezier", "From B-splines to Bézier curves",
+      [](ProblemNumbers& numbers) { return spline_to_bezier(numbers.spline()); }},
+     {"de-boor", "De Boor's algorithm",
+      [](ProblemNumbers& numbers) {
+          const BSplineCurve curve = numbers.spline();
+          return de_boor_at(curve, numbers.inside(curve.knots().domain()));
+      }},
+     {"knot-insertion", "Knot insertion",
+      [](ProblemNumbers& numbers) {
+          const BSplineCurve curve = numbers.spline();
+          return knots_inserted(curve, std::array{numbers.inside(curve.knots().domain())});
+      }},
+     {"continuity", "Continuity at a knot",
+      [](ProblemNumbers& numbers) { return continuity_at(numbers.joint(), 1); }},
+     {"rational-arc", "Rational arcs",
+      [](ProblemNumbers& numbers) {
+          const BezierCurve curve = numbers.weighted_polygon();
+          return rational_arc({curve}, numbers.inside(curve.interval()));
+      }},
+     {"triangle", "De Casteljau's algorithm on a triangle",
+      [](ProblemNumbers& numbers) {
+          const BezierPatch net = numbers.triangle();
+          return triangle_evaluation({net, {}, {}, false}, numbers.inside_triangle());
+      }},
+     {"triangle-subdivision", "Subdivision of a triangle", [](ProblemNumbers& numbers) {
+          const BezierPatch net = numbers.triangle();
+          return triangle_subdivision({net, {}, {}, false}, numbers.inside_triangle());
+      }}}};
 
 const Topic& find_topic(const std::string& name) {
     const auto found = std::ranges::find(topics, name, &Topic::name);
     if (found != topics.end()) return *found;
-    std::string known;
-    for (const Topic& topic : topics) known += (known.empty() ? "" : ", ") + std::string(topic.name);
-    throw Error(ErrorCode::unknown_op,
-                "there are no exercises on " + quoted(name) + "; there are on " + known, Part::topic);
+    throw Error(
+        ErrorCode::unknown_op,
+        "there are no exercises on " + quoted(name) + "; there are on " + joined(topics, &Topic::name),
+        Part::topic);
 }
 
 /// Everything of a document as the blocks of one step, its own steps under their titles.

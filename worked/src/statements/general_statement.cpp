@@ -40,7 +40,7 @@ public:
 private:
     template <class... Parts>
     void say(const Parts&... parts) {
-        (append_text(text_, Text(parts)), ...);
+        (text_.append(Text(parts)), ...);
     }
 
     /// The stop of a sentence is written when the next begins.
@@ -172,7 +172,7 @@ ClaimInWords claim_in_words(const proofs::Block& block, const Statement& line, c
     if (ranges.empty()) return result;
     result.after = "for ";
     append_list(result.after, ranges);
-    result.after.append(std::string("."));
+    result.after.append(".");
     return result;
 }
 

@@ -4,14 +4,10 @@
 
 namespace blossom::worked {
 
-void append_text(Text& text, const Text& more) {
-    for (const Text::Part& part : more.parts()) text.append(part);
-}
-
 void append_list(Text& text, const std::vector<Text>& entries) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
         if (i > 0) text.append(std::string(i + 1 == entries.size() ? " and " : ", "));
-        append_text(text, entries[i]);
+        text.append(entries[i]);
     }
 }
 

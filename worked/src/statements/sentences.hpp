@@ -12,7 +12,4 @@ void append_list(Text& text, const std::vector<Text>& entries);
 /// The same; a run t_1, ..., t_n among the formulas makes one formula of all.
 void append_list(Text& text, const std::vector<Formula>& formulas);
 
-/// Appends all parts of another text.
-void append_text(Text& text, const Text& more);
-
 }  // namespace blossom::worked

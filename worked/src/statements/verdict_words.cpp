@@ -77,7 +77,7 @@ public:
             if (verdict == Verdict::proved) append_conditions();
         }
         if (const Error* error = decision_.error()) text_.append(": " + error->message());
-        text_.append(std::string("."));
+        text_.append(".");
         append_notes();
         return std::move(text_);
     }
@@ -91,9 +91,9 @@ private:
     void append_for(const proofs::Cases& cases) {
         const std::size_t names = cases.front()->parameters.size();
         if (names == 0) return;
-        text_.append(std::string(" for "));
+        text_.append(" for ");
         if (names == 1) return text_.append(runs_formula(cases));
-        if (cases.size() < decision_.cases.size()) return append_text(text_, tuples_words(cases));
+        if (cases.size() < decision_.cases.size()) return text_.append(tuples_words(cases));
         StatementFormulas formulas(block_);
         std::vector<Formula> ranges;
         for (const proofs::Range& range : proofs::ranges_of(block_, block_.statements[decision_.statement]))
@@ -107,8 +107,8 @@ private:
         std::size_t shown = 0;
         for (const proofs::CaseGroup& group : groups) {
             if (group.needed.empty()) continue;
-            if (shown++ == most_groups) return text_.append(std::string(", and so on for other cases"));
-            text_.append(std::string(", if "));
+            if (shown++ == most_groups) return text_.append(", and so on for other cases");
+            text_.append(", if ");
             append_list(text_, formulas_of(group.needed));
             if (groups.size() > 1) append_for(group.cases);
         }
@@ -122,15 +122,15 @@ private:
             if (!one.holds_if.empty()) holds[one.holds_if].push_back(&one);
         }
         for (const auto& [conditions, cases] : holds) {
-            text_.append(std::string(" It holds if "));
+            text_.append(" It holds if ");
             append_list(text_, formulas_of(conditions));
             if (cases.size() < decision_.cases.size()) append_for(cases);
-            text_.append(std::string("."));
+            text_.append(".");
         }
         for (const std::string& equation : open) {
-            text_.append(std::string(" The case "));
+            text_.append(" The case ");
             text_.append(formula_of_text(equation));
-            text_.append(std::string(" is open."));
+            text_.append(" is open.");
         }
     }
 
@@ -163,13 +163,13 @@ Text counterexample_in_words(const proofs::Counterexample& found) {
         choices.emplace_back(equation({formula_of_text(name), number(value)}));
     for (const std::string& root : found.roots) choices.emplace_back(formula_of_text(root));
     Text text;
-    if (!choices.empty()) text.append(std::string("For "));
+    if (!choices.empty()) text.append("For ");
     append_list(text, choices);
     text.append(std::string(choices.empty() ? "The left side is " : " the left side is "));
     text.append(formula_of_text(found.left));
-    text.append(std::string(" and the right side "));
+    text.append(" and the right side ");
     text.append(formula_of_text(found.right));
-    text.append(std::string("."));
+    text.append(".");
     return text;
 }
 

@@ -92,56 +92,39 @@ void append_superscript(pugi::xml_node parent, const Layout& layout) {
 void append(pugi::xml_node parent, const Layout& layout) {
     switch (layout.kind) {
         case Kind::number:
-            append_token(parent, "mn", layout.text);
-            break;
+            return append_token(parent, "mn", layout.text);
         case Kind::identifier:
-            append_token(parent, "mi", letter(layout.text).unicode);
-            break;
+            return append_token(parent, "mi", letter(layout.text).unicode);
         case Kind::words:
-            append_token(parent, "mtext", layout.text);
-            break;
+            return append_token(parent, "mtext", layout.text);
         case Kind::relation:
-            append_operator(parent, layout.text, "0.3em");
-            break;
+            return append_operator(parent, layout.text, "0.3em");
         case Kind::binary:
-            append_operator(parent, layout.text, "0.25em");
-            break;
+            return append_operator(parent, layout.text, "0.25em");
         case Kind::sign:
-            append_fence(parent, layout.text);
-            break;
+            return append_fence(parent, layout.text);
         case Kind::times:
-            append_operator(parent, "\u2062");
-            break;
+            return append_operator(parent, "\u2062");
         case Kind::apply:
-            append_operator(parent, "\u2061");
-            break;
+            return append_operator(parent, "\u2061");
         case Kind::comma:
-            append_operator(parent, layout.text);
-            break;
+            return append_operator(parent, layout.text);
         case Kind::fraction:
-            append_all(parent, "mfrac", layout);
-            break;
+            return append_all(parent, "mfrac", layout);
         case Kind::superscript:
-            append_superscript(parent, layout);
-            break;
+            return append_superscript(parent, layout);
         case Kind::subscript:
-            append_all(parent, "msub", layout);
-            break;
+            return append_all(parent, "msub", layout);
         case Kind::fenced:
-            append_fenced(parent, layout);
-            break;
+            return append_fenced(parent, layout);
         case Kind::under:
-            append_all(parent, layout.parts.size() == 3 ? "munderover" : "munder", layout);
-            break;
+            return append_all(parent, layout.parts.size() == 3 ? "munderover" : "munder", layout);
         case Kind::cases:
-            append_cases(parent, layout);
-            break;
+            return append_cases(parent, layout);
         case Kind::stack:
-            append_stack(parent, layout);
-            break;
+            return append_stack(parent, layout);
         case Kind::row:
-            append_all(parent, "mrow", layout);
-            break;
+            return append_all(parent, "mrow", layout);
     }
 }
 

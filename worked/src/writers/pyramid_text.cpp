@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "document/letters.hpp"
-#include "document/text_width.hpp"
 
 namespace blossom::worked {
 

@@ -1,4 +1,4 @@
-#include "svg_elements.hpp"
+#include "svg.hpp"
 
 namespace blossom::worked {
 

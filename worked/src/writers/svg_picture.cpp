@@ -8,7 +8,6 @@
 
 #include "mathml.hpp"
 #include "svg.hpp"
-#include "svg_elements.hpp"
 
 namespace blossom::worked {
 
@@ -102,7 +101,6 @@ void append_texts(pugi::xml_node svg, const Drawing& drawing, const Notation& no
     }
 }
 
-/// The look of what is drawn; "--name" stands for a colour of the scheme.
 constexpr std::string_view svg_rules =
     "svg text{font:15px system-ui,'Segoe UI','DejaVu Sans',sans-serif;fill:var(--ink);"
     "paint-order:stroke;stroke:var(--paper);stroke-width:4px;stroke-linejoin:round}"
@@ -135,37 +133,33 @@ constexpr std::string_view svg_rules =
     "svg .node.left.right{stroke-dasharray:none;stroke-width:3}"
     "svg .value{font-weight:600;stroke:none}svg .name{stroke:none;fill:var(--soft)}";
 
-using Colours = std::array<std::pair<std::string_view, std::string_view>, 8>;
-constexpr Colours light{{{"--ink", "#1b1b1b"},
-                         {"--paper", "#ffffff"},
-                         {"--soft", "#565656"},
-                         {"--faint", "#8d8d8d"},
-                         {"--tint", "#f3f1ec"},
-                         {"--curve", "#0b5394"},
-                         {"--result", "#a3241d"},
-                         {"--second", "#1c6b34"}}};
-constexpr Colours dark{{{"--ink", "#ececec"},
-                        {"--paper", "#16181b"},
-                        {"--soft", "#b4b4b4"},
-                        {"--faint", "#808080"},
-                        {"--tint", "#24272c"},
-                        {"--curve", "#8ec5ff"},
-                        {"--result", "#ff9b8f"},
-                        {"--second", "#8bdca0"}}};
+struct Colour {
+    std::string_view name;
+    std::string_view light;
+    std::string_view dark;
+};
+constexpr std::array<Colour, 8> colours{{{"--ink", "#1b1b1b", "#ececec"},
+                                         {"--paper", "#ffffff", "#16181b"},
+                                         {"--soft", "#565656", "#b4b4b4"},
+                                         {"--faint", "#8d8d8d", "#808080"},
+                                         {"--tint", "#f3f1ec", "#24272c"},
+                                         {"--curve", "#0b5394", "#8ec5ff"},
+                                         {"--result", "#a3241d", "#ff9b8f"},
+                                         {"--second", "#1c6b34", "#8bdca0"}}};
 
-std::string declared(const Colours& colours) {
-    const auto text = [](const auto& colour) {
-        return std::string(colour.first) + ":" + std::string(colour.second);
+std::string declared(std::string_view Colour::* scheme) {
+    const auto text = [&](const Colour& colour) {
+        return std::string(colour.name) + ":" + std::string(colour.*scheme);
     };
     return ":root{" + joined(colours, text, ";") + "}";
 }
 
 /// The rules with the colours in them, for programs that know no variables.
-std::string coloured(std::string rules, const Colours& colours) {
-    for (const auto& [name, colour] : colours) {
-        const std::string variable = "var(" + std::string(name) + ")";
+std::string coloured(std::string rules, std::string_view Colour::* scheme) {
+    for (const Colour& colour : colours) {
+        const std::string variable = "var(" + std::string(colour.name) + ")";
         for (std::size_t at = rules.find(variable); at != std::string::npos; at = rules.find(variable, at))
-            rules.replace(at, variable.size(), colour);
+            rules.replace(at, variable.size(), colour.*scheme);
     }
     return rules;
 }
@@ -188,7 +182,9 @@ pugi::xml_node append_picture(pugi::xml_node parent, const Picture& picture, con
     return svg;
 }
 
-std::string svg_style() { return std::string(svg_rules) + declared(light) + if_dark + declared(dark) + "}"; }
+std::string svg_style() {
+    return std::string(svg_rules) + declared(&Colour::light) + if_dark + declared(&Colour::dark) + "}";
+}
 
 std::string render_svg(const Picture& picture, const Notation& notation) {
     pugi::xml_document document;
@@ -197,7 +193,7 @@ std::string render_svg(const Picture& picture, const Notation& notation) {
     const std::string rules = std::string(svg_rules) + "svg{background:var(--paper)}";
     svg.insert_child_after("style", svg.child("desc") ? svg.child("desc") : svg.child("title"))
         .text()
-        .set((coloured(rules, light) + if_dark + coloured(rules, dark) + "}").c_str());
+        .set((coloured(rules, &Colour::light) + if_dark + coloured(rules, &Colour::dark) + "}").c_str());
     return markup_of(document) + "\n";
 }
 

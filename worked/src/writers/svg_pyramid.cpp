@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "svg.hpp"
-#include "svg_elements.hpp"
 
 namespace blossom::worked {
 

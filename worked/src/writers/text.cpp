@@ -5,7 +5,6 @@
 #include "document/layout.hpp"
 #include "document/letters.hpp"
 #include "document/overloaded.hpp"
-#include "document/text_width.hpp"
 #include "pyramid_text.hpp"
 
 namespace blossom::worked {

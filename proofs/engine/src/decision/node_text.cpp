@@ -1,5 +1,6 @@
 #include "node_text.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
@@ -89,9 +90,8 @@ private:
     }
 
     std::string argument(const NodeArgument& argument) {
-        std::string coordinates;
-        for (const NodeId coordinate : argument.coordinates)
-            coordinates += (coordinates.empty() ? "" : ", ") + print(coordinate, Tightness::sum);
+        const std::string coordinates = joined(
+            argument.coordinates, [&](const NodeId coordinate) { return print(coordinate, Tightness::sum); });
         if (argument.coordinates.size() > 1) coordinates = "(" + coordinates + ")";
         const Node& mass = block_.nodes[argument.mass];
         if (mass.kind == NodeKind::constant && mass.value == Rational(1)) return coordinates;
@@ -103,8 +103,8 @@ private:
         const bool value = application.form == Application::Form::value;
         std::string text;
         for (const auto& list : application.arguments) {
-            std::string direction;
-            for (const NodeArgument& one : list) direction += (direction.empty() ? "" : ", ") + argument(one);
+            const std::string direction =
+                joined(list, [&](const NodeArgument& one) { return argument(one); });
             if (&list != &application.arguments.front()) text += value ? ", " : "; ";
             text += direction;
         }
@@ -122,9 +122,8 @@ private:
             for (std::size_t k = first; by_directions && k < arguments.size(); ++k)
                 name += ", " + argument(arguments[k]);
         }
-        std::string places;
-        for (const NodeArgument& place : application.places)
-            places += (places.empty() ? "" : ", ") + argument(place);
+        const std::string places =
+            joined(application.places, [&](const NodeArgument& place) { return argument(place); });
         return "D(" + name + ")(" + places + ")";
     }
 

@@ -1,5 +1,6 @@
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
@@ -261,8 +262,7 @@ std::string Grounder::full_name(const Expression& name) {
     indices.reserve(name.children.size());
     for (const Expression& index : name.children) indices.push_back(std::to_string(integer(index)));
     if (indices.size() == 1 && indices[0].front() != '-') return name.name + "_" + indices[0];
-    std::string list;
-    for (const std::string& index : indices) list += (list.empty() ? "" : ",") + index;
+    const std::string list = joined(indices, std::identity(), ",");
     return name.name + "_{" + list + "}";
 }
 

@@ -1,5 +1,7 @@
 #include <blossom/proofs/formatter.hpp>
 
+#include <blossom/rational/lists.hpp>
+
 #include <algorithm>
 
 #include "statement_words.hpp"
@@ -45,9 +47,7 @@ private:
     }
 
     std::string list(const std::vector<Expression>& elements) const {
-        std::string text;
-        for (const Expression& element : elements) text += (text.empty() ? "" : ", ") + print(element);
-        return text;
+        return joined(elements, [&](const Expression& element) { return print(element); });
     }
 
     std::string binary(const Expression& e, Binding left, std::string_view sign, Binding right) const {
@@ -61,8 +61,8 @@ private:
             e.children.size() == 1 && (only.kind == ExpressionKind::number ||
                                        (only.kind == ExpressionKind::name && only.children.empty()));
         if (bare) return e.name + "_" + only.name;
-        std::string text;
-        for (const Expression& index : e.children) text += (text.empty() ? "" : ",") + tightly(index);
+        const std::string text =
+            joined(e.children, [&](const Expression& index) { return tightly(index); }, ",");
         return e.name + "_{" + text + "}";
     }
 
@@ -135,17 +135,8 @@ private:
     bool tight_;
 };
 
-std::string joined(const std::vector<std::string>& parts) {
-    std::string text;
-    for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-    return text;
-}
-
-std::string joined(const std::vector<Expression>& expressions) {
-    std::vector<std::string> parts;
-    parts.reserve(expressions.size());
-    for (const Expression& expression : expressions) parts.push_back(to_text(expression));
-    return joined(parts);
+std::string listed(const std::vector<Expression>& expressions) {
+    return joined(expressions, [](const Expression& expression) { return to_text(expression); });
 }
 
 std::string range_text(const Range& range) {
@@ -153,7 +144,7 @@ std::string range_text(const Range& range) {
 }
 
 std::string degrees_text(const Statement& statement) {
-    return (statement.expressions.size() == 1 ? " degree " : " degrees ") + joined(statement.expressions);
+    return (statement.expressions.size() == 1 ? " degree " : " degrees ") + listed(statement.expressions);
 }
 
 std::string relation_text(const Statement& statement) {
@@ -161,7 +152,7 @@ std::string relation_text(const Statement& statement) {
     std::string text = (statement.some ? "some " : "") + to_text(statement.sides[0]) +
                        (differs ? " != " : " == ") + to_text(statement.sides[1]);
     for (const Range& range : statement.ranges) text += " " + range_text(range);
-    if (!statement.quantified.empty()) text += " for all " + joined(statement.quantified);
+    if (!statement.quantified.empty()) text += " for all " + listed(statement.quantified);
     return text;
 }
 
@@ -171,19 +162,19 @@ std::string body_text(const Statement& statement) {
             return joined(statement.names) + degrees_text(statement) +
                    (statement.dimension.empty() ? "" : " on simplex " + to_text(statement.dimension[0])) +
                    (statement.net.empty() ? ""
-                                          : " net " + statement.net + " over " + joined(statement.frame));
+                                          : " net " + statement.net + " over " + listed(statement.frame));
         case StatementKind::number:
-            return joined(statement.expressions);
+            return listed(statement.expressions);
         case StatementKind::point:
         case StatementKind::vector:
         case StatementKind::frame:
-            return joined(statement.expressions) + " in " + to_text(statement.dimension[0]);
+            return listed(statement.expressions) + " in " + to_text(statement.dimension[0]);
         case StatementKind::polynomial:
             return statement.names[0] + "(" +
                    joined(std::vector<std::string>(statement.names.begin() + 1, statement.names.end())) +
                    ")" + degrees_text(statement) + " = " + to_text(statement.sides[0]);
         case StatementKind::raise:
-            return statement.names[0] + " to " + joined(statement.expressions) + " as " + statement.names[1];
+            return statement.names[0] + " to " + listed(statement.expressions) + " as " + statement.names[1];
         case StatementKind::let:
             return to_text(statement.sides[0]) + " = " + to_text(statement.sides[1]);
         default:

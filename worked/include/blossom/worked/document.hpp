@@ -29,7 +29,7 @@ public:
 
     const std::vector<Part>& parts() const { return parts_; }
     bool empty() const { return parts_.empty(); }
-    void append(Part part) { parts_.push_back(std::move(part)); }
+    void append(const Text& more) { parts_.insert(parts_.end(), more.parts_.begin(), more.parts_.end()); }
 
     friend bool operator==(const Text&, const Text&) = default;
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace blossom::worked {
@@ -54,31 +55,53 @@ struct Formula {
 Formula number(Rational value);
 /// "t", "delta"; a letter followed by digits, "u12", is the letter with an index.
 Formula symbol(std::string name);
-Formula words(std::string text);
+inline Formula words(std::string text) { return {FormulaKind::words, 0, std::move(text), {}}; }
 /// Of one part that part, of none 0.
 Formula sum(std::vector<Formula> parts);
 /// Of one part that part, of none 1.
 Formula product(std::vector<Formula> parts);
-Formula fraction(Formula numerator, Formula denominator);
+inline Formula fraction(Formula numerator, Formula denominator) {
+    return {FormulaKind::fraction, 0, "", {std::move(numerator), std::move(denominator)}};
+}
 /// An exponent 1 is left out.
 Formula power(Formula base, Formula exponent);
-Formula index(Formula base, Formula subscript);
-Formula call(std::string map, std::vector<Formula> arguments);
-Formula derivative_of(std::string map, std::size_t order, Formula at);
-Formula blossom_of(std::string name, std::vector<Formula> arguments);
-Formula elementary(std::size_t order, std::vector<Formula> arguments);
-Formula binomial_of(Formula n, Formula k);
-Formula factorial_of(Formula n);
+inline Formula index(Formula base, Formula subscript) {
+    return {FormulaKind::index, 0, "", {std::move(base), std::move(subscript)}};
+}
+inline Formula call(std::string map, std::vector<Formula> arguments) {
+    return {FormulaKind::call, 0, std::move(map), std::move(arguments)};
+}
+inline Formula derivative_of(std::string map, std::size_t order, Formula at) {
+    return {FormulaKind::derivative, order, std::move(map), {std::move(at)}};
+}
+inline Formula blossom_of(std::string name, std::vector<Formula> arguments) {
+    return {FormulaKind::blossom, 0, std::move(name), std::move(arguments)};
+}
+inline Formula elementary(std::size_t order, std::vector<Formula> arguments) {
+    return {FormulaKind::elementary, order, "e", std::move(arguments)};
+}
+inline Formula binomial_of(Formula n, Formula k) {
+    return {FormulaKind::binomial, 0, "", {std::move(n), std::move(k)}};
+}
+inline Formula factorial_of(Formula n) { return {FormulaKind::factorial, 0, "", {std::move(n)}}; }
 Formula application(Formula head, std::vector<Formula> arguments);
-Formula tuple(std::vector<Formula> parts);
+inline Formula tuple(std::vector<Formula> parts) { return {FormulaKind::tuple, 0, "", std::move(parts)}; }
 /// Of one part that part.
 Formula list_of(std::vector<Formula> parts, std::string separator = ",");
-Formula repeated(Formula argument, Formula times);
-Formula pair_of(Formula first, Formula second);
-Formula size_of(Formula set);
-Formula cases_of(Formula value, Formula condition, Formula otherwise);
-Formula set_of(std::vector<Formula> parts);
-Formula interval_of(Formula begin, Formula end);
+inline Formula repeated(Formula argument, Formula times) {
+    return {FormulaKind::repeated, 0, "", {std::move(argument), std::move(times)}};
+}
+inline Formula pair_of(Formula first, Formula second) {
+    return {FormulaKind::pair, 0, "", {std::move(first), std::move(second)}};
+}
+inline Formula size_of(Formula set) { return {FormulaKind::size, 0, "", {std::move(set)}}; }
+inline Formula cases_of(Formula value, Formula condition, Formula otherwise) {
+    return {FormulaKind::cases, 0, "", {std::move(value), std::move(condition), std::move(otherwise)}};
+}
+inline Formula set_of(std::vector<Formula> parts) { return {FormulaKind::set, 0, "", std::move(parts)}; }
+inline Formula interval_of(Formula begin, Formula end) {
+    return {FormulaKind::interval, 0, "", {std::move(begin), std::move(end)}};
+}
 Formula summation(Formula below, Formula of);
 /// The sum or product, by its sign "∑" or "∏", from `below` to `above`, if there is one.
 Formula summation(std::string sign, Formula below, std::optional<Formula> above, Formula of);

@@ -86,8 +86,8 @@ struct Picture {
     std::vector<Coordinates> projection = {};  // NOLINT(readability-redundant-member-init): may be left out
     /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
     /// arguments of its name.
-    std::vector<Place> corners = {};  // NOLINT(readability-redundant-member-init): may be left out
-    bool grid = false;                ///< lines at round numbers behind it, also where it is no graph
+    std::vector<Place> corners = {};       // NOLINT(readability-redundant-member-init): may be left out
+    bool grid = false;                     ///< lines at round numbers behind it, also where it is no graph
     std::vector<PictureFace> faces = {};   // NOLINT(readability-redundant-member-init): in order of painting
     std::vector<PictureWords> words = {};  // NOLINT(readability-redundant-member-init): may be left out
     std::size_t width = 360;               ///< in pixels, without margins
