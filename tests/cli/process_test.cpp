@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <string>
 
 #include "support/catch.hpp"
@@ -67,6 +68,25 @@ TEST_CASE("a full disk is an error, not silence") {
     CHECK(run_shell(batch_of(line, "--jobs 3") + " >/dev/full").errors.find("No space left") !=
           std::string::npos);
     CHECK(run_shell(program + " evaluate t --at 1 >/dev/full").status != 0);
+}
+
+TEST_CASE("a closed output of a command is told by its status") {
+    const Process closed = run_shell("{ trap '' PIPE; { sleep 0.2; " + program +
+                                     " evaluate t --at 1 2>/dev/null; echo $? >&2; } | true; }");
+    CHECK(closed.errors == "1\n");
+}
+
+TEST_CASE("a file is replaced when the new one is complete, and keeps its mode and its links") {
+    const std::string folder = (std::filesystem::temp_directory_path() / "blossom-write-test").string();
+    const std::string draw = program + " evaluate t --at 1 --svg ";
+    const Process kept =
+        run_shell("rm -rf " + folder + "; mkdir " + folder + " && cd " + folder +
+                  " && echo old >real && chmod 640 real && ln -s real link && (ulimit -f 0; trap '' XFSZ; " +
+                  draw + "link >/dev/null 2>&1); cat real && " + draw +
+                  "link >/dev/null && head -c 4 real && stat -c %a real && ls");
+    CHECK(kept.output == "old\n<svg640\nlink\nreal\n");
+    CHECK(run_shell(draw + folder + "/none/file.svg").status == 2);
+    std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("colours are for terminals that want them") {

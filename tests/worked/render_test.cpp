@@ -1,6 +1,7 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/gallery.hpp>
+#include <blossom/worked/json.hpp>
 #include <blossom/worked/render.hpp>
 
 #include <algorithm>
@@ -130,4 +131,21 @@ TEST_CASE("what is written is escaped in every rendering") {
     CHECK(has(render_html({&page, 1}), "<h1>a &lt; b &amp; c_d</h1>"));
     CHECK(has(render_latex({&page, 1}), "a \\textless{} b \\& c\\_d"));
     CHECK(has(render_markdown(page), "a \\< b & c\\_d"));
+}
+
+TEST_CASE("a long number is rounded to four digits") {
+    CHECK(short_text(Rational(-1, 3)) == "-1/3");
+    CHECK(short_text(Rational(100000, 300001)) == "0.3333");
+    CHECK(short_text(Rational(-1234567891)) == "-1.235e9");
+    CHECK(short_text(Rational(99999, 10000001)) == "0.01");
+    CHECK(short_text(Rational(999960001, 1000000)) == "1000");
+    CHECK(short_text(Rational(1, 1234567890)) == "8.1e-10");
+    CHECK(short_text(Rational(1234567, 1000)) == "1235");
+}
+
+TEST_CASE("JSON stands on one line, or with a line for each element and member") {
+    const Json value =
+        Json::Object{{"a", Json::Array{Rational(1, 2), true}}, {"b", Json::Object()}, {"c", Json()}};
+    CHECK(to_text(value) == R"({"a": ["1/2", true], "b": {}, "c": null})");
+    CHECK(to_text(value, 1) == "{\n \"a\": [\n  \"1/2\",\n  true\n ],\n \"b\": {},\n \"c\": null\n}");
 }

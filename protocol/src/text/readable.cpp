@@ -37,8 +37,7 @@ std::string bare_text(const Json& point) {
 
 std::string argument_text(const Json& argument) {
     if (const Json::Array* list = argument.array()) {
-        const std::string text = joined(*list, [&](const Json& element) { return argument_text(element); });
-        return "(" + text + ")";
+        return "(" + joined(*list, argument_text) + ")";
     }
     if (const Json* direction = argument.find("vector")) {
         const std::string value = bare_text(*direction);
@@ -77,9 +76,7 @@ std::string parameter_text(const Json& parameter) {
     return parameter.array() ? bare_text(parameter) : "(" + bare_text(parameter) + ")";
 }
 
-std::string arguments_text(const Json& arguments) {
-    return joined(*arguments.array(), [&](const Json& argument) { return argument_text(argument); });
-}
+std::string arguments_text(const Json& arguments) { return joined(*arguments.array(), argument_text); }
 
 std::string table_text(const std::vector<std::vector<std::string>>& rows) {
     std::vector<std::size_t> widths;

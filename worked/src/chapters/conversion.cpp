@@ -3,7 +3,6 @@
 #include <blossom/worked/chapters.hpp>
 
 #include "curve_pictures.hpp"
-#include "triangles.hpp"
 
 namespace blossom::worked {
 

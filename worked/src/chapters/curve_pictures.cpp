@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "triangles.hpp"
-
 namespace blossom::worked {
 
 namespace {
@@ -75,6 +73,29 @@ void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& p
 bool all_points(std::span<const Argument> arguments) {
     return std::ranges::all_of(arguments,
                                [](const Argument& argument) { return argument.mass == Rational(1); });
+}
+
+TrianglePyramid triangle_by(const TriangleRule& rule, std::string caption) {
+    TrianglePyramid triangle{std::move(caption), {}};
+    for (std::size_t r = 0; r <= rule.degree; ++r) {
+        std::vector<PyramidNode>& level = triangle.levels.emplace_back();
+        for (std::size_t i = 0; i + r <= rule.degree; ++i) {
+            const std::vector<Argument> label = rule.label(r, i);
+            PyramidNode node{rule.name(label), point_formula(rule.value(label)), {}, {}};
+            if (r > 0) {
+                const auto [left, right] = rule.weights(r, i);
+                node.left_weight = number(left);
+                node.right_weight = number(right);
+            }
+            level.push_back(std::move(node));
+        }
+    }
+    return triangle;
+}
+
+std::vector<Argument> ordered(std::vector<Argument> arguments) {
+    if (all_points(arguments)) std::ranges::sort(arguments, {}, &Argument::u);
+    return arguments;
 }
 
 TrianglePyramid casteljau_triangle(const BezierCurve& curve, std::span<const Argument> arguments,

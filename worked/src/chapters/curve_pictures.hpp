@@ -4,9 +4,11 @@
 #include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/worked/chapters.hpp>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "formulas_of_values.hpp"
@@ -31,6 +33,21 @@ void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& p
 
 /// Whether all arguments are points, so that every node of a pyramid is a point.
 bool all_points(std::span<const Argument> arguments);
+
+/// What a triangle of blossom values is made from: node i of level r is the value at `label`, a combination
+/// of nodes i and i + 1 of the level before with `weights`.
+struct TriangleRule {
+    std::size_t degree = 0;
+    std::function<std::vector<Argument>(std::size_t level, std::size_t i)> label;
+    std::function<std::pair<Rational, Rational>(std::size_t level, std::size_t i)> weights;
+    std::function<Coordinates(std::span<const Argument> arguments)> value;
+    Naming name;
+};
+
+TrianglePyramid triangle_by(const TriangleRule& rule, std::string caption);
+
+/// Points in increasing order; with other arguments among them the order is kept.
+std::vector<Argument> ordered(std::vector<Argument> arguments);
 
 /// De Casteljau's algorithm as a triangle of blossom values.
 TrianglePyramid casteljau_triangle(const BezierCurve& curve, std::span<const Argument> arguments,

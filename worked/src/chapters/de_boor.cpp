@@ -4,7 +4,6 @@
 #include <blossom/worked/chapters.hpp>
 
 #include "splines.hpp"
-#include "triangles.hpp"
 
 namespace blossom::worked {
 

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "splines.hpp"
-#include "triangles.hpp"
 
 namespace blossom::worked {
 

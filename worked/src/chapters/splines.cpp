@@ -8,8 +8,6 @@
 #include <iterator>
 #include <utility>
 
-#include "triangles.hpp"
-
 namespace blossom::worked {
 
 namespace {

@@ -19,33 +19,15 @@ class LatexWriter {
 public:
     explicit LatexWriter(const Notation& notation) : notation_(notation) {}
 
-    std::string write(const Document& document) const {
-        std::string text = "\\section*{" + latex_text(document.title) + "}\n" + blocks(document.general) +
-                           blocks(document.statement);
-        if (!document.source.empty())
-            text += "\n{\\small Source: " + latex_text(document.source) + ".\\par}\n";
-        for (std::size_t i = 0; i < document.steps.size(); ++i) {
-            text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +
-                    blocks(document.steps[i].blocks);
-        }
-        if (!document.result.empty()) text += heading("Result") + blocks(document.result);
-        if (!document.check) return text;
-        return text + heading("Check") + blocks(document.check->blocks) + "\n" +
-               latex_text(said_of(*document.check)) + "\n";
-    }
+    static constexpr const char* before_block = "\n";
 
-private:
+    static std::string title(const std::string& words) { return "\\section*{" + latex_text(words) + "}\n"; }
+    static std::string source(const std::string& words) {
+        return "\n{\\small Source: " + latex_text(words) + ".\\par}\n";
+    }
+    static std::string closing(const std::string& words) { return "\n" + latex_text(words); }
     static std::string heading(const std::string& title) {
         return "\n\\subsection*{" + latex_text(title) + "}\n";
-    }
-
-    std::string blocks(const std::vector<Block>& list) const {
-        std::string text;
-        for (const Block& block : list) {
-            text +=
-                "\n" + std::visit([&](const auto& content) { return this->block(content); }, block) + "\n";
-        }
-        return text;
     }
 
     std::string block(const Paragraph& paragraph) const { return words(paragraph.text) + "\\par"; }
@@ -126,14 +108,8 @@ private:
 }  // namespace
 
 std::string latex_words(const Text& text, const Notation& notation) {
-    std::string result;
-    for (const Text::Part& part : text.parts()) {
-        result += std::visit(
-            Overloaded{[](const std::string& words) { return latex_text(words); },
-                       [&](const Formula& formula) { return "$" + to_latex(formula, notation) + "$"; }},
-            part);
-    }
-    return result;
+    return written(text, latex_text,
+                   [&](const Formula& formula) { return "$" + to_latex(formula, notation) + "$"; });
 }
 
 std::string latex_preamble() {
@@ -158,7 +134,8 @@ std::string latex_preamble() {
 }
 
 std::string render_latex_fragment(const Document& document, const Notation& notation) {
-    return LatexWriter(notation).write(document);
+    LatexWriter writer(notation);
+    return written(document, writer);
 }
 
 std::string render_latex(std::span<const Document> documents, const Notation& notation) {

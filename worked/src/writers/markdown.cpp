@@ -17,37 +17,12 @@ public:
     MarkdownWriter(const Notation& notation, const std::string& pictures)
         : notation_(notation), pictures_(pictures) {}
 
-    std::string write(const Document& document) {
-        std::string text =
-            "# " + escaped(document.title) + "\n\n" + blocks(document.general) + blocks(document.statement);
-        if (!document.source.empty()) text += "Source: " + escaped(document.source) + "\n\n";
-        for (std::size_t i = 0; i < document.steps.size(); ++i) {
-            text += "## " + std::to_string(i + 1) + ". " + escaped(document.steps[i].title) + "\n\n" +
-                    blocks(document.steps[i].blocks);
-        }
-        if (!document.result.empty()) text += "## Result\n\n" + blocks(document.result);
-        if (!document.check) return text;
-        return text + "## Check\n\n" + blocks(document.check->blocks) + escaped(said_of(*document.check)) +
-               "\n";
-    }
+    static constexpr const char* before_block = "";
 
-private:
-    static std::string escaped(const std::string& words) {
-        std::string text;
-        for (const char c : words) {
-            if (std::string_view("\\`*_{}[]<>#|$").find(c) != std::string_view::npos) text += '\\';
-            text += c;
-        }
-        return text;
-    }
-
-    std::string blocks(const std::vector<Block>& list) {
-        std::string text;
-        for (const Block& block : list) {
-            text += std::visit([&](const auto& content) { return this->block(content); }, block) + "\n";
-        }
-        return text;
-    }
+    static std::string title(const std::string& words) { return "# " + escaped(words) + "\n\n"; }
+    static std::string source(const std::string& words) { return "Source: " + escaped(words) + "\n\n"; }
+    static std::string heading(const std::string& words) { return "## " + escaped(words) + "\n\n"; }
+    static std::string closing(const std::string& words) { return escaped(words); }
 
     std::string block(const Paragraph& paragraph) const { return words(paragraph.text) + "\n"; }
 
@@ -93,15 +68,19 @@ private:
         return text;
     }
 
-    std::string words(const Text& text) const {
-        std::string result;
-        for (const Text::Part& part : text.parts()) {
-            result += std::visit(
-                Overloaded{[](const std::string& words) { return escaped(words); },
-                           [&](const Formula& formula) { return "$" + to_latex(formula, notation_) + "$"; }},
-                part);
+private:
+    static std::string escaped(const std::string& words) {
+        std::string text;
+        for (const char c : words) {
+            if (std::string_view("\\`*_{}[]<>#|$").find(c) != std::string_view::npos) text += '\\';
+            text += c;
         }
-        return result;
+        return text;
+    }
+
+    std::string words(const Text& text) const {
+        return written(text, escaped,
+                       [&](const Formula& formula) { return "$" + to_latex(formula, notation_) + "$"; });
     }
 
     const Notation& notation_;
@@ -112,7 +91,8 @@ private:
 }  // namespace
 
 std::string render_markdown(const Document& document, const Notation& notation, const std::string& pictures) {
-    return MarkdownWriter(notation, pictures).write(document);
+    MarkdownWriter writer(notation, pictures);
+    return written(document, writer);
 }
 
 std::vector<std::string> render_pictures(const Document& document, const Notation& notation) {

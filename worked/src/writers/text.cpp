@@ -1,6 +1,7 @@
 #include <blossom/worked/render.hpp>
 
 #include <algorithm>
+#include <functional>
 
 #include "document/layout.hpp"
 #include "document/letters.hpp"
@@ -15,57 +16,35 @@ class Printer {
 public:
     Printer(const Notation& notation, std::size_t width) : notation_(notation), width_(width) {}
 
-    std::string print(const Document& document) const {
-        std::string text = underlined(document.title, '=');
-        text += blocks(document.general) + blocks(document.statement);
-        if (!document.source.empty()) text += wrapped("Source: " + document.source, width_) + "\n\n";
-        for (std::size_t i = 0; i < document.steps.size(); ++i) {
-            text += heading(std::to_string(i + 1) + ". " + document.steps[i].title) +
-                    blocks(document.steps[i].blocks);
-        }
-        if (!document.result.empty()) text += heading("Result") + blocks(document.result);
-        return document.check ? text + heading("Check") + check(*document.check) : text;
+    static constexpr const char* before_block = "";
+
+    std::string title(const std::string& words) const { return underlined(words, '='); }
+    std::string source(const std::string& words) const {
+        return wrapped("Source: " + words, width_) + "\n\n";
     }
+    std::string heading(const std::string& words) const { return underlined(words, '-'); }
+    static std::string closing(const std::string& words) { return words; }
+
+    std::string block(const Paragraph& paragraph) const {
+        return wrapped(line(paragraph.text), width_) + "\n";
+    }
+    std::string block(const Display& display) const { return formulas(display.formulas); }
+    std::string block(const Table& table) const {
+        return wrapped(table.caption, width_) + "\n\n" + table_text(table);
+    }
+    std::string block(const TrianglePyramid& pyramid) const {
+        return wrapped(pyramid.caption, width_) + "\n\n" + pyramid_text(pyramid, notation_, width_);
+    }
+    std::string block(const Picture& picture) const { return picture_text(picture); }
 
 private:
-    std::string heading(const std::string& title) const { return underlined(title, '-'); }
-
     std::string underlined(const std::string& title, char mark) const {
-        const std::string lines = wrapped(title, width_);
-        return lines + "\n" + std::string(std::min(columns(title), width_), mark) + "\n\n";
-    }
-
-    std::string blocks(const std::vector<Block>& list) const {
-        std::string text;
-        for (const Block& block : list) text += this->block(block) + "\n";
-        return text;
-    }
-
-    std::string block(const Block& block) const {
-        return std::visit(Overloaded{[&](const Paragraph& paragraph) {
-                                         return wrapped(line(paragraph.text), width_) + "\n";
-                                     },
-                                     [&](const Display& display) { return formulas(display.formulas); },
-                                     [&](const Table& table) {
-                                         return wrapped(table.caption, width_) + "\n\n" + table_text(table);
-                                     },
-                                     [&](const TrianglePyramid& pyramid) {
-                                         return wrapped(pyramid.caption, width_) + "\n\n" +
-                                                pyramid_text(pyramid, notation_, width_);
-                                     },
-                                     [&](const Picture& picture) { return picture_text(picture); }},
-                          block);
+        return wrapped(title, width_) + "\n" + std::string(std::min(columns(title), width_), mark) + "\n\n";
     }
 
     std::string line(const Text& text) const {
-        std::string line;
-        for (const Text::Part& part : text.parts()) {
-            line +=
-                std::visit(Overloaded{[](const std::string& words) { return words; },
-                                      [&](const Formula& formula) { return to_text(formula, notation_); }},
-                           part);
-        }
-        return line;
+        return written(text, std::identity(),
+                       [&](const Formula& formula) { return to_text(formula, notation_); });
     }
 
     std::string formulas(const std::vector<Formula>& list) const {
@@ -133,8 +112,6 @@ private:
         return text + fitting(rows);
     }
 
-    std::string check(const Check& check) const { return blocks(check.blocks) + said_of(check) + "\n"; }
-
     const Notation& notation_;
     std::size_t width_;
 };
@@ -142,7 +119,8 @@ private:
 }  // namespace
 
 std::string render_text(const Document& document, const Notation& notation, std::size_t width) {
-    return Printer(notation, std::max<std::size_t>(width, 20)).print(document);
+    Printer printer(notation, std::max<std::size_t>(width, 20));
+    return written(document, printer);
 }
 
 }  // namespace blossom::worked

@@ -90,7 +90,7 @@ private:
     }
 
     std::string argument(const NodeArgument& argument) {
-        const std::string coordinates = joined(
+        std::string coordinates = joined(
             argument.coordinates, [&](const NodeId coordinate) { return print(coordinate, Tightness::sum); });
         if (argument.coordinates.size() > 1) coordinates = "(" + coordinates + ")";
         const Node& mass = block_.nodes[argument.mass];
