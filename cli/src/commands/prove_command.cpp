@@ -207,8 +207,8 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
         progress(++reported);
         return true;
     };
-    OrderedWork<ProofTask*> work(std::min(command.jobs, tasks.size()),
-                                 [&](ProofTask*& task) { decide(*task, command); }, report);
+    OrderedWork<ProofTask*> work(
+        std::min(command.jobs, tasks.size()), [&](ProofTask*& task) { decide(*task, command); }, report);
     for (ProofTask& task : tasks) work.add(&task);
     work.finish();
     if (!command.as_json && (command.paths.size() + command.statements.size() > 1 || tasks.size() > 1)) {
