@@ -93,6 +93,7 @@ std::vector<Formula> control_point_equations(const BezierCurve& curve, const Nam
 Display definition_of(const GivenMap& given) {
     if (const auto* curve = std::get_if<PolynomialCurve>(&given.map)) {
         std::vector<Formula> coordinates;
+        coordinates.reserve(curve->dimension());
         for (std::size_t j = 0; j < curve->dimension(); ++j) {
             coordinates.push_back(polynomial_formula(curve->coordinate(j), given.variable));
         }

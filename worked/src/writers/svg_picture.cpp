@@ -91,7 +91,7 @@ void append_texts(pugi::xml_node svg, const Drawing& drawing, const Notation& no
                      to_text(label_formula(label), notation));
     }
     for (const auto& [spot, words] : drawing.words) {
-        const Spot place{spot.x + 10 * words.right, spot.y + 10 * words.below};
+        const Spot place{spot.x + Length{10} * words.right, spot.y + Length{10} * words.below};
         const char* anchor = words.right == 0 ? "middle" : words.right > 0 ? "start" : "end";
         append_label(svg, place, anchor, "number", words.words);
     }
