@@ -19,9 +19,9 @@ constexpr std::size_t most_dots = 400;
 
 struct CurvePainter {
     worked::Picture& picture;
-    bool rational;
+    bool rational = false;
     std::optional<Interval> interval;
-    Role role;
+    Role role = Role::control;
     const std::string& name;
     const Limits& limits;
 
