@@ -16,7 +16,7 @@ std::size_t texts_parsed = 0;
 
 }  // namespace
 
-#define BLOSSOM_READ_MAP "_ZN7blossom8protocol8read_mapERKNS0_4JsonERKNS_6LimitsE"
+#define BLOSSOM_READ_MAP "_ZN7blossom8protocol8read_mapERKNS_4JsonERKNS_6LimitsE"
 #define BLOSSOM_READ_JSON \
     "_ZN7blossom8protocol9read_jsonESt17basic_string_viewIcSt11char_traitsIcEERKNS_6LimitsE"
 #define BLOSSOM_PARSE_JSON \
