@@ -33,8 +33,23 @@ Interval covered(const std::vector<BezierCurve>& curves) {
                   [&] { return Interval(std::min(first.a(), first.b()), std::max(last.a(), last.b())); });
 }
 
+/// Runs `action`; a map that does not say its interval is itself the place of an error in it.
+template <class Action>
+auto at_given_interval(const Json& maps, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        for (std::size_t i = 0; i < maps.array()->size(); ++i) {
+            const Place own = Part::maps / i;
+            if (error.place() == own / Part::interval && !(*maps.array())[i].find("interval")) throw error.at(own);
+        }
+        throw;
+    }
+}
+
 Answer answer(Request& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
+    const Json& given = request.required("maps", [](const Json& value) -> const Json& { return value; });
     const auto knots =
         request.optional("knots", [&](const Json& value) { return read_numbers(value, limits); });
     const auto degree =
@@ -47,9 +62,10 @@ Answer answer(Request& request, const Limits& limits) {
         throw Error(ErrorCode::wrong_kind, "the degree is that of given knots, and none are given",
                     Place{"degree"});
     }
-    const BSplineCurve spline =
-        knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
-              : join(curves, limits);
+    const BSplineCurve spline = at_given_interval(given, [&] {
+        return knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
+                     : join(curves, limits);
+    });
     return answer_of(like(maps.front(), spline), "maps");
 }
 
