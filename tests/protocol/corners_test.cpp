@@ -157,15 +157,16 @@ TEST_CASE("the least machine word among the numbers of a map has a size like any
     const std::string least = "\"-9223372036854775808\"";
     for (const std::string construction : {"symmetric", "casteljau", "polarization"}) {
         const auto value = [&](const std::string& map, const std::string& arguments) {
-            return result_at("/value", R"("op": "blossom", "construction": ")" + construction + R"(", "map": )" + map +
-                                           R"(, "arguments": )" + arguments);
+            return result_at("/value", R"("op": "blossom", "construction": ")" + construction +
+                                           R"(", "map": )" + map + R"(, "arguments": )" + arguments);
         };
         CAPTURE(construction);
         const std::string line = R"({"kind": "polynomial", "coefficients": ["0", )" + least + "]}";
         CHECK(value(line, R"([{"vector": -1}])") == R"("9223372036854775808")");
         CHECK(value(line, R"([{"vector": 1}])") == least);
         CHECK(value(line, R"([{"homogeneous": ["-1", "7"]}])") == R"("9223372036854775808")");
-        const std::string third = R"({"kind": "polynomial", "degree": 1, "coefficients": ["-9223372036854775808/3"]})";
+        const std::string third =
+            R"({"kind": "polynomial", "degree": 1, "coefficients": ["-9223372036854775808/3"]})";
         CHECK(value(third, R"([{"homogeneous": ["5", "-1"]}])") == R"("9223372036854775808/3")");
         const std::string polygon = R"({"kind": "bezier", "control_points": [)" + least + ", " + least + "]}";
         CHECK(value(polygon, R"(["0"])") == least);
@@ -173,12 +174,29 @@ TEST_CASE("the least machine word among the numbers of a map has a size like any
     }
 }
 
+TEST_CASE("a map of a kind that is not taken is refused where it stands") {
+    const std::string samples = R"({"kind": "samples", "degree": 0, "values": [["0", "1"]]})";
+    const std::string line = R"({"kind": "bezier", "control_points": [["0"], ["1"]]})";
+    CHECK(refusal_text(R"("op": "graph", "map": )" + samples) == "wrong_kind /map");
+    CHECK(refusal_text(R"("op": "export", "format": "geomdl", "map": )" + samples) == "wrong_kind /map");
+    CHECK(refusal_text(R"("op": "export", "format": "geomdl", "maps": [)" + line + ", " + samples + "]") ==
+          "wrong_kind /maps/1");
+    const std::string arc = R"({"kind": "polynomial", "text": ["1"], "denominator": "t"})";
+    CHECK(refusal_text(R"("op": "export", "format": "geomdl", "map": )" + arc) == "zero_weight /map");
+    CHECK(refusal_text(R"("op": "audit", "format": "geomdl", "document": {"shape": {"type": "curve", "data": [
+        {"degree": 0, "knotvector": [0, 1], "control_points": {"points": [[1]]}}]}}, "map": )" +
+                       arc) == "zero_weight /map");
+}
+
 TEST_CASE("an error in what a request leaves out is at what leaves it out") {
     const std::string line = R"({"kind": "bezier", "control_points": ["0", "1"]})";
     const std::string later = R"({"kind": "bezier", "control_points": ["0", "1"], "interval": [2, 3]})";
     CHECK(refusal_text(R"("op": "join", "maps": [)" + line + ", " + line + "]") == "not_adjacent /maps/1");
-    CHECK(refusal_text(R"("op": "join", "maps": [)" + line + ", " + later + "]") == "not_adjacent /maps/1/interval");
-    CHECK(refusal_text(R"("op": "basis-functions", "degree": 1, "knots": ["0", "1", "1"])") == "bad_knots /knots");
-    CHECK(refusal_text(R"("op": "basis-functions", "degree": 2, "convention": "polar", "knots": ["0", "1", "2"])") ==
+    CHECK(refusal_text(R"("op": "join", "maps": [)" + line + ", " + later + "]") ==
+          "not_adjacent /maps/1/interval");
+    CHECK(refusal_text(R"("op": "basis-functions", "degree": 1, "knots": ["0", "1", "1"])") ==
+          "bad_knots /knots");
+    CHECK(refusal_text(
+              R"("op": "basis-functions", "degree": 2, "convention": "polar", "knots": ["0", "1", "2"])") ==
           "bad_knots /knots");
 }

@@ -19,7 +19,8 @@ struct Document {
 /// Each format with and without what it may leave out.
 const std::vector<Document> documents{
     {"tinyspline", R"({"degree": 1, "dimension": 2, "control_points": [0, 1, 2, 3], "knots": [0, 0, 1, 1]})"},
-    {"tinyspline", R"({"degree": 2, "dimension": 1, "control_points": [0, 1, 2, 3], "knots": [0, 0, 0.5, 1, 1]})"},
+    {"tinyspline",
+     R"({"degree": 2, "dimension": 1, "control_points": [0, 1, 2, 3], "knots": [0, 0, 0.5, 1, 1]})"},
     {"geomdl", R"({"shape": {"type": "curve", "count": 1, "data": [{"type": "spline", "rational": false,
         "dimension": 1, "degree": 1, "knotvector": [0, 0, 1, 1], "control_points": {"points": [[0], [1]]}}]}})"},
     {"geomdl", R"({"shape": {"type": "curve", "data": [
@@ -104,7 +105,8 @@ TEST_CASE("a leaf of a document that has the wrong type is refused at its place 
             const Json& right = *at_place(*request.find("document"), place);
             if (right.array() || right.object()) continue;
             const Place whole = Place{"document"}.around(place);
-            for (const Json& wrong : {Json(), Json("?"), Json(Json::Object{{"x", "0"}}), Json(Json::Array{"0", "1"})}) {
+            for (const Json& wrong :
+                 {Json(), Json("?"), Json(Json::Object{{"x", "0"}}), Json(Json::Array{"0", "1"})}) {
                 Json broken = request;
                 at(broken, whole) = wrong;
                 const std::string pointer = pointer_of_error(broken, answer_to(broken, Limits{}));
@@ -113,9 +115,8 @@ TEST_CASE("a leaf of a document that has the wrong type is refused at its place 
                 CAPTURE(to_text(broken), pointer);
                 CHECK((pointer == "none" || pointer == parent || lies_in(pointer, own)));
                 const bool is_read = own.find("count") == std::string::npos &&
-                                     own.find("rational") == std::string::npos &&
-                                     !own.ends_with("/dim") && !own.ends_with("0/type") &&
-                                     !own.ends_with("data/0/dimension");
+                                     own.find("rational") == std::string::npos && !own.ends_with("/dim") &&
+                                     !own.ends_with("0/type") && !own.ends_with("data/0/dimension");
                 CHECK((pointer != "none") == is_read);
             }
         }

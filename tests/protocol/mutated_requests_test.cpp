@@ -28,7 +28,7 @@ Limits small_limits() {
     return limits;
 }
 
-/// The requests of the golden file and of the page of the protocol.
+/// The requests of the golden file and of the page of the protocol, and some that neither has.
 std::vector<Json> right_requests() {
     std::vector<Json> requests;
     std::ifstream golden(BLOSSOM_SOURCE "/tests/golden/protocol-examples.jsonl");
@@ -38,6 +38,27 @@ std::vector<Json> right_requests() {
     for (std::string line; std::getline(page, line);) {
         const bool is_request = line.starts_with('{') && line.find("\"op\"") != std::string::npos;
         if (is_request) requests.push_back(parse_json(line, Limits{}));
+    }
+    for (
+        const char* request : {
+            R"({"op": "export", "format": "geomdl", "maps": [{"kind": "bezier", "control_points": [["0"], ["1"]]},
+                 {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 1], "control_points": [["0"], ["1"], ["2"], ["3"]]}]})",
+            R"({"op": "import", "format": "splinepy", "document": {"SplineList": [{"degrees": [1],
+                 "control_points": [[0, 1], [2, 3]], "weights": [[1], [2]]}]}})",
+            R"({"op": "audit", "format": "geomdl", "map": {"kind": "bezier", "control_points": [["0"], ["1"]]},
+                 "document": {"shape": {"type": "curve", "data": [{"degree": 1, "knotvector": [0, 0, 1, 1],
+                 "control_points": {"points": [[0], [1]], "weights": [1, 2]}}]}}})",
+            R"({"op": "audit", "map": {"kind": "simplex", "degree": 1, "control_net": [[[1, 0], "1"], [[0, 1], "2"]]},
+                 "at": [["0", "1"]], "computed": {"control_net": [[[1, 0], 1], [[0, 1], 2]], "values": [2.5]}})",
+            R"({"op": "audit", "map": {"kind": "hermite", "left": ["1"], "right": ["2"],
+                 "denominator": {"left": ["1"], "right": ["2"]}},
+                 "computed": {"left": [1], "denominator": {"left": [1], "right": [2]}}})",
+            R"({"op": "certify", "requests": [{"op": "agree", "map": {"kind": "bspline", "degree": 1,
+                 "knots": [0, 0, 1, 1], "control_points": ["0", "1"]}}]})",
+            R"({"op": "explain", "request": {"op": "evaluate", "map": {"kind": "polynomial", "text": "t^2"}, "at": ["1"]}})",
+            R"({"op": "exercise", "topic": "subdivision", "seed": 2, "count": 1})",
+        }) {
+        requests.push_back(parse_json(request, Limits{}));
     }
     return requests;
 }
@@ -64,13 +85,15 @@ struct Pool {
 Pool pool_of(const std::vector<Json>& requests) {
     Pool pool;
     for (const Json& request : requests) pool.collect(request);
-    for (const char* text : {"", "0", "-1", "1/0", "1/3", "1e-400", "1e400", "t", "(1/t)^0", "x*y", "midpoints",
-                             "-9223372036854775808", "0x1p-1080", "infinite", "claim 1/x == 1/x"}) {
+    for (const char* text :
+         {"", "0", "-1", "1/0", "1/3", "1e-400", "1e400", "t", "(1/t)^0", "x*y", "midpoints",
+          "-9223372036854775808", "0x1p-1080", "infinite", "claim 1/x == 1/x"}) {
         pool.values.emplace_back(text);
     }
     for (const char* number : {"0", "1", "-1", "2", "0.5", "-0.0", "1e400", "1e-400", "9223372036854775808"})
         pool.values.emplace_back(Json::Number{number});
-    pool.values.insert(pool.values.end(), {Json(), Json(true), Json(false), Json(Json::Array{}), Json(Json::Object{})});
+    pool.values.insert(pool.values.end(),
+                       {Json(), Json(true), Json(false), Json(Json::Array{}), Json(Json::Object{})});
     return pool;
 }
 
@@ -150,14 +173,17 @@ void check_mutants(std::size_t count, std::uint64_t seed) {
     Random random(seed);
     for (std::size_t i = 0; i < count; ++i) {
         Json request = requests[random.below(requests.size())];
-        for (std::uint64_t changes = 1 + random.below(3); changes > 0; --changes) mutate(request, pool, random);
+        for (std::uint64_t changes = 1 + random.below(3); changes > 0; --changes)
+            mutate(request, pool, random);
         check_answer(request, limits);
     }
 }
 
 }  // namespace
 
-TEST_CASE("requests with a few changes are answered, or refused at a place that they have") { check_mutants(1500, 1); }
+TEST_CASE("requests with a few changes are answered, or refused at a place that they have") {
+    check_mutants(1500, 1);
+}
 
 // protocol_tests [mutants]
 TEST_CASE("the same of many requests", "[.][mutants]") {

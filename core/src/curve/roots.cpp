@@ -106,8 +106,9 @@ private:
 
     /// A much smaller part of the piece, by 3 / 2^(speed + 2), that has all its sign changes and so all its
     /// roots: sign changes of disjoint parts, and simple roots where these meet, add up to at most the sign
-    /// changes of the whole, so that there are none elsewhere and none at the new ends. Newton's step for a root of multiplicity `changes` from the middle says where to look; it
-    /// comes near a cluster of roots, and the next step may be smaller by the square. None if it fails.
+    /// changes of the whole, so that there are none elsewhere and none at the new ends. Newton's step for a
+    /// root of multiplicity `changes` from the middle says where to look; it comes near a cluster of roots,
+    /// and the next step may be smaller by the square. None if it fails.
     std::optional<Piece> around_cluster(const Piece& piece, std::size_t changes) const {
         const Rational middle = (piece.lower + piece.upper) / 2;
         const Rational slope = slope_(middle);

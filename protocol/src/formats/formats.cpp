@@ -296,7 +296,8 @@ Map as_textbook_spline(const Map& map, const Limits& limits) {
         return join(std::span(&bezier, 1), limits);
     };
     const auto of_spline = [](const BSplineCurve& curve) { return textbook(curve); };
-    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
+    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}, {}), map.form,
+            map.variable};
 }
 
 }  // namespace blossom::protocol

@@ -275,7 +275,8 @@ Sides read_document(Request& request, const Map& map, const Limits& limits) {
         if (maps.size() == 1) return to_json(maps.front());
         throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
     });
-    Sides sides{to_json(as_textbook_spline(map, limits)), std::move(computed), &format};
+    Sides sides{within("map", [&] { return to_json(as_textbook_spline(map, limits)); }), std::move(computed),
+                &format};
     if (*sides.exact.find("degree") != *sides.computed.find("degree")) {
         throw Error(ErrorCode::mismatched_dimensions,
                     "the degree is " + to_text(*sides.computed.find("degree")) + ", and " +

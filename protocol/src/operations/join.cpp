@@ -41,7 +41,8 @@ auto at_given_interval(const Json& maps, const Action& action) {
     } catch (const Error& error) {
         for (std::size_t i = 0; i < maps.array()->size(); ++i) {
             const Place own = Part::maps / i;
-            if (error.place() == own / Part::interval && !(*maps.array())[i].find("interval")) throw error.at(own);
+            if (error.place() == own / Part::interval && !(*maps.array())[i].find("interval"))
+                throw error.at(own);
         }
         throw;
     }

@@ -97,7 +97,7 @@ private:
 
 DrawnCurve drawn(const Map& map, const std::optional<Interval>& interval, const Limits& limits) {
     const std::size_t coordinates = dimension_of(map) - (map.form.rational ? 1 : 0);
-    const Map plane = coordinates == 1 ? graph_of(map, limits) : map;
+    const Map plane = coordinates == 1 ? within("map", [&] { return graph_of(map, limits); }) : map;
     return dispatch_on_kind<DrawnCurve>(plane, Painter{plane.form, interval, limits});
 }
 

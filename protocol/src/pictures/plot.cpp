@@ -29,6 +29,12 @@ std::optional<Interval> hull(const std::vector<Map>& maps) {
     return all;
 }
 
+/// Errors: `wrong_arity` for no map.
+bool are_surfaces(const std::vector<Map>& maps) {
+    if (maps.empty()) throw Error(ErrorCode::wrong_arity, "there is nothing to draw: the answer has no map");
+    return is_surface(maps.front());
+}
+
 std::string operation_name(const Answered& answered) { return *answered.request.find("op")->text(); }
 
 void add_results(Picture& picture, const std::vector<Map>& maps, const Limits& limits) {
@@ -63,7 +69,7 @@ std::string plot_of_values(const Answered& answered) {
 
 std::string plot_of_maps(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (is_surface(results.front())) return surfaces_of_maps(answered, results);
+    if (are_surfaces(results)) return surfaces_of_maps(answered, results);
     Picture picture{operation_name(answered), {}, {}, true};
     if (answered.has_given()) {
         const Map& before = answered.given();
@@ -76,7 +82,7 @@ std::string plot_of_maps(const Answered& answered) {
 
 std::string plot_of_result(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (is_surface(results.front())) return surfaces_of_result(answered, results);
+    if (are_surfaces(results)) return surfaces_of_result(answered, results);
     Picture picture{operation_name(answered), {}, {}, true};
     add_results(picture, results, answered.limits);
     return svg_of(picture);
