@@ -2,16 +2,14 @@
 #include <blossom/rational/double_conversion.hpp>
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
+#include "comparison.hpp"
 #include "evaluator.hpp"
 #include "foreign_options.hpp"
-#include "formats/doubles.hpp"
 #include "formats/formats.hpp"
 #include "json/json_text.hpp"
 #include "map_options.hpp"
-#include "maps/net_fields.hpp"
 #include "maps/points.hpp"
 #include "patch_answers.hpp"
 #include "rounding.hpp"
@@ -29,165 +27,6 @@ constexpr std::string_view audited[] = {"knots",          "interval",    "interv
 /// Those that are multiplied by weights, or divided by a denominator.
 constexpr std::string_view divided[] = {"control_points", "control_net",  "left",
                                         "right",          "coefficients", "terms"};
-
-/// What is found of a number, or of an array or object of them, in the same shape.
-struct Difference {
-    Json error;  ///< computed - exact
-    Json ulps;   ///< its size in units in the last place of the exact value
-};
-
-std::string size_text(const Json& value) {
-    const Json::Array* list = value.array();
-    return list ? std::to_string(list->size()) + " values" : value.object() ? "an object" : "one number";
-}
-
-[[noreturn]] void refuse_size(const Json& exact, const Json& computed) {
-    throw Error(ErrorCode::mismatched_dimensions,
-                "there are " + size_text(computed) + ", and " + size_text(exact) + " in the exact map");
-}
-
-/// Whether a value is a list of pairs of an index, or exponents, and a number or point.
-bool is_indexed(const Json& value) {
-    const Json::Array* entries = value.array();
-    const Json::Array* pair = entries && !entries->empty() ? entries->front().array() : nullptr;
-    const Json::Array* index = pair && pair->size() == 2 ? pair->front().array() : nullptr;
-    return index && std::ranges::all_of(*index, [](const Json& entry) { return entry.number() != nullptr; });
-}
-
-/// The same shape with zeros.
-Json zeros_like(const Json& value) {
-    const Json::Array* elements = value.array();
-    return elements ? Json(Json::Array(elements->size(), Rational(0))) : Json(Rational(0));
-}
-
-/// Compares values of one shape, and counts what it finds.
-class Comparison {
-public:
-    /// With `sparse`, an index that only one of two lists has stands for a zero in the other.
-    Comparison(bool sparse, const Limits& limits) : sparse_(sparse), limits_(limits) {}
-
-    /// Errors: those of `read_double`; `mismatched_dimensions` for values of another shape; `incomplete_net`;
-    /// `overflow` for an exact number beyond the doubles; at their place in `computed`.
-    Difference operator()(const Json& exact, const Json& computed) {
-        if (exact.object()) return of_members(exact, computed);
-        if (!exact.array()) return of_numbers(exact, computed);
-        if (!computed.array()) {
-            if (computed.number() || computed.text() || computed.exact()) refuse_size(exact, computed);
-            read_array(computed);
-        }
-        return is_indexed(exact) ? of_entries(exact, computed) : of_elements(exact, computed);
-    }
-
-    const Rational& greatest() const { return greatest_; }
-    std::size_t count() const { return count_; }
-    std::size_t wrong() const { return wrong_; }
-
-private:
-    Difference of_numbers(const Json& exact, const Json& computed) {
-        if (computed.array()) refuse_size(exact, computed);
-        const Rational& expected = *exact.exact();
-        const Rational found = computed.exact() ? *computed.exact() : read_double(computed);
-        const Rational nearest = exact_rational(nearest_double(expected));
-        const Rational error = found - expected;
-        const Rational ulps = abs(error) / unit_in_last_place(expected);
-        greatest_ = std::max(greatest_, ulps);
-        if (found != nearest) ++wrong_;
-        ++count_;
-        return {error, ulps};
-    }
-
-    Difference of_elements(const Json& exact, const Json& computed) {
-        const Json::Array& expected = *exact.array();
-        const Json::Array& found = *computed.array();
-        if (expected.size() != found.size()) refuse_size(exact, computed);
-        Json::Array errors, ulps;
-        for (std::size_t i = 0; i < expected.size(); ++i) {
-            Difference difference = within(i, [&] { return (*this)(expected[i], found[i]); });
-            errors.push_back(std::move(difference.error));
-            ulps.push_back(std::move(difference.ulps));
-        }
-        return {std::move(errors), std::move(ulps)};
-    }
-
-    Difference of_members(const Json& exact, const Json& computed) {
-        Fields fields(computed);
-        Difference all;
-        for (const auto& [name, expected] : *exact.object()) {
-            Difference difference =
-                fields.required(name, [&](const Json& found) { return (*this)(expected, found); });
-            all.error[name] = std::move(difference.error);
-            all.ulps[name] = std::move(difference.ulps);
-        }
-        fields.finish();
-        return all;
-    }
-
-    /// The entries of both lists by their index: those of the exact one in its order, and then the others.
-    Difference of_entries(const Json& exact, const Json& computed) {
-        const Json::Array& found = *computed.array();
-        std::vector<std::size_t> places = places_of_entries(exact, found);
-        const Json zeros = zeros_like((*exact.array()->front().array())[1]);
-        Json::Array errors, ulps;
-        const auto append = [&](const Json& index, const Difference& difference) {
-            errors.emplace_back(Json::Array{index, difference.error});
-            ulps.emplace_back(Json::Array{index, difference.ulps});
-        };
-        const auto value_at = [&](std::size_t place, const Json& expected) {
-            return within(place, [&] {
-                return within(std::size_t{1}, [&] { return (*this)(expected, (*found[place].array())[1]); });
-            });
-        };
-        for (const Json& entry : *exact.array()) {
-            const Json::Array& pair = *entry.array();
-            const std::size_t place = places[errors.size()];
-            append(pair[0], place < found.size() ? value_at(place, pair[1]) : (*this)(pair[1], zeros));
-        }
-        for (std::size_t i = errors.size(); i < places.size(); ++i) {
-            append((*found[places[i]].array())[0], value_at(places[i], zeros));
-        }
-        return {std::move(errors), std::move(ulps)};
-    }
-
-    /// Where the computed list has the entry of each index of the exact one, or its size for none, and then
-    /// the entries of other indices.
-    std::vector<std::size_t> places_of_entries(const Json& exact, const Json::Array& found) const {
-        std::map<std::vector<std::size_t>, std::size_t> known;
-        for (const Json& entry : *exact.array())
-            known.emplace(read_index_of((*entry.array())[0]), known.size());
-        std::vector<std::size_t> places(known.size(), found.size());
-        const std::size_t length = known.begin()->first.size();
-        for (std::size_t i = 0; i < found.size(); ++i) {
-            within(i, [&] {
-                const Json::Array& pair = read_array(found[i]);
-                if (pair.size() != 2) refuse_net("an entry is a pair of an index and a value");
-                within(std::size_t{0}, [&] {
-                    const auto [place, added] = known.emplace(read_index_of(pair[0]), known.size());
-                    if (added && (!sparse_ || place->first.size() != length))
-                        refuse_net("the exact map has no such index");
-                    if (added) {
-                        places.push_back(i);
-                    } else if (std::exchange(places[place->second], i) != found.size()) {
-                        refuse_net("the index occurs twice");
-                    }
-                });
-            });
-        }
-        if (!sparse_ && std::ranges::find(places, found.size()) != places.end())
-            refuse_net("there are " + std::to_string(found.size()) + " entries, and " +
-                       std::to_string(places.size()) + " in the exact map");
-        return places;
-    }
-
-    std::vector<std::size_t> read_index_of(const Json& value) const {
-        return read_list(value, [&](const Json& entry) { return read_count(entry, limits_); });
-    }
-
-    bool sparse_;
-    const Limits& limits_;
-    Rational greatest_;
-    std::size_t wrong_ = 0;
-    std::size_t count_ = 0;
-};
 
 Answer values_of_curve(Fields& request, const Map& map, const Limits& limits) {
     const auto parameters =
