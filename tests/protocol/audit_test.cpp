@@ -290,6 +290,12 @@ TEST_CASE("a document of another degree is refused, even with as many numbers") 
                        map) == "mismatched_dimensions /document/SplineList/0/degrees/0");
 }
 
+TEST_CASE("a document without knots is compared with others where it stands") {
+    CHECK(refusal_text(R"("op": "audit", "format": "splinepy", "document": {"SplineList": [{"degrees": [1],
+        "control_points": [[0], [1]]}]}, "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
+        "control_points": [["0"], ["1"], ["2"]]})") == "mismatched_dimensions /document/SplineList/0");
+}
+
 TEST_CASE("a number in the text of an audit says where it stands") {
     const auto text = [](const char* map, const char* computed) {
         const Limits limits;

@@ -49,12 +49,13 @@ struct Sides {
     Json exact;
     Json computed;                          ///< members with numbers
     const ForeignFormat* format = nullptr;  ///< of the document that they come from
+    const Json* document = nullptr;         ///< as it is given
     std::string_view without_weights = "";  ///< the side whose weights are taken to be 1
 
-    /// Where the request has what lies at `of_numbers` of the computed side.
+    /// Where the request has what lies at `of_numbers` of the computed side. A document may leave knots out.
     Place place(const Place& of_numbers) const {
         if (!format) return Place{"computed"}.around(of_numbers);
-        return Place{"document"}.around(place_in_document(*format, of_numbers));
+        return Place{"document"}.around(present_part(*document, place_in_document(*format, of_numbers)));
     }
 };
 
@@ -109,13 +110,15 @@ Json weights_of_one(const Json& curve) {
 Sides read_document(Request& request, const Map& map, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
-    Json computed = request.required("document", [&](const Json& value) {
-        const std::vector<Map> maps = format.read(value, limits);
+    const Json& document =
+        request.required("document", [](const Json& value) -> const Json& { return value; });
+    Json computed = within("document", [&] {
+        const std::vector<Map> maps = format.read(document, limits);
         if (maps.size() == 1) return to_json(maps.front());
         throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
     });
     Sides sides{within("map", [&] { return to_json(as_textbook_spline(map, limits)); }), std::move(computed),
-                &format};
+                &format, &document};
     if (*sides.exact.find("degree") != *sides.computed.find("degree")) {
         throw Error(ErrorCode::mismatched_dimensions,
                     "the degree is " + to_text(*sides.computed.find("degree")) + ", and " +

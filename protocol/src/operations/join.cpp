@@ -33,18 +33,14 @@ Interval covered(const std::vector<BezierCurve>& curves) {
                   [&] { return Interval(std::min(first.a(), first.b()), std::max(last.a(), last.b())); });
 }
 
-/// Runs `action`; a map that does not say its interval is itself the place of an error in it.
+/// Runs `action`; an error in what a map leaves out, as its interval, is in this map.
 template <class Action>
-auto at_given_interval(const Json& maps, const Action& action) {
+auto at_given_part(const Json& maps, const Action& action) {
     try {
         return action();
     } catch (const Error& error) {
-        for (std::size_t i = 0; i < maps.array()->size(); ++i) {
-            const Place own = Part::maps / i;
-            if (error.place() == own / Part::interval && !(*maps.array())[i].find("interval"))
-                throw error.at(own);
-        }
-        throw;
+        if (!error.place().begins_with(Part::maps)) throw;
+        throw error.at(Place(Part::maps).around(present_part(maps, error.place().inside(Part::maps))));
     }
 }
 
@@ -63,7 +59,7 @@ Answer answer(Request& request, const Limits& limits) {
         throw Error(ErrorCode::wrong_kind, "the degree is that of given knots, and none are given",
                     Place{"degree"});
     }
-    const BSplineCurve spline = at_given_interval(given, [&] {
+    const BSplineCurve spline = at_given_part(given, [&] {
         return knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
                      : join(curves, limits);
     });
