@@ -35,6 +35,7 @@ double any_double(Random& random) {
 /// The least unit 2^e >= 2^-1074 of which |value| is less than 2^53.
 Rational unit_by_doubling(const Rational& value) {
     Rational unit = power_of_two(-1074);
+    while (abs(value) >= unit * power_of_two(53 + 64)) unit = unit * power_of_two(64);
     while (abs(value) >= unit * power_of_two(53)) unit = unit + unit;
     return unit;
 }

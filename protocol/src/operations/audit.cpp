@@ -50,7 +50,7 @@ struct Sides {
     Json computed;                          ///< members with numbers
     const ForeignFormat* format = nullptr;  ///< of the document that they come from
     const Json* document = nullptr;         ///< as it is given
-    std::string_view without_weights = "";  ///< the side whose weights are taken to be 1
+    std::string_view without_weights = {};       ///< the side whose weights are taken to be 1
 
     /// Where the request has what lies at `of_numbers` of the computed side. A document may leave knots out.
     Place place(const Place& of_numbers) const {
@@ -110,8 +110,7 @@ Json weights_of_one(const Json& curve) {
 Sides read_document(Request& request, const Map& map, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
-    const Json& document =
-        request.required("document", [](const Json& value) -> const Json& { return value; });
+    const Json& document = *request.required("document", [](const Json& value) { return &value; });
     Json computed = within("document", [&] {
         const std::vector<Map> maps = format.read(document, limits);
         if (maps.size() == 1) return to_json(maps.front());
@@ -178,7 +177,8 @@ std::string lines_of(const std::string& name, const Json& errors, const Json& ul
     std::string text;
     if (const Json::Object* members = errors.object()) {
         for (const auto& [end, member] : *members) {
-            if (!is_rounded_twin(end)) text += lines_of(name + " " + end, member, *ulps.find(end));
+            if (!is_rounded_twin(end))
+                text += lines_of(fmt::format("{} {}", name, end), member, *ulps.find(end));
         }
         return text;
     }
@@ -191,8 +191,8 @@ std::string lines_of(const std::string& name, const Json& errors, const Json& ul
     for (std::size_t i = 0; i < list->size(); ++i) {
         const Json& error = (*list)[i];
         const Json& in_ulps = (*ulps.array())[i];
-        text += indexed ? line(name + " " + point_text((*error.array())[0]), (*error.array())[1],
-                               (*in_ulps.array())[1])
+        text += indexed ? line(fmt::format("{} {}", name, point_text((*error.array())[0])),
+                               (*error.array())[1], (*in_ulps.array())[1])
                         : line(fmt::format("{} {}", name, i), error, in_ulps);
     }
     return text;

@@ -46,7 +46,7 @@ auto at_given_part(const Json& maps, const Action& action) {
 
 Answer answer(Request& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
-    const Json& given = request.required("maps", [](const Json& value) -> const Json& { return value; });
+    const Json& given = *request.required("maps", [](const Json& value) { return &value; });
     const auto knots =
         request.optional("knots", [&](const Json& value) { return read_numbers(value, limits); });
     const auto degree =
