@@ -50,7 +50,7 @@ struct Sides {
     Json computed;                          ///< members with numbers
     const ForeignFormat* format = nullptr;  ///< of the document that they come from
     const Json* document = nullptr;         ///< as it is given
-    std::string_view without_weights = {};       ///< the side whose weights are taken to be 1
+    std::string_view without_weights;       ///< the side whose weights are taken to be 1
 
     /// Where the request has what lies at `of_numbers` of the computed side. A document may leave knots out.
     Place place(const Place& of_numbers) const {
@@ -84,7 +84,8 @@ void require_complete(const Sides& sides, bool has_parameters) {
 
 /// The members of field "computed", which is a map or a part of it.
 Sides read_computed(Request& request, const Map& map, const Limits& limits) {
-    Sides sides{to_json(map), {}};
+    Sides sides;
+    sides.exact = to_json(map);
     const auto at = request.optional("at", [](const Json& value) { return value; });
     request.required("computed", [&](const Json& value) {
         Fields fields(value);
@@ -111,13 +112,15 @@ Sides read_document(Request& request, const Map& map, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
     const Json& document = *request.required("document", [](const Json& value) { return &value; });
-    Json computed = within("document", [&] {
+    Sides sides;
+    sides.format = &format;
+    sides.document = &document;
+    sides.computed = within("document", [&] {
         const std::vector<Map> maps = format.read(document, limits);
         if (maps.size() == 1) return to_json(maps.front());
         throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
     });
-    Sides sides{within("map", [&] { return to_json(as_textbook_spline(map, limits)); }), std::move(computed),
-                &format, &document};
+    sides.exact = within("map", [&] { return to_json(as_textbook_spline(map, limits)); });
     if (*sides.exact.find("degree") != *sides.computed.find("degree")) {
         throw Error(ErrorCode::mismatched_dimensions,
                     "the degree is " + to_text(*sides.computed.find("degree")) + ", and " +
