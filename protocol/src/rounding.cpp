@@ -5,21 +5,13 @@
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
+#include "formats/doubles.hpp"
 #include "json/fields.hpp"
 
 namespace blossom::protocol {
 
 namespace {
-
-/// The shortest decimal that reads back as the same double.
-std::string shortest_decimal(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
-}
 
 bool has_exact_numbers(const Json& value) {
     if (value.exact()) return true;
@@ -30,7 +22,7 @@ bool has_exact_numbers(const Json& value) {
 Json rounded(const Json& value, Rounding rounding) {
     if (const Rational* number = value.exact()) {
         if (rounding == Rounding::hexadecimal) return hexadecimal_float(*number);
-        return Json::Number{shortest_decimal(nearest_double(*number))};
+        return double_number(*number);
     }
     const Json::Array* elements = value.array();
     if (!elements) return value;

@@ -55,7 +55,28 @@ def statements():
         yield {"op": "prove", "statement": text}
 
 
-requests = [*documented_requests(), *golden_requests(), *statements()]
+def audits():
+    """Of numbers in every form that a map has, and of what is missing or too much."""
+    ends = {"kind": "hermite", "left": ["1"], "right": ["2"], "denominator": {"left": ["1"], "right": ["1/3"]}}
+    line = {"kind": "simplex", "degree": 1, "control_net": [[[1, 0], "1"], [[0, 1], "2"]]}
+    curve = {"kind": "taylor", "center": "1/2", "coefficients": [["1", "2"]]}
+    document = {"degree": 0, "dimension": 2, "control_points": [1, 2], "knots": [0, 1]}
+    for map_, rest in (
+        (ends, {"computed": {"denominator": {"left": [1], "right": [0.5]}}}),
+        (ends, {"computed": {"denominator": {"left": [1]}}}),
+        (line, {"computed": {"control_net": [[[0, 1], 0.5], [[1, 0], "0x1p-3"]]}}),
+        (line, {"at": [["1/2", "1/2"]], "computed": {"values": [0.5]}}),
+        (line, {"at": [["1/2", "1/2"]], "computed": {"control_net": [[[0, 1], 0.5], [[1, 0], 1]]}}),
+        (curve, {"computed": {"center": 0.25, "coefficients": [[1, 3]]}}),
+        (curve, {"computed": {"points": [[1, 3]]}}),
+        (curve, {"format": "tinyspline", "document": document}),
+        (curve, {"format": "tinyspline", "document": document, "at": ["0"]}),
+    ):
+        yield {"op": "audit", "map": map_, **rest}
+
+
+requests = [*documented_requests(), *golden_requests(), *statements(), *audits()]
+requests.append({"op": "inverse-formula", "degree": 1, "interval": [0, 1], "vertices": [["0"], ["1"]]})
 requests += [{**request, "numbers": rounding} for request in requests for rounding in ("double", "hexfloat")]
 lines = "".join(json.dumps(request) + "\n" for request in requests)
 answers = subprocess.run([program, "batch"], input=lines, capture_output=True, text=True, check=False).stdout

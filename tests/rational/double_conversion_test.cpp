@@ -32,6 +32,14 @@ double any_double(Random& random) {
     return value;
 }
 
+/// The least unit 2^e >= 2^-1074 of which |value| is less than 2^53.
+Rational unit_by_doubling(const Rational& value) {
+    Rational unit = power_of_two(-1074);
+    while (abs(value) >= unit * power_of_two(53 + 64)) unit = unit * power_of_two(64);
+    while (abs(value) >= unit * power_of_two(53)) unit = unit + unit;
+    return unit;
+}
+
 }  // namespace
 
 TEST_CASE("a double is exactly the rational number that it is", "[double_conversion]") {
@@ -173,7 +181,8 @@ TEST_CASE("hexadecimal floats as C writes them", "[double_conversion]") {
     CHECK(hexadecimal_float(-3) == "-0x1.8p+1");
     CHECK(hexadecimal_float(Rational(1, 10)) == "0x1.999999999999ap-4");
     CHECK(hexadecimal_float(Rational(-1, 3)) == "-0x1.5555555555555p-2");
-    CHECK(hexadecimal_float(-power_of_two(-1075)) == "0x0p+0");
+    CHECK(hexadecimal_float(power_of_two(-1075)) == "0x0p+0");
+    CHECK(hexadecimal_float(-power_of_two(-1075)) == "-0x0p+0");
     CHECK(hexadecimal_float(power_of_two(1024) - power_of_two(971)) == "0x1.fffffffffffffp+1023");
     Random random(75);
     for (int i = 0; i < 500; ++i) {
@@ -184,4 +193,54 @@ TEST_CASE("hexadecimal floats as C writes them", "[double_conversion]") {
         CHECK(std::strtod(text.c_str(), nullptr) == nearest);
         CHECK(text.substr(text.starts_with('-') ? 1 : 0, 2) == "0x");
     }
+}
+
+TEST_CASE("the unit in the last place is the distance of the doubles around a number",
+          "[double_conversion]") {
+    const Rational epsilon = power_of_two(-52);
+    CHECK(unit_in_last_place(1) == epsilon);
+    CHECK(unit_in_last_place(Rational(-3, 2)) == epsilon);
+    CHECK(unit_in_last_place(2) == 2 * epsilon);
+    CHECK(unit_in_last_place(Rational(1, 3)) == epsilon / 4);
+    CHECK(unit_in_last_place(0) == power_of_two(-1074));
+    CHECK(unit_in_last_place(parse_rational("1e-400")) == power_of_two(-1074));
+    CHECK(unit_in_last_place(1 - parse_rational("1e-24")) == epsilon / 2);
+    CHECK(unit_in_last_place(power_of_two(1024) - power_of_two(971)) == power_of_two(971));
+    CHECK(unit_in_last_place(power_of_two(1024) - power_of_two(-10)) == power_of_two(971));
+    for (const Rational& value : {power_of_two(1024), -power_of_two(1024), power_of_two(100'000)}) {
+        CHECK(failure_code([&] { unit_in_last_place(value); }) == ErrorCode::overflow);
+    }
+}
+
+TEST_CASE("the unit in the last place changes exactly at the powers of two", "[double_conversion]") {
+    Random random(76);
+    for (int exponent = -1090; exponent < 1024; exponent += random.one_in(3) ? 1 : 7) {
+        const Rational power = power_of_two(exponent);
+        for (const int nearness : {-1, -52, -53, -54, -80, -2000}) {
+            const Rational hair = power_of_two(exponent + nearness);
+            CAPTURE(exponent, nearness);
+            for (const Rational& value : {power, power - hair, power + hair}) {
+                CHECK(unit_in_last_place(value) == unit_by_doubling(value));
+                CHECK(unit_in_last_place(-value) == unit_in_last_place(value));
+            }
+        }
+    }
+    for (const int exponent : {-1075, -1074, -1073, -1023, -1022, -1021, -1, 0, 1, 1022, 1023}) {
+        const Rational power = power_of_two(exponent);
+        CAPTURE(exponent);
+        CHECK(unit_in_last_place(power) == unit_by_doubling(power));
+        CHECK(unit_in_last_place(power - power_of_two(exponent - 60)) ==
+              unit_by_doubling(power - power_of_two(exponent - 60)));
+    }
+}
+
+TEST_CASE("the nearest double of a number too small for any is a zero of its sign", "[double_conversion]") {
+    for (const Rational& tiny : {power_of_two(-1075), power_of_two(-1076), power_of_two(-100'000)}) {
+        CHECK(nearest_double(tiny) == 0.0);
+        CHECK_FALSE(std::signbit(nearest_double(tiny)));
+        CHECK(std::signbit(nearest_double(-tiny)));
+        CHECK(hexadecimal_float(tiny) == "0x0p+0");
+        CHECK(hexadecimal_float(-tiny) == "-0x0p+0");
+    }
+    CHECK_FALSE(std::signbit(nearest_double(0)));
 }

@@ -105,9 +105,10 @@ private:
     }
 
     /// A much smaller part of the piece, by 3 / 2^(speed + 2), that has all its sign changes and so all its
-    /// roots: sign changes of disjoint parts add up to at most those of the whole, so that there are none
-    /// elsewhere. Newton's step for a root of multiplicity `changes` from the middle says where to look; it
-    /// comes near a cluster of roots, and the next step may be smaller by the square. None if it fails.
+    /// roots: sign changes of disjoint parts, and simple roots where these meet, add up to at most the sign
+    /// changes of the whole, so that there are none elsewhere and none at the new ends. Newton's step for a
+    /// root of multiplicity `changes` from the middle says where to look; it comes near a cluster of roots,
+    /// and the next step may be smaller by the square. None if it fails.
     std::optional<Piece> around_cluster(const Piece& piece, std::size_t changes) const {
         const Rational middle = (piece.lower + piece.upper) / 2;
         const Rational slope = slope_(middle);
@@ -119,10 +120,6 @@ private:
         const Rational begin = piece.lower + Rational(cells.numerator() / cells.denominator() - 1) * cell;
         const Rational lower = std::max(begin, piece.lower);
         const Rational upper = std::min(begin + 3 * cell, piece.upper);
-        if ((lower != piece.lower && sign_at(factor_, lower) == 0) ||
-            (upper != piece.upper && sign_at(factor_, upper) == 0)) {
-            return std::nullopt;
-        }
         const auto interval = cleared(Interval(lower, upper));
         constexpr std::size_t bits_of_digits = 3;
         if (factor_.degree() * interval.bits() > bits_of_digits * limits_.digits) return std::nullopt;

@@ -4,15 +4,31 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/number_text.hpp>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <cstddef>
 #include <system_error>
 
 namespace blossom::protocol {
 
 namespace {
+
+/// Of a number outside the range of doubles, without sign and prefix: whether it is too small, not too large.
+bool is_below_one(std::string_view number, bool hexadecimal) {
+    const std::string_view significand = number.substr(0, number.find_first_of(hexadecimal ? "pP" : "eE"));
+    const std::size_t point = std::min(significand.find('.'), significand.size());
+    const std::size_t first = significand.find_first_not_of("0.");
+    std::string_view scale = number.substr(std::min(significand.size() + 1, number.size()));
+    if (scale.starts_with('+')) scale.remove_prefix(1);
+    std::ptrdiff_t exponent = 0;
+    const auto read = std::from_chars(scale.data(), scale.data() + scale.size(), exponent);
+    if (read.ec == std::errc::result_out_of_range) return scale.starts_with('-');
+    const std::ptrdiff_t digits = static_cast<std::ptrdiff_t>(point) - static_cast<std::ptrdiff_t>(first);
+    constexpr std::ptrdiff_t far = std::ptrdiff_t{1} << 40;
+    return digits * (hexadecimal ? 4 : 1) + std::clamp(exponent, -far, far) < 0;
+}
 
 /// The double nearest to a text, which is the whole of it.
 double parsed(std::string_view text) {
@@ -26,6 +42,7 @@ double parsed(std::string_view text) {
                         hexadecimal ? std::chars_format::hex : std::chars_format::general);
     const bool all = end == digits.data() + digits.size() && !digits.empty() && digits.front() != '-';
     if (problem == std::errc::result_out_of_range && all) {
+        if (is_below_one(digits, hexadecimal)) return negative ? -0.0 : 0.0;
         throw Error(ErrorCode::overflow, quoted(text) + " is beyond the range of doubles");
     }
     if (problem != std::errc{} || !all || !std::isfinite(value)) {
@@ -43,17 +60,12 @@ Rational read_double(const Json& value) {
 }
 
 Json::Number double_number(const Rational& value) {
+    const double nearest = nearest_double(value);
+    // Without the point, many readers take it for an integer, which has no sign of zero.
+    if (nearest == 0 && std::signbit(nearest)) return {"-0.0"};
     std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), nearest_double(value)).ptr;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), nearest).ptr;
     return {{digits.data(), end}};
-}
-
-Rational unit_in_last_place(const Rational& value) {
-    const double nearest = std::abs(nearest_double(value));
-    const double above = std::nextafter(nearest, std::numeric_limits<double>::infinity());
-    // The greatest double has none above; the distance to the one below is the same.
-    if (!std::isfinite(above)) return exact_rational(nearest) - exact_rational(std::nextafter(nearest, 0.0));
-    return exact_rational(above) - exact_rational(nearest);
 }
 
 }  // namespace blossom::protocol

@@ -12,12 +12,8 @@ namespace blossom::protocol {
 /// Errors: `not_a_number`; `overflow` beyond the range of doubles.
 Rational read_double(const Json& value);
 
-/// The nearest double, as a JSON number with the fewest digits that are read back as the same.
-/// Errors: `overflow`.
+/// The nearest double, as a JSON number with the fewest digits that are read back as the same;
+/// "-0.0" for a negative number that is rounded to 0. Errors: `overflow`.
 Json::Number double_number(const Rational& value);
-
-/// The distance of the doubles around the value: 2^(e - 52) where its nearest double is at least 2^e and less
-/// than 2^(e+1), and 2^-1074 below 2^-1022. Errors: `overflow`.
-Rational unit_in_last_place(const Rational& value);
 
 }  // namespace blossom::protocol

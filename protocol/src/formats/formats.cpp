@@ -38,6 +38,7 @@ std::vector<Rational> read_weights(const Json& value) {
 }
 
 Place place_in_curve(const NumberPlaces& numbers, const Place& of_map) {
+    if (of_map.begins_with(Part::degree)) return numbers.degree;
     if (of_map.begins_with(Part::knots)) return numbers.knots.around(of_map.inside(Part::knots));
     if (of_map.begins_with(Place{"weights"})) return numbers.weights.around(of_map.inside(Place{"weights"}));
     if (!of_map.begins_with(Part::control_points)) return of_map;
@@ -62,7 +63,7 @@ Map spline(std::size_t degree, std::vector<Rational> knots, std::vector<Coordina
 
 // tinyspline: {"degree", "dimension", "control_points": all coordinates in one list, "knots"}
 
-const NumberPlaces tinyspline_numbers{Part::knots, Part::control_points, {}, false};
+const NumberPlaces tinyspline_numbers{Part::degree, Part::knots, Part::control_points, {}, false};
 
 std::vector<Map> read_tinyspline(const Json& document, const Limits& limits) {
     Fields fields(document);
@@ -142,7 +143,7 @@ Json write_tinyspline(const std::vector<Map>& splines) {
 // "weights"?}, ...}]}}; other members are not needed.
 
 const NumberPlaces geomdl_numbers{
-    {"knotvector"}, {"control_points", "points"}, {"control_points", "weights"}};
+    Part::degree, {"knotvector"}, {"control_points", "points"}, {"control_points", "weights"}};
 
 Map read_geomdl_curve(const Json& data, const Limits& limits) {
     Fields fields(data);
@@ -193,7 +194,8 @@ Json write_geomdl(const std::vector<Map>& splines) {
 // "knot_vectors": [[...]], "control_points": [[...]], "weights"?: [[w], ...], "dim", "para_dim"}]}; the
 // Bezier types have no knots.
 
-const NumberPlaces splinepy_numbers{Place{"knot_vectors"} / 0, {"control_points"}, {"weights"}};
+const NumberPlaces splinepy_numbers{
+    Place{"degrees"} / 0, Place{"knot_vectors"} / 0, {"control_points"}, {"weights"}};
 
 Map read_splinepy_spline(const Json& data, const Limits& limits) {
     Fields fields(data);
@@ -209,8 +211,15 @@ Map read_splinepy_spline(const Json& data, const Limits& limits) {
         return std::move(vectors.front());
     });
     if (knots) return spline(degrees.front(), *knots, std::move(points), weights, splinepy_numbers);
-    std::vector<Rational> ends(degrees.front() + 1, Rational(0));
-    ends.insert(ends.end(), degrees.front() + 1, Rational(1));
+    const std::size_t order = degrees.front() + 1;
+    if (points.size() != order) {
+        throw Error(ErrorCode::wrong_arity,
+                    "without knots, a curve of degree " + std::to_string(order - 1) + " has " +
+                        std::to_string(order) + " control points, not " + std::to_string(points.size()),
+                    Place{"control_points"});
+    }
+    std::vector<Rational> ends(order, Rational(0));
+    ends.insert(ends.end(), order, Rational(1));
     return spline(degrees.front(), std::move(ends), std::move(points), weights, splinepy_numbers);
 }
 
@@ -256,11 +265,16 @@ const ForeignFormat formats[] = {
     {"splinepy", read_splinepy, write_splinepy, Place{"SplineList"} / 0, splinepy_numbers},
 };
 
+/// The outermost knots, on which no point of the curve depends, are equal to their neighbours where these may
+/// occur once more.
 BSplineCurve textbook(const BSplineCurve& curve) {
-    if (curve.knots().convention() == KnotConvention::textbook) return curve;
-    std::vector<Rational> knots{curve.knots().knots().front()};
-    knots.insert(knots.end(), curve.knots().knots().begin(), curve.knots().knots().end());
-    knots.push_back(knots.back());
+    const KnotVector& own = curve.knots();
+    if (own.convention() == KnotConvention::textbook) return curve;
+    const std::vector<KnotMultiplicity> distinct = own.distinct();
+    const auto room = [&](const KnotMultiplicity& end) { return end.multiplicity <= own.degree(); };
+    std::vector<Rational> knots{distinct.front().knot - Rational(room(distinct.front()) ? 0 : 1)};
+    knots.insert(knots.end(), own.knots().begin(), own.knots().end());
+    knots.push_back(distinct.back().knot + Rational(room(distinct.back()) ? 0 : 1));
     return {curve.degree(), std::move(knots), curve.control_points()};
 }
 
@@ -282,7 +296,8 @@ Map as_textbook_spline(const Map& map, const Limits& limits) {
         return join(std::span(&bezier, 1), limits);
     };
     const auto of_spline = [](const BSplineCurve& curve) { return textbook(curve); };
-    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}), map.form, map.variable};
+    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}, {}), map.form,
+            map.variable};
 }
 
 }  // namespace blossom::protocol

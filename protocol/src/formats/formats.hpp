@@ -11,6 +11,7 @@ namespace blossom::protocol {
 
 /// Where a library keeps the numbers of a curve, within what it writes for this curve.
 struct NumberPlaces {
+    Place degree;
     Place knots;
     Place control_points;
     Place weights;
@@ -36,7 +37,8 @@ Place place_in_document(const ForeignFormat& format, const Place& of_map);
 const ForeignFormat& read_format(const Json& name);
 
 /// The curve as the bspline that every format can hold: one polynomial becomes one segment, and a polar knot
-/// vector gets the two knots that it lacks, equal to its ends. Errors: `wrong_kind`.
+/// vector gets the two knots that it lacks, equal to its ends unless they would occur too often. Errors:
+/// `wrong_kind`.
 Map as_textbook_spline(const Map& map, const Limits& limits);
 
 }  // namespace blossom::protocol

@@ -63,20 +63,33 @@ std::string_view member_name(const Place::Step& step) {
     return part ? part_name(*part) : std::string_view(std::get<std::string>(step));
 }
 
+const Json* at_step(const Json& value, const Place::Step& step) {
+    const auto* index = std::get_if<std::size_t>(&step);
+    if (!index) return value.find(member_name(step));
+    const Json::Array* elements = value.array();
+    return elements && *index < elements->size() ? &(*elements)[*index] : nullptr;
+}
+
 }  // namespace
 
 const Json* at_place(const Json& value, const Place& place) {
     const Json* found = &value;
     for (const Place::Step& step : place.steps()) {
-        if (const auto* index = std::get_if<std::size_t>(&step)) {
-            const Json::Array* elements = found->array();
-            found = elements && *index < elements->size() ? &(*elements)[*index] : nullptr;
-        } else {
-            found = found->find(member_name(step));
-        }
+        found = at_step(*found, step);
         if (!found) return nullptr;
     }
     return found;
+}
+
+Place present_part(const Json& value, const Place& place) {
+    Place present;
+    const Json* found = &value;
+    for (const Place::Step& step : place.steps()) {
+        found = at_step(*found, step);
+        if (!found) break;
+        present = present.around({step});
+    }
+    return present;
 }
 
 std::string pointer_of(const Place& place) {

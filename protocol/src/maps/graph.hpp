@@ -4,7 +4,7 @@
 
 namespace blossom::protocol {
 
-/// The curve (t, P(t)). Errors: `wrong_kind`; `limit_exceeded`.
+/// The curve (t, P(t)). Errors, at a place in the map: `wrong_kind`; `limit_exceeded`.
 Map graph_of(const Map& map, const Limits& limits);
 
 }  // namespace blossom::protocol

@@ -39,8 +39,10 @@ Map read_taylor(Fields& fields, const Limits& limits) {
                            : within("coefficients", [&] { return homogeneous_form(read); });
     }
     within("coefficients", [&] { require_degree(read.points.size(), limits); });
-    const PolynomialCurve checked(read.points, degree);
-    return {TaylorCurve{center, checked.coefficients()}, form};
+    const PolynomialCurve given(read.points);
+    const std::size_t formal = degree.value_or(given.actual_degree());
+    require_numbers(formal + 1, given.dimension(), limits);
+    return {TaylorCurve{center, PolynomialCurve(read.points, formal).coefficients()}, form};
 }
 
 Json write(const TaylorCurve& curve, const PointForm& form) {

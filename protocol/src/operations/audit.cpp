@@ -1,16 +1,17 @@
 #include <fmt/format.h>
 #include <blossom/rational/double_conversion.hpp>
-#include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
+#include <utility>
 
+#include "comparison.hpp"
 #include "evaluator.hpp"
 #include "foreign_options.hpp"
-#include "formats/doubles.hpp"
 #include "formats/formats.hpp"
 #include "json/json_text.hpp"
 #include "map_options.hpp"
 #include "maps/points.hpp"
+#include "patch_answers.hpp"
 #include "rounding.hpp"
 #include "table.hpp"
 
@@ -18,125 +19,152 @@ namespace blossom::protocol {
 
 namespace {
 
-/// The same shape as `computed`, with the exact values of its doubles.
-Json exact_values(const Json& computed) {
-    const Json::Array* list = computed.array();
-    if (!list) return read_double(computed);
-    return read_list(computed, exact_values);
-}
-
-struct Errors {
-    Json errors;  ///< computed - exact
-    Json ulps;    ///< their sizes in units in the last place of the exact values
-    Rational greatest;
-    std::size_t wrong = 0;  ///< numbers that are not the nearest double
-    std::size_t count = 0;
-};
-
-std::pair<Json, Json> compare(const Json& exact, const Json& computed, Errors& errors) {
-    const Json::Array* of_exact = exact.array();
-    const Json::Array* of_computed = computed.array();
-    if (!of_exact && !of_computed) {
-        const Rational error = *computed.exact() - *exact.exact();
-        const Rational ulps = abs(error) / unit_in_last_place(*exact.exact());
-        errors.greatest = std::max(errors.greatest, ulps);
-        if (*computed.exact() != exact_rational(nearest_double(*exact.exact()))) ++errors.wrong;
-        ++errors.count;
-        return {error, ulps};
-    }
-    if (!of_exact || !of_computed || of_exact->size() != of_computed->size()) {
-        const auto size = [](const Json::Array* list) {
-            return list ? std::to_string(list->size()) + " values" : std::string("one number");
-        };
-        throw Error(ErrorCode::mismatched_dimensions,
-                    "there are " + size(of_computed) + ", and " + size(of_exact) + " in the exact map");
-    }
-    Json::Array differences;
-    Json::Array ulps;
-    for (std::size_t i = 0; i < of_exact->size(); ++i) {
-        auto [error, in_ulps] = within(i, [&] { return compare((*of_exact)[i], (*of_computed)[i], errors); });
-        differences.push_back(std::move(error));
-        ulps.push_back(std::move(in_ulps));
-    }
-    return {std::move(differences), std::move(ulps)};
-}
-
 /// The members that hold the numbers of a map, in the order of the answer.
-constexpr std::string_view audited[] = {"knots",        "control_points", "weights",
-                                        "coefficients", "denominator",    "values"};
+constexpr std::string_view audited[] = {"knots",          "interval",    "intervals",   "vertices", "center",
+                                        "control_points", "control_net", "weights",     "left",     "right",
+                                        "coefficients",   "terms",       "denominator", "values"};
 
-/// The numbers that the request gives as computed, by field.
-struct Computed {
-    Json numbers;
+/// Those that are multiplied by weights, or divided by a denominator.
+constexpr std::string_view divided[] = {"control_points", "control_net",  "left",
+                                        "right",          "coefficients", "terms"};
+
+Answer values_of_curve(Fields& request, const Map& map, const Limits& limits) {
+    const auto parameters =
+        request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
+    return Json::Object{{"values", values_at(value_evaluator(map, parameters.size(), limits), parameters,
+                                             map.form, dimension_of(map), limits)}};
+}
+
+/// The values of the map at the parameters "at".
+Json values_of(const Map& map, const Json& at, const Limits& limits) {
+    const Json parameters = Json::Object{{"at", at}};
+    Fields fields(parameters);
+    Answer answer =
+        answer_about<values_of_curve, evaluate_patch, evaluate_tensor_bspline>(fields, map, limits);
+    return std::move(answer.result["values"]);
+}
+
+/// What is compared with what.
+struct Sides {
+    Json exact;
+    Json computed;                          ///< members with numbers
     const ForeignFormat* format = nullptr;  ///< of the document that they come from
+    const Json* document = nullptr;         ///< as it is given
+    std::string_view without_weights;       ///< the side whose weights are taken to be 1
 
-    /// Where the request has what lies at `of_numbers`.
+    /// Where the request has what lies at `of_numbers` of the computed side. A document may leave knots out.
     Place place(const Place& of_numbers) const {
         if (!format) return Place{"computed"}.around(of_numbers);
-        return Place{"document"}.around(place_in_document(*format, of_numbers));
+        return Place{"document"}.around(present_part(*document, place_in_document(*format, of_numbers)));
     }
 };
 
-Computed read_computed(Fields& request, const Limits& limits) {
-    if (!request.has("document")) {
-        return {request.required("computed", [](const Json& value) {
-            Fields fields(value);
-            Json computed;
-            for (const std::string_view field : audited) {
-                if (auto numbers = fields.optional(field, exact_values))
-                    computed[field] = std::move(*numbers);
-            }
-            fields.finish();
-            if (computed.is_null()) fields.missing("control_points");
-            return computed;
-        })};
+/// Errors: `missing_field` for points without the weights or the denominator of the exact map, and for
+/// values without parameters or the other way round.
+void require_complete(const Sides& sides, bool has_parameters) {
+    const Json& computed = sides.computed;
+    for (const std::string_view rest : {"weights", "denominator"}) {
+        if (!sides.exact.find(rest) || computed.find(rest)) continue;
+        for (const std::string_view field : divided) {
+            if (!computed.find(field)) continue;
+            throw Error(ErrorCode::missing_field,
+                        fmt::format(R"(the map is rational: its "{}" are compared together with its "{}")",
+                                    field, rest),
+                        sides.place({std::string(rest)}));
+        }
     }
+    if (has_parameters && !computed.find("values")) {
+        throw Error(ErrorCode::missing_field, R"(the "values" at the parameters "at" are missing)",
+                    sides.place({"values"}));
+    }
+    if (computed.find("values") && !sides.exact.find("values")) {
+        throw Error(ErrorCode::missing_field, R"(the parameters of "values" are missing)", Place{"at"});
+    }
+}
+
+/// The members of field "computed", which is a map or a part of it.
+Sides read_computed(Request& request, const Map& map, const Limits& limits) {
+    Sides sides;
+    sides.exact = to_json(map);
+    const auto at = request.optional("at", [](const Json& value) { return value; });
+    request.required("computed", [&](const Json& value) {
+        Fields fields(value);
+        for (const std::string_view field : audited) {
+            if (auto numbers = fields.optional(field, [](const Json& given) { return given; }))
+                sides.computed[field] = *std::move(numbers);
+        }
+        fields.finish();
+        if (sides.computed.is_null()) fields.missing("control_points");
+        return true;
+    });
+    if (at) sides.exact["values"] = values_of(map, *at, limits);
+    require_complete(sides, at.has_value());
+    return sides;
+}
+
+/// The weights 1 of a curve without weights.
+Json weights_of_one(const Json& curve) {
+    return Json::Array(curve.find("control_points")->array()->size(), Rational(1));
+}
+
+/// The curve in field "document", which is compared as a whole.
+Sides read_document(Request& request, const Map& map, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
-    Json numbers = request.required("document", [&](const Json& value) {
-        const std::vector<Map> maps = format.read(value, limits);
-        if (maps.size() != 1) {
-            throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
-        }
-        return to_json(maps.front());
+    const Json& document = *request.required("document", [](const Json& value) { return &value; });
+    Sides sides;
+    sides.format = &format;
+    sides.document = &document;
+    sides.computed = within("document", [&] {
+        const std::vector<Map> maps = format.read(document, limits);
+        if (maps.size() == 1) return to_json(maps.front());
+        throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
     });
-    return {std::move(numbers), &format};
+    sides.exact = within("map", [&] { return to_json(as_textbook_spline(map, limits)); });
+    if (*sides.exact.find("degree") != *sides.computed.find("degree")) {
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "the degree is " + to_text(*sides.computed.find("degree")) + ", and " +
+                        to_text(*sides.exact.find("degree")) + " in the exact map",
+                    sides.place(Part::degree));
+    }
+    const bool weighted = sides.computed.find("weights") != nullptr;
+    if (map.form.homogeneous || weighted == map.form.rational) return sides;
+    sides.without_weights = weighted ? "map" : "document";
+    Json& lacking = weighted ? sides.exact : sides.computed;
+    lacking["weights"] = weights_of_one(lacking);
+    return sides;
 }
 
 Answer answer(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
-    const auto parameters =
-        request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
-    const Computed computed = read_computed(request, limits);
+    const Sides sides =
+        request.has("document") ? read_document(request, map, limits) : read_computed(request, map, limits);
     request.finish();
-    Json exact = to_json(computed.format ? as_textbook_spline(map, limits) : map);
-    if (parameters) {
-        exact["values"] = values_at(value_evaluator(map, parameters->size(), limits), *parameters, map.form,
-                                    dimension_of(map), limits);
-    }
-    Errors errors;
-    Json differences;
-    Json ulps;
+    const Patch* patch = patch_of(map);
+    Comparison compare(patch && patch->is_polynomial(), limits);
+    Difference found;
     for (const std::string_view field : audited) {
-        const Json* numbers = computed.numbers.find(field);
-        if (!numbers) continue;
-        const Json* expected = exact.find(field);
+        const Json* computed = sides.computed.find(field);
+        if (!computed) continue;
+        const Json* exact = sides.exact.find(field);
         try {
             within(field, [&] {
-                if (!expected) throw Error(ErrorCode::wrong_kind, "the exact map has no such numbers");
-                auto [error, in_ulps] = compare(*expected, *numbers, errors);
-                differences[field] = std::move(error);
-                ulps[field] = std::move(in_ulps);
+                if (!exact) throw Error(ErrorCode::wrong_kind, "the exact map has no such numbers");
+                Difference difference = compare(*exact, *computed);
+                found.error[field] = std::move(difference.error);
+                found.ulps[field] = std::move(difference.ulps);
             });
         } catch (const Error& error) {
-            throw error.at(computed.place(error.place()));
+            throw error.at(sides.place(error.place()));
         }
     }
-    return Json::Object{{"errors", std::move(differences)},
-                        {"ulps", std::move(ulps)},
-                        {"greatest_ulps", errors.greatest},
-                        {"numbers", errors.count},
-                        {"not_nearest", errors.wrong}};
+    Json::Object result{{"errors", std::move(found.error)},
+                        {"ulps", std::move(found.ulps)},
+                        {"greatest_ulps", compare.greatest()},
+                        {"numbers", compare.count()},
+                        {"not_nearest", compare.wrong()}};
+    if (!sides.without_weights.empty()) result.emplace_back("without_weights", sides.without_weights);
+    return result;
 }
 
 std::string ulps_text(const Json& ulps) {
@@ -147,17 +175,40 @@ std::string ulps_text(const Json& ulps) {
     return "(" + text + ")";
 }
 
+/// One line per number or point.
+std::string lines_of(const std::string& name, const Json& errors, const Json& ulps) {
+    std::string text;
+    if (const Json::Object* members = errors.object()) {
+        for (const auto& [end, member] : *members) {
+            if (!is_rounded_twin(end))
+                text += lines_of(fmt::format("{} {}", name, end), member, *ulps.find(end));
+        }
+        return text;
+    }
+    const auto line = [](const std::string& place, const Json& error, const Json& in_ulps) {
+        return fmt::format("  {}: error {}, {} ulp\n", place, point_text(error), ulps_text(in_ulps));
+    };
+    const Json::Array* list = errors.array();
+    if (!list) return line(name, errors, ulps);
+    const bool indexed = is_indexed(errors);
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const Json& error = (*list)[i];
+        const Json& in_ulps = (*ulps.array())[i];
+        text += indexed ? line(fmt::format("{} {}", name, point_text((*error.array())[0])),
+                               (*error.array())[1], (*in_ulps.array())[1])
+                        : line(fmt::format("{} {}", name, i), error, in_ulps);
+    }
+    return text;
+}
+
 std::string render(const Answered& answered) {
     const Json& result = answered.result();
     std::string text = description(answered.given()) + "\n\n";
-    for (const auto& [field, ulps] : *result.find("ulps")->object()) {
-        if (is_rounded_twin(field)) continue;
-        const Json::Array& errors = *result.find("errors")->find(field)->array();
-        for (std::size_t i = 0; i < errors.size(); ++i) {
-            text += fmt::format("  {} {}: error {}, {} ulp\n", field, i, point_text(errors[i]),
-                                ulps_text((*ulps.array())[i]));
-        }
+    for (const auto& [field, errors] : *result.find("errors")->object()) {
+        if (!is_rounded_twin(field)) text += lines_of(field, errors, *result.find("ulps")->find(field));
     }
+    if (const Json* side = result.find("without_weights"))
+        text += fmt::format("\nThe {} has no weights; they count as 1.\n", *side->text());
     return text +
            fmt::format("\n{} of {} numbers are not the nearest double; the greatest error is {} ulp.\n",
                        point_text(*result.find("not_nearest")), point_text(*result.find("numbers")),

@@ -24,10 +24,10 @@ KnotVector read_knots(Fields& request, const Limits& limits) {
     const bool polar = convention == 1;
     const std::size_t more = polar ? knots.size() + 1 : knots.size();
     const std::size_t fewer = polar ? degree : degree + 1;
-    if (more <= fewer || (polar && degree == 0)) {
+    if (more <= fewer + degree || (polar && degree == 0)) {
         throw Error(ErrorCode::bad_knots,
                     std::to_string(knots.size()) + " knots of degree " + std::to_string(degree) +
-                        " are too few for a basis function in this convention",
+                        " are too few for a domain in this convention",
                     Place{"knots"});
     }
     const std::size_t points = more - fewer;

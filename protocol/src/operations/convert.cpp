@@ -44,7 +44,10 @@ struct Conversion {
     AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
     AnyMap operator()(const BSplineCurve& curve) const {
         if (keeps_splines) return curve;
-        return (*this)(segment(curve, chosen_span(curve, span)));
+        const std::size_t chosen = chosen_span(curve, span);
+        // Of degree 0, a segment by itself has no knots that say where it is.
+        const Interval own(curve.knots()[chosen], curve.knots()[chosen + 1]);
+        return convert(polynomial_map(segment(curve, chosen), limits), own, limits);
     }
 };
 

@@ -15,7 +15,10 @@ Answer answer(Request& request, const Limits& limits) {
     std::vector<Map> maps =
         several ? read_maps_field(request, limits) : std::vector<Map>{request.map(limits)};
     request.finish();
-    for (Map& map : maps) map = as_textbook_spline(map, limits);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const auto spline = [&] { return as_textbook_spline(maps[i], limits); };
+        maps[i] = several ? within("maps", [&] { return within(i, spline); }) : within("map", spline);
+    }
     return Json::Object{{"document", within(several ? "maps" : "map", [&] { return format.write(maps); })}};
 }
 

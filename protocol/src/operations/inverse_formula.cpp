@@ -34,6 +34,11 @@ Answer answer(Request& request, const Limits& limits) {
         request.required("degree", [&](const Json& value) { return read_count(value, limits); });
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+    if (interval && request.has("vertices")) {
+        throw Error(ErrorCode::wrong_kind,
+                    R"(the formula is over an "interval" or over "vertices", not over both)",
+                    Place{"interval"});
+    }
     if (request.has("vertices")) return of_simplex(request, degree, limits);
     request.finish();
     InverseFormula formula = inverse_formula(degree, interval.value_or(Interval()), limits);

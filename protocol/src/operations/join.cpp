@@ -33,8 +33,20 @@ Interval covered(const std::vector<BezierCurve>& curves) {
                   [&] { return Interval(std::min(first.a(), first.b()), std::max(last.a(), last.b())); });
 }
 
+/// Runs `action`; an error in what a map leaves out, as its interval, is in this map.
+template <class Action>
+auto at_given_part(const Json& maps, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        if (!error.place().begins_with(Part::maps)) throw;
+        throw error.at(Place(Part::maps).around(present_part(maps, error.place().inside(Part::maps))));
+    }
+}
+
 Answer answer(Request& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
+    const Json& given = *request.required("maps", [](const Json& value) { return &value; });
     const auto knots =
         request.optional("knots", [&](const Json& value) { return read_numbers(value, limits); });
     const auto degree =
@@ -47,9 +59,10 @@ Answer answer(Request& request, const Limits& limits) {
         throw Error(ErrorCode::wrong_kind, "the degree is that of given knots, and none are given",
                     Place{"degree"});
     }
-    const BSplineCurve spline =
-        knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
-              : join(curves, limits);
+    const BSplineCurve spline = at_given_part(given, [&] {
+        return knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
+                     : join(curves, limits);
+    });
     return answer_of(like(maps.front(), spline), "maps");
 }
 

@@ -83,7 +83,7 @@ private:
 void draw_curve(worked::Picture& picture, const Map& map, const std::optional<Interval>& interval, Role role,
                 const std::string& name, const Limits& limits) {
     const bool graph = dimension_of(map) - (map.form.rational ? 1 : 0) == 1;
-    const Map plane = graph ? graph_of(map, limits) : map;
+    const Map plane = graph ? within("map", [&] { return graph_of(map, limits); }) : map;
     picture.graph = picture.graph || (graph && role != Role::before);
     dispatch_on_kind<void>(plane, CurvePainter{picture, plane.form.rational, interval, role, name, limits});
 }

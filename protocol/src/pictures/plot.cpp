@@ -43,6 +43,12 @@ std::optional<Interval> hull(const std::vector<Map>& maps) {
     return all;
 }
 
+/// Errors: `wrong_arity` for no map.
+bool are_surfaces(const std::vector<Map>& maps) {
+    if (maps.empty()) throw Error(ErrorCode::wrong_arity, "there is nothing to draw: the answer has no map");
+    return is_surface(maps.front());
+}
+
 const std::string& operation_of(const Answered& answered) { return *answered.request.find("op")->text(); }
 
 worked::Picture begun(const std::string& caption) {
@@ -117,7 +123,7 @@ std::string plot_of_values(const Answered& answered) {
 std::string plot_of_maps(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
     const Map* before = answered.has_given() ? &answered.given() : nullptr;
-    if (is_surface(results.front())) {
+    if (are_surfaces(results)) {
         SurfacePicture picture = surfaces(operation_of(answered), results, answered.limits);
         if (before && has_net(*before)) picture.before = mesh_of(*before, answered.limits);
         return svg_of(picture);
@@ -130,7 +136,7 @@ std::string plot_of_maps(const Answered& answered) {
 
 std::string plot_of_result(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (is_surface(results.front()))
+    if (are_surfaces(results))
         return svg_of(surfaces(operation_of(answered), results, answered.limits));
     return with_results(begun(operation_of(answered)), answered);
 }

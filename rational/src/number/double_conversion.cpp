@@ -26,6 +26,19 @@ Integer shifted(const Integer& value, std::ptrdiff_t bits) {
                     " is beyond the range of a double");
 }
 
+/// The exponent e of the unit 2^e of the doubles around `value`, which is not 0: 2^(e + 52) <= |value| < 2^(e
+/// + 53), and only the second where e is the least. Errors: `overflow` for |value| >= 2^1024.
+std::ptrdiff_t unit_exponent(const Rational& value) {
+    const Integer numerator = abs(value.numerator());
+    const Integer& denominator = value.denominator();
+    const std::ptrdiff_t binade = static_cast<std::ptrdiff_t>(numerator.bit_length()) -
+                                  static_cast<std::ptrdiff_t>(denominator.bit_length());
+    const bool above = shifted(numerator, -binade) >= shifted(denominator, binade);
+    const std::ptrdiff_t exponent = std::max(binade - significand_bits + (above ? 1 : 0), least_exponent);
+    if (exponent > greatest_exponent) overflow(value);
+    return exponent;
+}
+
 /// |value| = significand * 2^exponent rounded to 53 bits (fewer when subnormal), ties to even.
 struct Rounded {
     std::int64_t significand;
@@ -33,18 +46,9 @@ struct Rounded {
 };
 
 Rounded round_magnitude(const Rational& value) {
-    const Integer numerator = abs(value.numerator());
-    const Integer& denominator = value.denominator();
-    // With this exponent the quotient lies in [2^52, 2^54): 53 bits, or 54 when the guess is one too low.
-    std::ptrdiff_t exponent = static_cast<std::ptrdiff_t>(numerator.bit_length()) -
-                              static_cast<std::ptrdiff_t>(denominator.bit_length()) - significand_bits;
-    const std::ptrdiff_t above = exponent + significand_bits;
-    if (shifted(numerator, -above) >= shifted(denominator, above)) ++exponent;
-    exponent = std::max(exponent, least_exponent);
-    if (exponent > greatest_exponent) overflow(value);
-
-    const Integer dividend = shifted(numerator, -exponent);
-    const Integer divisor = shifted(denominator, exponent);
+    const std::ptrdiff_t exponent = unit_exponent(value);
+    const Integer dividend = shifted(abs(value.numerator()), -exponent);
+    const Integer divisor = shifted(value.denominator(), exponent);
     Integer quotient = dividend / divisor;
     const Integer twice_remainder = (dividend % divisor) * 2;
     if (twice_remainder > divisor || (twice_remainder == divisor && quotient.is_odd())) quotient += 1;
@@ -72,13 +76,18 @@ double nearest_double(const Rational& value) {
     return value.sign() < 0 ? -magnitude : magnitude;
 }
 
+Rational unit_in_last_place(const Rational& value) {
+    const std::ptrdiff_t exponent = value.is_zero() ? least_exponent : unit_exponent(value);
+    return {shifted(1, exponent), shifted(1, -exponent)};
+}
+
 std::string hexadecimal_float(const Rational& value) {
     const double number = nearest_double(value);
     std::array<char, 32> digits{};
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(number), std::chars_format::hex)
             .ptr;
-    return (number < 0 ? "-0x" : "0x") + std::string(digits.data(), end);
+    return (std::signbit(number) ? "-0x" : "0x") + std::string(digits.data(), end);
 }
 
 }  // namespace blossom

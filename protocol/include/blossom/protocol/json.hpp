@@ -20,6 +20,9 @@ const Json* at_pointer(const Json& value, std::string_view pointer);
 /// The value at a place, or nullptr.
 const Json* at_place(const Json& value, const Place& place);
 
+/// As much of a place as the value has.
+Place present_part(const Json& value, const Place& place);
+
 /// The JSON Pointer (RFC 6901) of a place; a parameter of the engine is the member of the same name.
 std::string pointer_of(const Place& place);
 
