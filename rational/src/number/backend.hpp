@@ -8,7 +8,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -84,6 +86,21 @@ inline std::size_t words_held(const Number& value) {
     return static_cast<std::size_t>(value.backend().data()->_mp_alloc);
 }
 
+/// The words of the magnitude.
+inline std::size_t words_used(const Number& value) { return mpz_size(value.backend().data()); }
+
+/// Has numbers take and give back their memory with operator new and delete.
+inline void allocate_with_new() {
+    mp_set_memory_functions([](std::size_t size) { return ::operator new(size); },
+                            [](void* old, std::size_t old_size, std::size_t size) {
+                                void* const block = ::operator new(size);
+                                std::memcpy(block, old, std::min(old_size, size));
+                                ::operator delete(old, old_size);
+                                return block;
+                            },
+                            [](void* block, std::size_t size) { ::operator delete(block, size); });
+}
+
 /// Sets `value` to the number with this sign whose binary digits are `words`, least significant first, of
 /// which the last is not 0.
 inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
@@ -153,6 +170,10 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
 }
 
 inline std::size_t words_held(const Number& value) { return value.backend().size(); }
+inline std::size_t words_used(const Number& value) { return value.backend().size(); }
+
+/// They do.
+inline void allocate_with_new() {}
 
 inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
     value = 0;
