@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <new>
 
-// Memory is counted where all of it comes from, so that a request is refused before it takes what other programs
-// need: see `blossom::ResourceBudget`.
+// Memory is counted where all of it comes from, so that a request is refused before it takes what other
+// programs need: see `blossom::ResourceBudget`.
 
 namespace {
 

@@ -49,7 +49,8 @@ Response written(const Json& response) {
     return {to_text(response), result ? outcome_of(*result) : Outcome::refused};
 }
 
-/// What `answer` returns, or the response to the error that it throws, for which the budget of `answer` has ended.
+/// What `answer` returns, or the response to the error that it throws, for which the budget of `answer` has
+/// ended.
 template <class Answering>
 Json answered(const Json& request, const Answering& answer) {
     try {

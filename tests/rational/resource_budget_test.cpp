@@ -132,8 +132,7 @@ TEST_CASE("memory beyond a budget is refused, and what is given back can be take
     const ResourceBudget budget(limits);
     for (int i = 0; i < 5; ++i) {
         CHECK(refusal([] { take_bytes(900'000); }).empty());
-        CHECK(refusal([] { take_bytes(200'000); }) ==
-              "the memory exceeds the limit memory = 1000000 bytes");
+        CHECK(refusal([] { take_bytes(200'000); }) == "the memory exceeds the limit memory = 1000000 bytes");
         CHECK(refusal([] { take_bytes(~std::size_t{0}); }) ==
               "the memory exceeds the limit memory = 1000000 bytes");
         give_back_bytes(900'000);

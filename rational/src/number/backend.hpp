@@ -32,7 +32,12 @@ namespace backend {
 
 using Number = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
+/// Before it allocates for a product, GMP gives back the memory that `product` has: an allocation that fails
+/// would leave a number without memory. So the room is made here. `product` may be a or b.
 inline void multiply(Number& product, const Number& a, const Number& b) {
+    const std::size_t words = mpz_size(a.backend().data()) + mpz_size(b.backend().data());
+    const mpz_ptr data = product.backend().data();
+    if (static_cast<std::size_t>(data->_mp_alloc) < words) mpz_realloc2(data, words * GMP_NUMB_BITS);
     mpz_mul(product.backend().data(), a.backend().data(), b.backend().data());
 }
 

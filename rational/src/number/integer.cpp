@@ -157,7 +157,7 @@ Integer& Integer::multiply_large(const Integer& other) {
     Number& value = promote().value;
     IntegerAccess::visit(other, [&](const auto& factor) {
         spend_work(words_of_product(words(value), words(factor)));
-        value *= factor;
+        backend::multiply(value, value, factor);
     });
     return settle();
 }

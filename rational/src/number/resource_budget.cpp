@@ -109,12 +109,15 @@ Error ResourcesExceeded::error() const {
     const std::string limit = std::to_string(limit_);
     switch (resource_) {
         case Resource::work:
-            return {ErrorCode::limit_exceeded, "the work exceeds the limit work = " + limit + " word operations"};
+            return {ErrorCode::limit_exceeded,
+                    "the work exceeds the limit work = " + limit + " word operations"};
         case Resource::memory:
             return {ErrorCode::limit_exceeded, "the memory exceeds the limit memory = " + limit + " bytes"};
-        case Resource::time: break;
+        case Resource::time:
+            break;
     }
-    return {ErrorCode::limit_exceeded, "the processor time exceeds the limit timeout = " + limit + " seconds"};
+    return {ErrorCode::limit_exceeded,
+            "the processor time exceeds the limit timeout = " + limit + " seconds"};
 }
 
 Error resource_error(const std::bad_alloc& problem) {

@@ -1,8 +1,8 @@
 #include "bernstein_ntt.hpp"
 
 #include <blossom/rational/bernstein_kernel.hpp>
-#include <blossom/rational/resource_budget.hpp>
 #include <blossom/rational/rational_vector.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 #include <bit>

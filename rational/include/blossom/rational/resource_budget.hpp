@@ -89,8 +89,8 @@ inline void give_back_bytes(std::size_t bytes) noexcept {
 /// What a lack of memory is for the person who asked: `limit_exceeded`, with the limit if there was one.
 Error resource_error(const std::bad_alloc& problem);
 
-/// From now on, large numbers take their memory with `operator new`, so that a lack of memory is an exception.
-/// For programs, before they compute: the number library GMP ends the process otherwise.
+/// From now on, large numbers take their memory with `operator new`, so that a lack of memory is an
+/// exception. For programs, before they compute: the number library GMP ends the process otherwise.
 void allocate_numbers_with_new();
 
 }  // namespace blossom
