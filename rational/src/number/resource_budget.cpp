@@ -95,14 +95,14 @@ void take_bytes(std::size_t bytes) {
     constexpr std::int64_t words_of_allocation = 16;
     constexpr std::size_t bytes_per_word = 64;  // memory is written once, several bytes at a time
     ThreadResources& resources = thread_resources;
+    const std::int64_t amount = limited(bytes);
+    if (resources.bytes < amount)
+        throw ResourcesExceeded(Resource::memory, resources.limits ? resources.limits->memory : 0);
     resources.words_until_check -= words_of_allocation + limited(bytes / bytes_per_word);
     if (resources.words_until_check < 0) {
         if (const auto exceeded = checked()) throw ResourcesExceeded(*exceeded);
     }
-    resources.bytes -= limited(bytes);
-    if (resources.bytes >= 0) return;
-    resources.bytes += limited(bytes);
-    throw ResourcesExceeded(Resource::memory, resources.limits ? resources.limits->memory : 0);
+    resources.bytes -= amount;
 }
 
 Error ResourcesExceeded::error() const {
