@@ -1,9 +1,45 @@
+#include <fcntl.h>
+#include <unistd.h>
+#include <blossom/rational/resource_budget.hpp>
+
+#include <exception>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands/command_line.hpp"
 
+namespace {
+
+/// Takes the places of closed standard streams, so that no file gets the descriptor of one; reading or
+/// writing there fails as before.
+void reserve_standard_descriptors() {
+    for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        if (::fcntl(descriptor, F_GETFD) >= 0) continue;
+        if (::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY) != descriptor) return;
+    }
+}
+
+/// Without memory of its own, which may be what is missing.
+int fail(std::string_view message) noexcept {
+    for (const std::string_view part : {std::string_view("error: "), message, std::string_view("\n")})
+        static_cast<void>(!::write(STDERR_FILENO, part.data(), part.size()));
+    return static_cast<int>(blossom::protocol::Outcome::wrong_usage);
+}
+
+}  // namespace
+
 int main(int argc, char* argv[]) {
-    const std::vector<std::string> arguments(argv + 1, argv + argc);
-    return static_cast<int>(blossom::cli::run(arguments, blossom::cli::standard_streams()));
+    try {
+        reserve_standard_descriptors();
+        blossom::allocate_numbers_with_new();
+        const std::vector<std::string> arguments(argv + 1, argv + argc);
+        return static_cast<int>(blossom::cli::run(arguments, blossom::cli::standard_streams()));
+    } catch (const std::bad_alloc&) {
+        return fail("the memory of this machine does not suffice");
+    } catch (const std::exception& problem) {
+        return fail(problem.what());
+    } catch (...) {
+        return fail("an unknown error of the program");
+    }
 }

@@ -1,6 +1,8 @@
 #include "limit_table.hpp"
 
+#include <algorithm>
 #include <limits>
+#include <string>
 
 namespace blossom::protocol {
 
@@ -22,11 +24,21 @@ constexpr LimitEntry table[] = {
     {"numbers", &Limits::numbers, "numbers that make up one map or one result", any},
     {"output_digits", &Limits::output_digits, "decimal digits of one whole result", any},
     {"line_bytes", &Limits::line_bytes, "bytes of one line of a batch, or of one file or argument", any},
+    {"work", &Limits::work, "word operations of one request", any},
+    {"memory", &Limits::memory, "bytes that one request takes at once", any},
+    {"timeout", &Limits::timeout, "seconds of processor time of one request; 0 for no limit", any},
 };
 
 static_assert(sizeof table / sizeof *table == sizeof(Limits) / sizeof(std::size_t), "one entry per limit");
 
 }  // namespace
+
+std::string LimitEntry::flag() const {
+    if (member == &Limits::timeout) return "--timeout";
+    std::string text = "--max-" + std::string(name);
+    std::ranges::replace(text, '_', '-');
+    return text;
+}
 
 std::span<const LimitEntry> limit_table() { return table; }
 

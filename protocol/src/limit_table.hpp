@@ -4,16 +4,20 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace blossom::protocol {
 
-/// One limit of a request: its flag is --max- and the name, with '-' for '_'.
+/// One limit of a request.
 struct LimitEntry {
     std::string_view name;
     std::size_t Limits::* member;
     std::string_view help;
     std::size_t greatest;  ///< what the flag may ask for
+
+    /// "--max-" and the name, with '-' for '_'; "--timeout".
+    std::string flag() const;
 };
 
 std::span<const LimitEntry> limit_table();

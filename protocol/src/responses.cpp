@@ -1,9 +1,11 @@
 #include "responses.hpp"
 
 #include <blossom/rational/number_text.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <exception>
 #include <new>
+#include <optional>
 
 #include "json/fields.hpp"
 #include "json/json_text.hpp"
@@ -45,6 +47,19 @@ void require_output_digits(const Json& result, const Limits& limits) {
 Response written(const Json& response) {
     const Json* result = response.find("result");
     return {to_text(response), result ? outcome_of(*result) : Outcome::refused};
+}
+
+/// What `answer` returns, or the response to the error that it throws, for which the budget of `answer` has
+/// ended.
+template <class Answering>
+Json answered(const Json& request, const Answering& answer) {
+    try {
+        return answer();
+    } catch (const Error& error) {
+        return error_response(request, error);
+    } catch (const std::exception& problem) {
+        return error_response(request, unexpected(problem));
+    }
 }
 
 }  // namespace
@@ -94,29 +109,29 @@ Outcome outcome_of(const Json& result) {
 }
 
 Error unexpected(const std::exception& problem) {
-    if (dynamic_cast<const std::bad_alloc*>(&problem)) {
-        return {ErrorCode::limit_exceeded, "the memory of this machine does not suffice for the request"};
-    }
+    if (const auto* memory = dynamic_cast<const std::bad_alloc*>(&problem)) return resource_error(*memory);
     return {ErrorCode::internal, std::string("this should not have happened: ") + problem.what()};
 }
 
 Json answer_to(const Json& request, const Limits& limits) {
-    try {
+    return answered(request, [&] {
+        const ResourceBudget budget(limits);
         return success_response(request, find_answer(request, limits).result);
-    } catch (const Error& error) {
-        return error_response(request, error);
-    } catch (const std::exception& problem) {
-        return error_response(request, unexpected(problem));
-    }
+    });
 }
 
-Response answer(std::string_view request, const Limits& limits) {
-    try {
-        const auto [value, error] = read_json(request, limits);
-        return written(error ? error_response(value, *error) : answer_to(value, limits));
-    } catch (const std::exception& problem) {
-        return written(error_response(Json(), unexpected(problem)));
-    }
+Response answer(std::string_view text, const Limits& limits) {
+    Json request;
+    std::optional<Response> response;
+    const Json refusal = answered(request, [&] {
+        const ResourceBudget budget(limits);
+        auto [value, error] = read_json(text, limits);
+        request = std::move(value);
+        if (error) throw Error(*error);
+        response = written(success_response(request, find_answer(request, limits).result));
+        return Json();
+    });
+    return response ? *std::move(response) : written(refusal);
 }
 
 Response refuse_long_line(const Limits& limits) {

@@ -68,8 +68,6 @@ TEST_CASE("an error in one claim leaves the other lines of the block") {
 }
 
 TEST_CASE("a limit of time ends one case, not the others") {
-    proofs::DecisionOptions options;
-    options.seconds = 1;
     const auto document =
         proofs::parse("for n in 0..1\nclaim sum(i, 1, 1000000*n, (a + b + c + i*d)^10) == 0");
     REQUIRE(document.errors.empty());
@@ -77,7 +75,8 @@ TEST_CASE("a limit of time ends one case, not the others") {
     limits.expansion_terms = 100'000'000;
     limits.expansion_work = 100'000'000'000;
     limits.numbers = 100'000'000;
-    const auto decisions = proofs::decide(document.blocks.at(0), limits, options);
+    limits.timeout = 1;
+    const auto decisions = proofs::decide(document.blocks.at(0), limits);
     CHECK(by_case(decisions.at(0)) == "pu");
     CHECK(decisions[0].cases.at(1).error->message().find("the limit timeout") != std::string::npos);
 }

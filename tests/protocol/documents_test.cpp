@@ -28,10 +28,8 @@ TEST_CASE("docs/limits.md lists the limits of the table, with flags and defaults
         if (line.starts_with("| `")) ++rows;
     CHECK(rows == limit_table().size());
     for (const LimitEntry& entry : limit_table()) {
-        std::string flag = "--max-" + std::string(entry.name);
-        for (char& c : flag) c = c == '_' ? '-' : c;
         const std::string row = "| `" + std::string(entry.name) + "` | " +
-                                std::to_string(Limits{}.*entry.member) + " | `" + flag + "` | ";
+                                std::to_string(Limits{}.*entry.member) + " | `" + entry.flag() + "` | ";
         CAPTURE(row);
         CHECK(text.find(row) != std::string::npos);
     }

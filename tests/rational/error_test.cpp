@@ -84,12 +84,12 @@ TEST_CASE("the size of a result is refused when its decimal digits exceed the li
 TEST_CASE("the size of all numbers of a result together is refused beyond its own limit", "[error]") {
     Limits limits;
     limits.output_digits = 1000;
-    CHECK_FALSE(failure([&] { require_result_bits(300, limits, 10); }));
+    CHECK_FALSE(failure([&] { require_result_bits(333, limits, 10); }));
     CHECK_FALSE(failure([&] { require_result_bits(2, limits, SIZE_MAX); }));
-    const auto refused = failure([&] { require_result_bits(300, limits, 11); });
+    const auto refused = failure([&] { require_result_bits(333, limits, 11); });
     REQUIRE(refused);
     CHECK(refused->code() == ErrorCode::limit_exceeded);
     CHECK(refused->message() ==
           "a result of 11 numbers of up to 100 decimal digits exceeds the limit output_digits = 1000");
-    CHECK(failure_code([&] { require_result_bits(300, limits, SIZE_MAX); }) == ErrorCode::limit_exceeded);
+    CHECK(failure_code([&] { require_result_bits(333, limits, SIZE_MAX); }) == ErrorCode::limit_exceeded);
 }

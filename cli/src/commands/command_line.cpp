@@ -67,10 +67,8 @@ public:
     explicit LimitOptions(CLI::App& app) {
         const Limits defaults;
         for (const LimitEntry& entry : limit_table()) {
-            std::string flag = "--max-" + std::string(entry.name);
-            std::ranges::replace(flag, '_', '-');
             const std::string help = fmt::format("{}; by default {}", entry.help, defaults.*entry.member);
-            options_.push_back(add_value(app, flag, "N", help)->group("Limits"));
+            options_.push_back(add_value(app, entry.flag(), "N", help)->group("Limits"));
         }
     }
     Limits read() const {
@@ -169,7 +167,6 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
 }
 
 constexpr std::size_t most_jobs = 256;
-constexpr std::size_t most_seconds = 1'000'000;
 
 Subcommand add_prove(CLI::App& app, const Operation& operation) {
     CLI::App* command = app.add_subcommand(std::string(operation.name), std::string(operation.summary));
@@ -199,8 +196,6 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
     const CLI::Option* junit =
         add_value(*command, "--junit", "FILE", "write the verdicts as a JUnit XML report");
     const CLI::Option* jobs = add_value(*command, "--jobs", "N", "the number of threads; by default 1");
-    const CLI::Option* timeout = add_value(*command, "--timeout", "SECONDS",
-                                           "give up on a case of a claim after this time; by default never");
     const LimitOptions limits(*command);
     command->footer([&operation] { return example_text(operation); });
     const auto action = [=](const Streams& streams) {
@@ -215,7 +210,6 @@ Subcommand add_prove(CLI::App& app, const Operation& operation) {
                       .latex = result_of(*latex),
                       .junit = result_of(*junit),
                       .jobs = integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs),
-                      .seconds = integer(result_of(*timeout, "0"), "--timeout", 0, most_seconds),
                       .limits = limits.read()},
                      streams);
     };

@@ -65,7 +65,6 @@ void decide(ProofTask& task, const ProveCommand& command) {
     };
     const bool records = !command.certificate.empty() || !command.coq.empty();
     proofs::DecisionOptions options;
-    options.seconds = command.seconds;
     if (records) options.on_proof = record;
     try {
         task.warnings = proofs::doubtful_names(*task.block);

@@ -25,7 +25,6 @@ struct ProveCommand {
     std::string latex;        ///< the folder, or the file, for theorems in LaTeX, or empty
     std::string junit;        ///< the file for a report in JUnit's XML, or empty
     std::size_t jobs = 1;
-    std::size_t seconds = 0;  ///< for one case of a line; 0: no limit
     Limits limits;
 };
 

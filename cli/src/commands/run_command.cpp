@@ -1,6 +1,7 @@
 #include "run_command.hpp"
 
 #include <fmt/format.h>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 
@@ -111,6 +112,7 @@ Json begun_request(const Operation& operation) {
 
 Outcome answer_and_print(const Command& command, const Json& request, const Streams& streams) {
     try {
+        const ResourceBudget budget(command.limits);
         const Answer answer = find_answer(request, command.limits);
         const Answered answered{request, answer, command.limits, Style(streams.coloured_output)};
         if (!command.picture.empty()) write_file(command.picture, command.operation.plot(answered));

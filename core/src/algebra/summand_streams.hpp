@@ -1,6 +1,6 @@
 #pragma once
 
-#include <blossom/rational/limits.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <span>
 #include <utility>
@@ -105,7 +105,8 @@ private:
 
 template <class Width, class Stream>
 SparseTerms merged(const Width& width, Stream a, Stream b) {
-    require_time();
+    constexpr std::uint64_t words_of_term = 16;
+    spend_work(words_of_term * (a.left() + b.left()));
     TermWriter<Width> writer(width, a.left() + b.left());
     auto monomial = width.monomial();
     while (a.left() > 0 && b.left() > 0) {

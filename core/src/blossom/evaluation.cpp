@@ -12,7 +12,7 @@ HomogeneousPair<Integer> cleared_parameter(const PointArray& numbers, const Para
                                            std::size_t more_bits, const Limits& limits) {
     const std::size_t bits = std::max(t.value.numerator().bit_length(), t.value.denominator().bit_length());
     require_result_bits(
-        greatest_bit_length(numbers.numbers().numerators()) + numbers.size() * (bits + more_bits + 1),
+        greatest_bit_length(numbers.numbers().numerators()) + (numbers.size() - 1) * (bits + more_bits + 1),
         limits);
     return {t.value.numerator(), t.value.denominator()};
 }

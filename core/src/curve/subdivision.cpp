@@ -1,3 +1,4 @@
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/subdivision.hpp>
 #include <blossom/rational/error.hpp>
 
@@ -59,15 +60,7 @@ std::pair<BezierCurve, BezierCurve> subdivide(const BezierCurve& curve, const Pa
                                               const Limits& limits) {
     const Interval before(curve.interval().a(), t.value);
     const Interval behind(t.value, curve.interval().b());
-    const std::size_t n = curve.degree();
-    const Pyramid pyramid = casteljau_pyramid(curve, with_copies({}, n, t), limits);
-    std::vector<Coordinates> left;
-    std::vector<Coordinates> right;
-    for (std::size_t k = 0; k <= n; ++k) {
-        left.push_back(pyramid.levels[k][0]);
-        right.push_back(pyramid.levels[n - k][k]);
-    }
-    return {BezierCurve(left, before), BezierCurve(right, behind)};
+    return {control_points(curve, before, limits), control_points(curve, behind, limits)};
 }
 
 }  // namespace blossom

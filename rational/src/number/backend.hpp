@@ -8,7 +8,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,7 +32,12 @@ namespace backend {
 
 using Number = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
+/// Before it allocates for a product, GMP gives back the memory that `product` has: an allocation that fails
+/// would leave a number without memory. So the room is made here. `product` may be a or b.
 inline void multiply(Number& product, const Number& a, const Number& b) {
+    const std::size_t words = mpz_size(a.backend().data()) + mpz_size(b.backend().data());
+    const mpz_ptr data = product.backend().data();
+    if (static_cast<std::size_t>(data->_mp_alloc) < words) mpz_realloc2(data, words * GMP_NUMB_BITS);
     mpz_mul(product.backend().data(), a.backend().data(), b.backend().data());
 }
 
@@ -82,6 +89,21 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
 /// The words of memory that belong to a number, whatever its value is.
 inline std::size_t words_held(const Number& value) {
     return static_cast<std::size_t>(value.backend().data()->_mp_alloc);
+}
+
+/// The words of the magnitude.
+inline std::size_t words_used(const Number& value) { return mpz_size(value.backend().data()); }
+
+/// Has numbers take and give back their memory with operator new and delete.
+inline void allocate_with_new() {
+    mp_set_memory_functions([](std::size_t size) { return ::operator new(size); },
+                            [](void* old, std::size_t old_size, std::size_t size) {
+                                void* const block = ::operator new(size);
+                                std::memcpy(block, old, std::min(old_size, size));
+                                ::operator delete(old, old_size);
+                                return block;
+                            },
+                            [](void* block, std::size_t size) { ::operator delete(block, size); });
 }
 
 /// Sets `value` to the number with this sign whose binary digits are `words`, least significant first, of
@@ -153,6 +175,10 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
 }
 
 inline std::size_t words_held(const Number& value) { return value.backend().size(); }
+inline std::size_t words_used(const Number& value) { return value.backend().size(); }
+
+/// They do.
+inline void allocate_with_new() {}
 
 inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
     value = 0;

@@ -1,5 +1,6 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/integer.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -43,6 +44,8 @@ thread_local const FreeListOfThread free_list_of_thread;
 
 /// A number of any value.
 Integer::Large* take_large() {
+    constexpr std::uint64_t words_of_taking = 8;
+    spend_work(words_of_taking);
     if (!free_list.first) return new Integer::Large;
     Integer::Large* const number = std::exchange(free_list.first, free_list.first->next);
     free_list.words -= backend::words_held(number->value);
@@ -60,6 +63,9 @@ void give_back(Integer::Large* number) noexcept {
     number->next = std::exchange(free_list.first, number);
     free_list.words += words;
 }
+
+std::uint64_t words(const Number& value) { return backend::words_used(value); }
+std::uint64_t words(std::int64_t) { return 1; }
 
 void require_divisor(const Integer& divisor) {
     if (divisor.is_zero()) throw Error(ErrorCode::division_by_zero, "an integer cannot be divided by 0");
@@ -149,13 +155,17 @@ Integer& Integer::subtract_large(const Integer& other) {
 
 Integer& Integer::multiply_large(const Integer& other) {
     Number& value = promote().value;
-    IntegerAccess::visit(other, [&](const auto& factor) { value *= factor; });
+    IntegerAccess::visit(other, [&](const auto& factor) {
+        spend_work(words_of_product(words(value), words(factor)));
+        backend::multiply(value, value, factor);
+    });
     return settle();
 }
 
 Integer Integer::product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
     return IntegerAccess::visit(b, [&](const auto& factor) {
+        spend_work(words_of_product(words(a.large_->value), words(factor)));
         return IntegerAccess::computed(
             [&](Number& product) { backend::multiply(product, a.large_->value, factor); });
     });
@@ -164,7 +174,10 @@ Integer Integer::product_large(const Integer& a, const Integer& b) {
 Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? add_product_large(b, a) : *this += a * b;
     Number& sum = promote().value;
-    IntegerAccess::visit(b, [&](const auto& factor) { backend::add_product(sum, a.large_->value, factor); });
+    IntegerAccess::visit(b, [&](const auto& factor) {
+        spend_work(words_of_product(words(a.large_->value), words(factor)));
+        backend::add_product(sum, a.large_->value, factor);
+    });
     return settle();
 }
 
@@ -193,7 +206,10 @@ Integer& Integer::operator/=(const Integer& other) {
         return *this;
     }
     Number& value = promote().value;
-    IntegerAccess::visit(other, [&](const auto& divisor) { value /= divisor; });
+    IntegerAccess::visit(other, [&](const auto& divisor) {
+        spend_work(words_of_product(words(value), words(divisor)));
+        value /= divisor;
+    });
     return settle();
 }
 
@@ -205,6 +221,7 @@ Integer& Integer::operator%=(const Integer& other) {
     }
     const Number divisor = IntegerAccess::to_number(other);
     Number& value = promote().value;
+    spend_work(words_of_product(words(value), words(divisor)));
     value %= divisor;
     return settle();
 }
@@ -241,6 +258,8 @@ Integer gcd(const Integer& a, const Integer& b) {
     const auto y = b.to_int64();
     if (x && y) return *y == 0 ? magnitude(*x) : gcd_of_words(magnitude(*x), magnitude(*y));
     if (!x && !y) {
+        // A gcd takes about as many products as its numbers have words, down to the length of products.
+        spend_work(2 * words_of_product(words(IntegerAccess::large(a)), words(IntegerAccess::large(b))));
         return IntegerAccess::computed([&](Number& common) {
             backend::set_gcd(common, IntegerAccess::large(a), IntegerAccess::large(b));
         });
@@ -270,6 +289,7 @@ Integer divide_exactly(const Integer& a, const Integer& b) {
     if (a.to_int64()) return a / b;
     require_divisor(b);
     return IntegerAccess::visit(b, [&](const auto& divisor) {
+        spend_work(words_of_product(words(IntegerAccess::large(a)), words(divisor)));
         return IntegerAccess::computed([&](Number& quotient) {
             backend::set_exact_quotient(quotient, IntegerAccess::large(a), divisor);
         });
@@ -324,6 +344,8 @@ void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint
         carry = carry && word == 0;
     }
 }
+
+void allocate_numbers_with_new() { backend::allocate_with_new(); }
 
 }  // namespace blossom
 

@@ -1,5 +1,6 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/number_text.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -144,6 +145,8 @@ Integer parse_integer(std::string_view text, const Limits& limits) {
 
 std::string to_string(const Integer& value) {
     if (const auto small = value.to_int64()) return std::to_string(*small);
+    const std::size_t words = value.bit_length() / 64;
+    spend_work(2 * words_of_product(words, words));
     return IntegerAccess::to_number(value).str();
 }
 

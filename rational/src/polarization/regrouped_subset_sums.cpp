@@ -1,3 +1,5 @@
+#include <blossom/rational/resource_budget.hpp>
+
 #include "subset_residues.hpp"
 
 namespace blossom::subset_sums {
@@ -33,6 +35,7 @@ public:
         points_ += point ? 1 : 0;
         const ResidueVector zero = residue_vector_of(0);
         for (std::size_t points = points_ + 1; points-- > 0;) {
+            spend_work(residues::lanes * size_ * size_ / 2);
             ResidueVector* row = sums_.data() + points * size_;
             const bool grows = !point || points > 0;
             const ResidueVector* smaller = point && grows ? row - size_ : row;

@@ -1,3 +1,5 @@
+#include <blossom/rational/resource_budget.hpp>
+
 #include "subset_residues.hpp"
 
 namespace blossom::subset_sums {
@@ -144,6 +146,7 @@ private:
         std::ranges::fill(sums, residue_vector_of(0));
         for (std::size_t i = 0; i < front.size(); ++i) {
             const SubsetList::Entry& entry = plan_.front->entries[i];
+            spend_work(offsets.size() * residues::lanes * row.size());
             for (std::size_t o = 0; o < offsets.size(); ++o)
                 rows[o] = table.data() + (entry.points + plan_.points_of_vector[o]) * row.size();
             const std::uint64_t weight = in_montgomery_form(field_.of(entry.weight));

@@ -1,6 +1,8 @@
 // Integers from their residues, by the Chinese remainder theorem.
 
 #include <algorithm>
+
+#include <blossom/rational/resource_budget.hpp>
 #include <deque>
 #include <iterator>
 #include <mutex>
@@ -120,6 +122,7 @@ Integer Tables::combined(std::span<const ResidueVector> residues) const {
     // Each sum lies where the first of its groups has its place; the places fill one half, products the
     // other.
     const std::size_t place = levels[0][0].size() + 2;
+    spend_work(4 * words_of_product(all.size(), all.size()));
     std::vector<limbs::Limb> room(3 * place * residues.size() + 8);
     limbs::Limb* const products = room.data() + place * residues.size();
     for (std::size_t g = 0; g < residues.size(); ++g) {

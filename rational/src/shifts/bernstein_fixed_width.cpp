@@ -3,6 +3,7 @@
 
 #include <blossom/rational/bernstein_kernel.hpp>
 #include <blossom/rational/rational_vector.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <array>
 #include <bit>
@@ -169,6 +170,7 @@ std::optional<std::vector<Integer>> bernstein_in_words(std::span<const Integer> 
     if (words > most_words_of_line) return std::nullopt;
     const LineInWords line{magnitude(a.numerator), a.numerator < 0, magnitude(a.denominator),
                            magnitude(slope),       slope < 0,       magnitude(falling)};
+    spend_work(count * count * words);
     return substituted_in_words[words - 1](coefficients, line, weights);
 }
 

@@ -2,6 +2,7 @@
 
 #include <blossom/rational/bernstein_kernel.hpp>
 #include <blossom/rational/rational_vector.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 #include <bit>
@@ -37,11 +38,13 @@ std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coeffic
     digits.reserve(count, 2);
     for (const Integer& coefficient : coefficients) digits.push_back(coefficient);
     const std::size_t stride = (count + residues::lanes - 1) / residues::lanes * residues::lanes;
+    constexpr std::uint64_t words_per_number = 256;
     const Buffer numbers(combination->groups() * stride);
     const Buffer room(size);
     for (std::size_t g = 0; g < combination->groups(); ++g) {
         const Moduli& group = residues::moduli(g);
         if (!has_transform(group, size)) return std::nullopt;
+        spend_work(words_per_number * size + residues::lanes * combination->groups() * count);
         ResidueVector* const row = numbers.data() + g * stride;
         digits.residues(group, plain_powers(group, digits.most_digits()).data(), row);
         transform(*ShiftTables::of_group(g, size), row, room.data());

@@ -1,4 +1,5 @@
 #include <blossom/rational/rational_vector.hpp>
+#include <blossom/rational/resource_budget.hpp>
 #include <blossom/rational/taylor_shift.hpp>
 
 #include <bit>
@@ -162,6 +163,7 @@ private:
                 const std::size_t end = std::min(begin + tile, (block + 1) * levels);
                 if (begin >= end) continue;
                 const std::size_t planes = planes_after(block + 1);
+                spend_work(planes * (end - begin) * levels);
                 std::fill_n(carries_.plane(0), (end - begin) * row_operations().lanes, 0);
                 for (std::size_t p = 0; p < planes; ++p) {
                     row_operations().multiply(row_.plane(p, begin), end - begin,

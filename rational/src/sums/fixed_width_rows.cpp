@@ -1,5 +1,7 @@
 #include "fixed_width_rows.hpp"
 
+#include <blossom/rational/resource_budget.hpp>
+
 #include <algorithm>
 
 #include "factor_blocks.hpp"
@@ -28,6 +30,7 @@ void LimbRow::set_weights(std::int64_t own, std::int64_t neighbours) {
     neighbours_ = magnitude(neighbours);
     bound_.multiply(UInt128{own_} + neighbours_);
     widen();
+    spend_work(words_.size() / stride_ * width_);
 }
 
 void LimbRow::widen() {
@@ -72,6 +75,7 @@ void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree)
     for (const std::int64_t coefficient : factor) sum += magnitude(coefficient);
     bound_.multiply(sum);
     widen();
+    spend_work((degree + factor.size()) * factor.size() * width_);
 
     for (std::size_t k = degree + factor.size(); k-- > 0;) {
         const std::size_t first = k > degree ? k - degree : 0;

@@ -1,5 +1,7 @@
 #include "large_sums.hpp"
 
+#include <blossom/rational/resource_budget.hpp>
+
 #include "limbs/limb_arithmetic.hpp"
 
 namespace blossom {
@@ -49,6 +51,7 @@ void FactorRow::multiply(const IntegerFactor& factor, std::size_t degree, std::s
     const Weight own{weights_.data(), sizes[0], factor.constant.sign() < 0};
     const Weight neighbours{weights_.data() + sizes[0], sizes[1], factor.slope.sign() < 0};
     const Weight none{nullptr, 0, false};
+    spend_work(degree * words_of_product(next_width, sizes[0] + sizes[1]));
     room_.resize(2 * (width_ + std::max({sizes[0], sizes[1], next_width})));
     combine(degree + 1, none, neighbours, next_width);
     for (std::size_t k = degree; k > 0; --k) combine(k, own, neighbours, next_width);
@@ -95,6 +98,7 @@ void large_dot(std::span<const Integer> numbers, const LimbView& entries, std::s
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         if (numbers[k].is_zero()) continue;
         const std::size_t size = limbs::size_of(numbers[k]);
+        spend_work(words_of_product(entries.width, size));
         limbs::write_magnitude(numbers[k], magnitude, size);
         multiply_signed(product, entries.words + k * entries.stride, entries.width, magnitude, size);
         const std::size_t all = entries.width + size;

@@ -1,5 +1,6 @@
 #include "residue_sums.hpp"
 
+#include <blossom/rational/resource_budget.hpp>
 #include <blossom/rational/row_recurrences.hpp>
 
 #include "factor_blocks.hpp"
@@ -169,6 +170,7 @@ ResidueCache::Rows ResidueCache::of(const RationalVector& numbers, std::size_t s
 std::vector<Integer> residue_sums(const RationalVector& numbers, const ResidueCache* cache,
                                   const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count) {
+    constexpr std::uint64_t words_per_coefficient = 64;
     const std::size_t groups = groups_for(bits);
     FactorProduct product(factors);
     const std::size_t size = product.size();
@@ -182,6 +184,7 @@ std::vector<Integer> residue_sums(const RationalVector& numbers, const ResidueCa
     for (std::size_t g = 0; g < groups; ++g) {
         const Moduli& group = moduli(g);
         const std::size_t length = width(group, size);
+        spend_work(words_per_coefficient * (count + 1) * length);
         const ResidueVector* values = product.of(group);
         const ResidueVector* rows = unprepared.data();
         if (prepared) {

@@ -2,6 +2,7 @@
 #include <blossom/proofs/fraction.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 
@@ -44,7 +45,8 @@ void FractionField::spend(std::size_t terms, std::size_t work) {
     require_within(terms, limits_.expansion_terms, "expansion_terms", "the number of terms, up to");
     work_ = work > limits_.expansion_work ? limits_.expansion_work + 1 : work_ + work;
     require_within(work_, limits_.expansion_work, "expansion_work", "the number of term operations");
-    require_time();
+    constexpr std::uint64_t words_of_operation = 32;
+    spend_work(words_of_operation * std::max<std::size_t>(work, 1));
 }
 
 SparsePolynomial FractionField::product(const SparsePolynomial& a, const SparsePolynomial& b) {

@@ -1,4 +1,5 @@
 #include <blossom/proofs/prover.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 
@@ -58,6 +59,10 @@ private:
         decision.cases.push_back(std::move(failed));
     }
 
+    void add_errors(const Parameters& parameters, const Error& error) {
+        for (Decision& decision : decisions_) add_error(decision, parameters, error);
+    }
+
     static void record(CaseDecision& decision, const Error& error, std::size_t offset) {
         decision.verdict = Verdict::undecided;
         decision.counterexample.reset();
@@ -65,15 +70,16 @@ private:
     }
 
     void decide_choice(const Parameters& parameters) {
-        const TimeLimit time(options_.seconds);
+        const ResourceBudget budget(limits_);
         std::optional<GroundBlock> grounded;
         std::optional<BlockCase> block_case;
         try {
             grounded = ground(block_, parameters, limits_);
             block_case.emplace(*grounded, limits_);
         } catch (const Error& error) {
-            for (Decision& decision : decisions_) add_error(decision, parameters, error);
-            return;
+            return add_errors(parameters, error);
+        } catch (const std::bad_alloc& problem) {
+            return add_errors(parameters, resource_error(problem));
         }
         for (const Relation& relation : grounded->claims) {
             const auto decision = std::ranges::find(decisions_, relation.statement, &Decision::statement);
@@ -86,6 +92,8 @@ private:
                              opinion_.case_of(relation.statement, decided.parameters), decided);
             } catch (const Error& error) {
                 record(decided, error, relation.offset);
+            } catch (const std::bad_alloc& problem) {
+                record(decided, resource_error(problem), relation.offset);
             }
             decision->cases.push_back(std::move(decided));
         }

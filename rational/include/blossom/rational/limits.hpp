@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -8,24 +7,6 @@
 #include <blossom/rational/place.hpp>
 
 namespace blossom {
-
-/// Symbolic computations of this thread are given up after so many seconds, as long as the object lives;
-/// never if there are none.
-class TimeLimit {
-public:
-    explicit TimeLimit(std::size_t seconds);
-    TimeLimit(const TimeLimit&) = delete;
-    TimeLimit& operator=(const TimeLimit&) = delete;
-    TimeLimit(TimeLimit&&) = delete;
-    TimeLimit& operator=(TimeLimit&&) = delete;
-    ~TimeLimit();
-
-private:
-    std::chrono::steady_clock::time_point outer_;
-};
-
-/// Throws `limit_exceeded` when a time limit of this thread has passed. Looks at the clock now and then only.
-void require_time();
 
 /// What one request may cost. Every operation that could take much memory predicts its size and refuses with
 /// `limit_exceeded`, naming the limit, before it allocates. The defaults are documented in docs/limits.md.
@@ -41,6 +22,9 @@ struct Limits {
     std::size_t numbers = 1 << 22;              ///< numbers that make up one map or one result
     std::size_t output_digits = 250'000'000;    ///< decimal digits of one whole result, estimated from above
     std::size_t line_bytes = 16 << 20;          ///< one line of a batch
+    std::size_t work = 40'000'000'000;          ///< word operations of a `ResourceBudget`
+    std::size_t memory = 1 << 30;               ///< bytes that a `ResourceBudget` takes at once
+    std::size_t timeout = 10;                   ///< seconds of processor time of one; 0: no limit
 };
 
 /// Throws `limit_exceeded` unless `value <= limit`.

@@ -30,7 +30,8 @@ Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> ar
 /// The control polygons over [a, t] and [t, b]: Q_k = p(a^(n-k), t^k) and R_k = p(t^(n-k), b^k), the lateral
 /// edges of the pyramid at t. The parameter may lie outside [a, b].
 ///
-/// Cost: n^2 / 2 combinations of points. Errors: `empty_interval` if t is a or b; `limit_exceeded`.
+/// Cost: that of two changes of the interval, see `control_points`; the memory of the result.
+/// Errors: `empty_interval` if t is a or b; `limit_exceeded`.
 /// Source: Goldman, section 3; DeRose, section 4.3. Statements: goldman-subdivision, derose-subdiv-left,
 /// derose-subdiv-right.
 std::pair<BezierCurve, BezierCurve> subdivide(const BezierCurve& curve, const Parameter& t,

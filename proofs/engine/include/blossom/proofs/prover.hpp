@@ -107,9 +107,8 @@ struct ProvedCase {
 };
 using ProofListener = std::function<void(const ProvedCase& proved)>;
 
-/// What deciding a block may take besides `Limits`, and who hears of proofs.
+/// Who hears of proofs.
 struct DecisionOptions {
-    std::size_t seconds = 0;  ///< for all lines of one choice of the block's parameters; 0: no limit
     ProofListener on_proof;
 };
 

@@ -2,8 +2,11 @@
 
 #include "certificates/reading/second_reading.hpp"
 
+#include <blossom/rational/resource_budget.hpp>
+
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
@@ -48,7 +51,8 @@ public:
     void step(std::size_t count = 1) {
         steps_ += count;
         if (steps_ > limits_.expansion_work) exceeded("expansion_work", limits_.expansion_work);
-        require_time();
+        constexpr std::uint64_t words_of_step = 64;
+        spend_work(words_of_step * count);
     }
 
     /// One call within another for as long as it lives.

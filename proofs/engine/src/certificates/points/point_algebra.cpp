@@ -3,6 +3,7 @@
 #include "certificates/evaluation/second_counting.hpp"
 
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -123,7 +124,8 @@ AlgebraNumber Algebra::product(const AlgebraNumber& a, const AlgebraNumber& b) c
     require_short_product(a.constant_, b.constant_, limits_);
     work_ += a.size() * b.size();
     require_within(work_, limits_.expansion_work, "expansion_work", "the work at one point");
-    require_time();
+    constexpr std::uint64_t words_of_operation = 64;
+    spend_work(words_of_operation * a.size() * b.size());
     return product_at(a, b, level_of(std::max(a.size(), b.size())));
 }
 

@@ -2,6 +2,8 @@
 
 #include "polynomial_parts.hpp"
 
+#include <blossom/rational/resource_budget.hpp>
+
 #include <algorithm>
 
 namespace blossom::proofs::second {
@@ -13,7 +15,8 @@ void Budget::spend(std::size_t operations) {
             "the number of term operations exceeds the limit expansion_work = " + std::to_string(work_));
     }
     spent_ += operations;
-    require_time();
+    constexpr std::uint64_t words_of_operation = 32;
+    spend_work(words_of_operation * operations);
 }
 
 void Budget::spend_on_bits(std::size_t bits, std::size_t terms) {

@@ -1,0 +1,129 @@
+#include <blossom/rational/resource_budget.hpp>
+
+#include <ctime>
+#include <optional>
+#include <string>
+
+namespace blossom {
+
+namespace {
+
+/// The time is looked at after so many word operations, about a tenth of a millisecond.
+constexpr std::int64_t words_between_checks = 1 << 18;
+
+constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
+constexpr std::int64_t most_seconds = ThreadResources::unlimited / nanoseconds_per_second / 2;
+
+/// Of this thread.
+std::int64_t processor_time() {
+    std::timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return time.tv_sec * nanoseconds_per_second + time.tv_nsec;
+}
+
+std::int64_t limited(std::size_t amount) {
+    constexpr auto most = static_cast<std::size_t>(ThreadResources::unlimited);
+    return static_cast<std::int64_t>(std::min(amount, most));
+}
+
+std::int64_t words_left(const ThreadResources& resources) {
+    return resources.words_until_check + resources.words_after_check;
+}
+
+/// Divides the work that is left into what may be done until the next check and the rest.
+void set_words(ThreadResources& resources, std::int64_t words) {
+    resources.words_until_check = std::min(words, words_between_checks);
+    resources.words_after_check = words - resources.words_until_check;
+}
+
+}  // namespace
+
+constinit thread_local ThreadResources thread_resources;
+
+ResourceBudget::ResourceBudget(const Limits& limits)
+    : outer_(thread_resources),
+      words_(std::min(words_left(outer_), limited(limits.work))),
+      bytes_(std::min(outer_.bytes, limited(limits.memory))) {
+    ThreadResources& inner = thread_resources;
+    set_words(inner, words_);
+    inner.bytes = bytes_;
+    inner.limits = &limits;
+    if (limits.timeout == 0) return;
+    const std::int64_t seconds = std::min(limited(limits.timeout), most_seconds);
+    inner.end = std::min(outer_.end, processor_time() + seconds * nanoseconds_per_second);
+}
+
+ResourceBudget::~ResourceBudget() {
+    const std::int64_t words = words_ - std::max<std::int64_t>(words_left(thread_resources), 0);
+    const std::int64_t bytes = bytes_ - thread_resources.bytes;
+    thread_resources = outer_;
+    if (!outer_.limits) return;
+    thread_resources.words_until_check -= words;
+    thread_resources.bytes -= bytes;
+}
+
+namespace {
+
+using Resource = ResourcesExceeded::Resource;
+
+constexpr std::int64_t words_of_message = 1 << 14;
+
+/// What is used up, if anything. The checks that follow say the same, but leave room for a message.
+std::optional<ResourcesExceeded> checked() {
+    ThreadResources& resources = thread_resources;
+    if (!resources.limits) {
+        set_words(resources, ThreadResources::unlimited);
+        return std::nullopt;
+    }
+    const std::int64_t left = std::max<std::int64_t>(words_left(resources), 0);
+    set_words(resources, left);
+    const bool in_time = processor_time() < resources.end;
+    if (left > 0 && in_time) return std::nullopt;
+    resources.words_until_check = words_of_message;
+    resources.words_after_check = left - words_of_message;
+    if (left == 0) return ResourcesExceeded(Resource::work, resources.limits->work);
+    return ResourcesExceeded(Resource::time, resources.limits->timeout);
+}
+
+}  // namespace
+
+void check_resources() {
+    if (const auto exceeded = checked()) throw exceeded->error();
+}
+
+void take_bytes(std::size_t bytes) {
+    constexpr std::int64_t words_of_allocation = 16;
+    constexpr std::size_t bytes_per_word = 64;  // memory is written once, several bytes at a time
+    ThreadResources& resources = thread_resources;
+    const std::int64_t amount = limited(bytes);
+    if (resources.bytes < amount)
+        throw ResourcesExceeded(Resource::memory, resources.limits ? resources.limits->memory : 0);
+    resources.words_until_check -= words_of_allocation + limited(bytes / bytes_per_word);
+    if (resources.words_until_check < 0) {
+        if (const auto exceeded = checked()) throw ResourcesExceeded(*exceeded);
+    }
+    resources.bytes -= amount;
+}
+
+Error ResourcesExceeded::error() const {
+    const std::string limit = std::to_string(limit_);
+    switch (resource_) {
+        case Resource::work:
+            return {ErrorCode::limit_exceeded,
+                    "the work exceeds the limit work = " + limit + " word operations"};
+        case Resource::memory:
+            return {ErrorCode::limit_exceeded, "the memory exceeds the limit memory = " + limit + " bytes"};
+        case Resource::time:
+            break;
+    }
+    return {ErrorCode::limit_exceeded,
+            "the processor time exceeds the limit timeout = " + limit + " seconds"};
+}
+
+Error resource_error(const std::bad_alloc& problem) {
+    const auto* exceeded = dynamic_cast<const ResourcesExceeded*>(&problem);
+    return exceeded ? exceeded->error()
+                    : Error(ErrorCode::limit_exceeded, "the memory of this machine does not suffice");
+}
+
+}  // namespace blossom
