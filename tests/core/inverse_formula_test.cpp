@@ -1,7 +1,7 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/curve/degree_elevation.hpp>
-#include <blossom/core/curve/inverse_formula.hpp>
 #include <blossom/rational/combinatorics.hpp>
 
 #include <numeric>

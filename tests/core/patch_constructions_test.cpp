@@ -1,11 +1,11 @@
 // The three constructions over products of simplices, the inverse formula, and contact along faces.
 
+#include <blossom/core/blossom/agreement.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
-#include <blossom/core/patch/patch_agreement.hpp>
+#include <blossom/core/blossom/patch_subdivision.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
-#include <blossom/core/patch/patch_elevation.hpp>
-#include <blossom/core/patch/patch_inverse_formula.hpp>
-#include <blossom/core/patch/patch_subdivision.hpp>
 
 #include "support/failure.hpp"
 #include "support/map_printing.hpp"
@@ -138,7 +138,7 @@ TEST_CASE("patch inverse formula: the net and the blossom from values alone") {
     const auto one = [](const PatchPoint&) { return Coordinates{1}; };
     CHECK(failure_code([&] { blossom_from_values(triangle, one, {{{1, 1, 0}}}); }) == ErrorCode::not_affine);
     CHECK(failure_code([&] { blossom_from_values(triangle, one, {{}}); }) == ErrorCode::wrong_arity);
-    CHECK(failure_code([&] { inverse_formula(2, 400); }) == ErrorCode::limit_exceeded);
+    CHECK(failure_code([&] { inverse_formula({2, 400}); }) == ErrorCode::limit_exceeded);
     const auto ragged = [](const PatchPoint& point) { return Coordinates(point[0][0] == 1 ? 1 : 2); };
     CHECK(failure_code([&] { control_net_from_values(triangle, ragged); }) ==
           ErrorCode::mismatched_dimensions);

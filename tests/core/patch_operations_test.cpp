@@ -2,9 +2,9 @@
 
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/blossom/patch_subdivision.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/maps/barycentric_frame.hpp>
-#include <blossom/core/patch/patch_elevation.hpp>
-#include <blossom/core/patch/patch_subdivision.hpp>
 
 #include <algorithm>
 

@@ -3,6 +3,7 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 
 #include <numeric>
@@ -26,6 +27,12 @@ SparsePolynomial polynomial_in_xy(std::string_view text) {
 PolynomialPatch random_polynomial(Random& random, const std::vector<std::size_t>& dimensions) {
     const BezierPatch net = patch(random, dimensions, Size::small, 40).patch();
     return {net.shape(), net.control_net()};
+}
+
+Coordinates numbers_of(Random& random, std::size_t count, Size size) {
+    Coordinates numbers;
+    for (std::size_t i = 0; i < count; ++i) numbers.push_back(number(random, size));
+    return numbers;
 }
 
 BarycentricFrame random_frame(Random& random, std::size_t dimension) {
@@ -74,6 +81,10 @@ TEST_CASE("polynomial patches: terms, coordinates and what does not fit") {
     const std::vector<Coordinates> points{point_argument(Coordinates{1, 2}),
                                           point_argument(Coordinates{3, -1})};
     CHECK(blossom_value(patch, {points}) == Coordinates{Rational(17, 2), Rational(1, 4)});
+
+    const Coordinates vector = vector_argument(Coordinates{1, 2});
+    CHECK(failure_code([&] { evaluate(patch, {vector}); }) == ErrorCode::not_affine);
+    CHECK(failure_code([&] { derivative_patch(patch, {points}); }) == ErrorCode::not_affine);
 }
 
 TEST_CASE("polynomial patches: values, derivatives, the blossom on the diagonal") {
@@ -82,7 +93,6 @@ TEST_CASE("polynomial patches: values, derivatives, the blossom on the diagonal"
         const PolynomialPatch patch = random_polynomial(random, dimensions);
         const NetShape& shape = patch.shape();
         PatchPoint point;
-        PatchPoint arguments;
         std::vector<Rational> numbers;
         PatchArguments directions;
         std::vector<SparsePolynomial> expected;
@@ -91,9 +101,8 @@ TEST_CASE("polynomial patches: values, derivatives, the blossom on the diagonal"
             auto& list = directions.emplace_back();
             const std::size_t first = numbers.size();
             for (std::uint64_t k = random.below(3); k > 0; --k) {
-                auto& direction = list.emplace_back();
-                for (std::size_t i = 0; i < shape[f].dimension; ++i)
-                    direction.push_back(number(random, Size::small));
+                const Coordinates direction = numbers_of(random, shape[f].dimension, Size::small);
+                list.push_back(vector_argument(direction));
                 for (SparsePolynomial& polynomial : expected) {
                     SparsePolynomial sum;
                     for (std::size_t i = 0; i < direction.size(); ++i)
@@ -101,13 +110,12 @@ TEST_CASE("polynomial patches: values, derivatives, the blossom on the diagonal"
                     polynomial = sum;
                 }
             }
-            auto& own = point.emplace_back();
-            for (std::size_t i = 0; i < shape[f].dimension; ++i) own.push_back(number(random, Size::any));
+            const Coordinates own = numbers_of(random, shape[f].dimension, Size::any);
             numbers.insert(numbers.end(), own.begin(), own.end());
-            arguments.push_back(point_argument(own));
+            point.push_back(point_argument(own));
         }
-        const Coordinates value = evaluate(patch, std::span(&point, 1)).front();
-        CHECK(blossom_value(patch, diagonal(shape, arguments)) == value);
+        const Coordinates value = evaluate(patch, point);
+        CHECK(blossom_value(patch, diagonal(shape, point)) == value);
         const Coordinates slope = derivative(patch, directions, point);
         const PolynomialPatch map = derivative_patch(patch, directions);
         for (std::size_t j = 0; j < patch.dimension(); ++j) {

@@ -6,6 +6,7 @@
 #include <blossom/core/nurbs/rational_spline.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
+#include <blossom/core/patch/patch_derivative.hpp>
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
 
@@ -59,26 +60,25 @@ TEST_CASE("rational patches: the derived map has the derivatives of the quotient
         PatchRecipe recipe = patch(random, dimensions, Size::small, 12);
         for (auto& [index, point] : recipe.points) point.push_back(small_rational(random));
         const BezierPatch homogeneous = recipe.patch();
-        for (std::size_t order = 0; order <= 2; ++order) {
-            std::vector<PatchPoint> directions(order);
+        for (std::size_t order = 0; order <= 3; ++order) {
+            std::vector<PatchPoint> directions(std::min<std::size_t>(order, 2));
             for (PatchPoint& direction : directions) {
                 for (const std::size_t s : dimensions)
                     direction.push_back(tuple_of_mass(random, s, 0, Size::small));
             }
+            // One of them twice.
+            if (order == 3) directions.push_back(directions.front());
             PatchPoint at;
             for (const std::size_t s : dimensions) at.push_back(tuple_of_mass(random, s, 1, Size::small));
             if (evaluate(homogeneous, at).back().is_zero()) continue;
             const BezierPatch derived = rational_derivative_patch(homogeneous, directions);
             for (std::size_t f = 0; f < dimensions.size(); ++f)
                 CHECK(derived.shape()[f].degree == (order + 1) * homogeneous.shape()[f].degree);
-            const auto in_subset = [&](std::size_t subset) {
-                std::vector<PatchPoint> chosen;
-                for (std::size_t k = 0; k < order; ++k) {
-                    if ((subset >> k & 1) != 0) chosen.push_back(directions[k]);
-                }
-                return derivative_of(homogeneous, chosen, at);
-            };
-            CHECK(projected(evaluate(derived, at)) == projected_derivative(order, in_subset));
+            CHECK(projected(evaluate(derived, at)) == rational_derivative(homogeneous, directions, at));
+            CHECK(directional_derivative(homogeneous, directions, at) ==
+                  derivative_of(homogeneous, directions, at));
+            CHECK(evaluate(directional_derivative_patch(homogeneous, directions), at) ==
+                  derivative_of(homogeneous, directions, at));
         }
     }
 }
@@ -87,7 +87,7 @@ TEST_CASE("rational patches: the derived map of a quotient of polynomials, writt
     // d/dx of x y / (1 + x) is y / (1 + x)^2, and d/dy of that 1 / (1 + x)^2; the program divides by (1 +
     // x)^3.
     const PolynomialPatch map(NetShape::simplex(2, 2), std::vector{x * y, SparsePolynomial(1) + x});
-    const std::vector<PatchPoint> directions{{{1, 0}}, {{0, 1}}};
+    const std::vector<PatchPoint> directions{{{0, 1, 0}}, {{0, 0, 1}}};
     const PolynomialPatch once = rational_derivative_patch(map, std::span(directions).first(1));
     CHECK(once.coordinate(0) == y);
     CHECK(once.coordinate(1) == power(SparsePolynomial(1) + x, 2));
@@ -99,7 +99,7 @@ TEST_CASE("rational patches: the derived map of a quotient of polynomials, writt
 
 TEST_CASE("rational patches: a derived map that would be too large, or is of nothing, is refused") {
     const PolynomialPatch map(NetShape::simplex(2, 2), std::vector{x * y, SparsePolynomial(1) + x});
-    const std::vector<PatchPoint> direction{{{1, 0}}};
+    const std::vector<PatchPoint> direction{{{0, 1, 0}}};
     Limits limits;
     limits.numbers = 35;
     CHECK(failure_code([&] { rational_derivative_patch(map, direction, limits); }) ==

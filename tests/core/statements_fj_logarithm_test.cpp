@@ -4,7 +4,7 @@
 // below 10^-30.
 
 #include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/curve/inverse_formula.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include "support/expanded_curve.hpp"

@@ -120,6 +120,13 @@ SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b)
 SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b) {
     if (a.is_zero() || b.is_zero()) return {};
     if (a.size() < b.size()) return b * a;
+    if (b.size() == 1 && b.degree(0) == 0) {
+        const RationalVector& constant = b.coefficients_;
+        SparsePolynomial result = a;
+        result.coefficients_ = a.coefficients_.weighted(constant.numerators(), constant.denominator());
+        result.coefficients_.make_canonical();
+        return result;
+    }
     const Product product(a, b);
     return sum_of(product.summands, product.layout, product.denominator);
 }

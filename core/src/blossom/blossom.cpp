@@ -1,9 +1,9 @@
 #include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <string>
 
-#include "blossom_bits.hpp"
 #include "polarization.hpp"
 #include "run_construction.hpp"
 #include "values_in_words.hpp"
@@ -45,32 +45,17 @@ Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> ar
         return polarization_value(map, arguments, construction, limits);
     const ClearedArguments cleared = cleared_one_by_one(arguments);
     require_result_bits(numerator_bits(map) + cleared.bits + arguments.size() * frame_bits(map), limits);
-    return reduced(run_construction<Integer>(map, construction, cleared.pairs, limits),
-                   cleared.denominator());
+    return reduced(run_construction(map, construction, cleared.pairs, limits), cleared.denominator());
 }
 
 Coordinates blossom_from_values(const std::function<Coordinates(const Rational&)>& map,
                                 std::span<const Parameter> arguments, const Limits& limits) {
-    if (arguments.empty()) return map(0);
-    std::vector<HomogeneousPair<Rational>> points;
-    points.reserve(arguments.size());
-    for (const Parameter& argument : arguments) points.push_back({argument.value, 1});
-    const std::span<const HomogeneousPair<Rational>> pairs = points;
-    require_terms_of_polarization(pairs, limits);
-
-    const auto scaled_value_at_mean = [&](const HomogeneousPair<Rational>& sum,
-                                          std::size_t count) -> Coordinates {
-        if (count == 0) return {};
-        Coordinates value = map(sum.u / Rational(count));
-        const Rational weight = pow(Integer(count), arguments.size());
-        for (Rational& coordinate : value) coordinate *= weight;
-        return value;
-    };
-    Coordinates value = constructions::alternating_sum<Rational, HomogeneousPair<Rational>>(
-        constructions::grouped(pairs), {0, 0}, 0, scaled_value_at_mean);
-    const Rational divisor = factorial(arguments.size());
-    for (Rational& coordinate : value) coordinate /= divisor;
-    return value;
+    PatchArguments points(1);
+    for (const Parameter& argument : arguments)
+        points[0].push_back({Rational(1) - argument.value, argument.value});
+    return blossom_from_values(
+        NetShape::simplex(1, arguments.size()), [&](const PatchPoint& point) { return map(point[0][1]); },
+        points, limits);
 }
 
 }  // namespace blossom

@@ -1,16 +1,8 @@
 #include "patch_product.hpp"
 
-#include "maps/patch_kernel.hpp"
-
 namespace blossom {
 
 namespace {
-
-Form form_of_rows(const NetShape& shape, const PointArray& coefficients) {
-    Form form{shape, {}, coefficients.denominator()};
-    for (const auto row : coefficients.rows()) form.rows.emplace_back(row.begin(), row.end());
-    return form;
-}
 
 NetShape sum_of(const NetShape& a, const NetShape& b, const Limits& limits) {
     std::vector<SimplexFactor> factors;
@@ -21,20 +13,6 @@ NetShape sum_of(const NetShape& a, const NetShape& b, const Limits& limits) {
 }
 
 }  // namespace
-
-Form form_of(const BezierPatch& patch) {
-    return form_of_rows(patch.shape(), form_of(patch.shape(), patch.control_net()));
-}
-
-Form form_of(const PolynomialPatch& patch) { return form_of_rows(patch.shape(), patch.coefficients()); }
-
-BezierPatch patch_of_form(const Form& form, const BezierPatch&) {
-    return {form.shape, polar_of(form.shape, canonical_points(form.rows, form.denominator))};
-}
-
-PolynomialPatch patch_of_form(const Form& form, const PolynomialPatch&) {
-    return {form.shape, canonical_points(form.rows, form.denominator)};
-}
 
 ProductTable::ProductTable(const NetShape& a, const NetShape& b, const Limits& limits)
     : shape_(sum_of(a, b, limits)) {

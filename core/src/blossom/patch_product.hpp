@@ -2,12 +2,14 @@
 
 // Products of patches, as homogeneous polynomials in the coordinates of their arguments.
 
-#include <blossom/core/maps/bezier_patch.hpp>
-#include <blossom/core/maps/polynomial_patch.hpp>
+#include <blossom/core/maps/patch_map.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <span>
+#include <utility>
 #include <vector>
+
+#include "maps/patch_kernel.hpp"
 
 namespace blossom {
 
@@ -18,12 +20,22 @@ struct Form {
     Integer denominator;
 };
 
-Form form_of(const BezierPatch& patch);
-Form form_of(const PolynomialPatch& patch);
+/// The homogeneous polynomial of a patch.
+template <PatchRepresentation Map>
+Form form_rows(const Map& patch) {
+    const PointArray& coefficients = form_of(patch);
+    Form form{patch.shape(), {}, coefficients.denominator()};
+    for (const auto row : coefficients.rows()) form.rows.emplace_back(row.begin(), row.end());
+    return form;
+}
 
-/// The patch with this form, in the representation that is asked for.
-BezierPatch patch_of_form(const Form& form, const BezierPatch& kind);
-PolynomialPatch patch_of_form(const Form& form, const PolynomialPatch& kind);
+/// The inverse.
+template <PatchRepresentation Map>
+Map patch_of(const Form& form) {
+    PointArray points = canonical_points(form.rows, form.denominator);
+    if constexpr (std::same_as<Map, BezierPatch>) points = polar_of(form.shape, points);
+    return {form.shape, std::move(points)};
+}
 
 /// Where the product of two coefficients belongs, for two shapes of the same factors.
 ///

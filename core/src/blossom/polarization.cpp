@@ -2,7 +2,7 @@
 
 #include <blossom/rational/subset_sums.hpp>
 
-#include "blossom_bits.hpp"
+#include "maps/integer_tuple.hpp"
 #include "run_construction.hpp"
 
 namespace blossom {
@@ -42,11 +42,11 @@ std::vector<SubsetGroup> groups_of(std::span<const HomogeneousPair<Integer>> pai
 /// By residues, where they suffice.
 std::optional<Coordinates> value_by_primes(const PolynomialMap& map, const ClearedArguments& arguments,
                                            Construction construction) {
-    const HomogeneousForm<Integer> form(map);
+    const HomogeneousForm form(map);
     const std::vector<HomogeneousPair<Integer>> pairs =
         form.local(std::span<const HomogeneousPair<Integer>>(arguments.pairs));
     const std::vector<SubsetGroup> groups = groups_of(pairs);
-    const auto rows = row_spans(form.rows());
+    const auto rows = form.rows();
     std::optional<std::vector<Integer>> sums = construction == Construction::polarization
                                                    ? strict_subset_sums(rows, groups)
                                                    : regrouped_subset_sums(rows, groups);
@@ -63,6 +63,20 @@ std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std:
         terms *= multiplicity + 1;
     }
     return terms;
+}
+
+std::vector<std::size_t> multiplicities(const PatchArguments& arguments) {
+    std::vector<std::size_t> counts;
+    for (const auto& list : arguments) {
+        const auto own = multiplicities(std::span<const Coordinates>(list));
+        counts.insert(counts.end(), own.begin(), own.end());
+    }
+    return counts;
+}
+
+void require_terms_of_polarization(std::span<const std::size_t> multiplicities, const Limits& limits) {
+    require_within(polarization_terms(multiplicities, limits.polarization_terms), limits.polarization_terms,
+                   "polarization_terms", "the number of terms of polarization, at least", Part::arguments);
 }
 
 std::size_t regrouping_work(std::size_t n, std::size_t limit) {
@@ -83,7 +97,7 @@ Coordinates polarization_value(const PolynomialMap& map, std::span<const Argumen
     require_result_bits(numerator_bits(map) + cleared.bits + arguments.size() * frame_bits(map), limits);
     bool by_primes = true;
     if (construction == Construction::polarization) {
-        require_terms_of_polarization(pairs, limits);
+        require_terms_of_polarization(multiplicities(pairs), limits);
         by_primes =
             polarization_terms(multiplicities(pairs), fewest_terms_by_primes) > fewest_terms_by_primes;
     } else {
@@ -94,9 +108,12 @@ Coordinates polarization_value(const PolynomialMap& map, std::span<const Argumen
     if (by_primes) {
         if (auto value = value_by_primes(map, cleared, construction)) return *std::move(value);
     }
-    const ClearedArguments together = cleared_together(arguments, limits);
-    return reduced(run_construction<Integer>(map, construction, together.pairs, limits),
-                   together.denominator());
+    PatchArguments tuples(1);
+    for (const Argument& argument : arguments) tuples[0].push_back({argument.u, argument.mass});
+    const IntegerArguments together = cleared_together(tuples, 0, limits);
+    std::vector<HomogeneousPair<Integer>> sums_stay_integers;
+    for (const Tuple<Integer>& pair : together.tuples[0]) sums_stay_integers.push_back({pair[0], pair[1]});
+    return reduced(run_construction(map, construction, sums_stay_integers, limits), together.denominator);
 }
 
 }  // namespace blossom

@@ -3,6 +3,7 @@
 // Values by the polarization inverse formula, with every term evaluated or with terms taken together.
 
 #include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/bezier_patch.hpp>
 
 #include "maps/integer_frame.hpp"
 
@@ -13,20 +14,17 @@ namespace blossom {
 std::size_t polarization_terms(std::span<const std::size_t> multiplicities, std::size_t limit);
 
 /// The multiplicities of the distinct arguments.
-template <class R>
-std::vector<std::size_t> multiplicities(std::span<const HomogeneousPair<R>> pairs) {
+template <class Argument>
+std::vector<std::size_t> multiplicities(std::span<const Argument> arguments) {
     std::vector<std::size_t> counts;
-    for (const auto& group : constructions::grouped(pairs)) counts.push_back(group.second);
+    for (const auto& group : constructions::grouped(arguments)) counts.push_back(group.second);
     return counts;
 }
+/// Those of each factor.
+std::vector<std::size_t> multiplicities(const PatchArguments& arguments);
 
 /// Errors: `limit_exceeded` when there are more terms than `polarization_terms`.
-template <class R>
-void require_terms_of_polarization(std::span<const HomogeneousPair<R>> pairs, const Limits& limits) {
-    require_within(polarization_terms(multiplicities(pairs), limits.polarization_terms),
-                   limits.polarization_terms, "polarization_terms",
-                   "the number of terms of polarization, at least", Part::arguments);
-}
+void require_terms_of_polarization(std::span<const std::size_t> multiplicities, const Limits& limits);
 
 /// The multiply-adds n^2 (n + 1)^2 / 4 of a regrouped polarization, or `limit + 1` when they are more than
 /// `limit`.

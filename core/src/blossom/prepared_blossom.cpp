@@ -10,7 +10,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "blossom_bits.hpp"
 #include "maps/binomial_weights.hpp"
 #include "maps/on_threads.hpp"
 #include "maps/result_room.hpp"
@@ -155,9 +154,7 @@ struct Blossom::Shared {
     mutable std::atomic<const Kernel*> ready = nullptr;
 };
 
-Blossom::Blossom(PolynomialMap map, Limits limits)
-    : degree_(degree_of(map)),
-      dimension_(std::visit([](const auto& curve) { return curve.dimension(); }, map)) {
+Blossom::Blossom(PolynomialMap map, Limits limits) : degree_(degree_of(map)), dimension_(dimension_of(map)) {
     require_within(degree_, limits.degree, "degree", "the formal degree", Part::degree);
     shared_ = std::make_shared<const Shared>(std::move(map), limits);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-// One construction run on a map, over the integers or a symbolic ring: each takes the map from its own
-// source.
+// One construction run on a curve over the integers: each takes the map from its own source. Over a symbolic
+// ring a curve is a patch on one segment.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/blossom/change_of_basis.hpp>
@@ -11,52 +11,39 @@
 
 namespace blossom {
 
-/// The numerators of `points` as elements of R, one row a coordinate.
-template <class R>
-std::vector<std::vector<R>> rows_over(const PointArray& points) {
-    std::vector<std::vector<R>> rows;
-    for (const auto row : points.rows()) rows.emplace_back(row.begin(), row.end());
-    return rows;
-}
-
-template <class R>
-std::vector<std::span<const R>> row_spans(const std::vector<std::vector<R>>& rows) {
-    return {rows.begin(), rows.end()};
-}
-
 /// The homogeneous polynomial F(u, v) = v^n P(u/v) of a map as something to evaluate: all that polarization
 /// may know.
 ///
 /// It is kept as sum_k c_k x^k y^(n-k), with (x, y) = (u, v) for monomial coefficients and (q u - a v, (b -
 /// a) v) for a control polygon over [a/q, b/q]. The sums of points have few masses, so that c_k y^(n-k) is
 /// kept for those met first.
-template <class R>
 class HomogeneousForm {
 public:
-    explicit HomogeneousForm(const PolynomialMap& map) {
-        if (const auto* curve = std::get_if<PolynomialCurve>(&map)) {
-            rows_ = rows_over<R>(curve->coefficients());
-            denominator_ = curve->coefficients().denominator();
-        } else {
-            const auto& bezier = std::get<BezierCurve>(map);
-            for (const auto& row : rows_over<R>(bezier.control_points())) {
-                rows_.push_back(constructions::local_monomial_from_bernstein(std::span<const R>(row)));
-            }
-            const auto [a, b, q] = cleared(bezier.interval());
-            scale_ = q;
-            shift_ = a;
-            mass_scale_ = b - a;
-            denominator_ = bezier.control_points().denominator() * pow(mass_scale_, bezier.degree());
+    using Row = std::vector<Integer>;
+    using Pair = HomogeneousPair<Integer>;
+
+    explicit HomogeneousForm(const PolynomialMap& map) : denominator_(points_of(map).denominator()) {
+        const auto* bezier = std::get_if<BezierCurve>(&map);
+        for (const auto row : points_of(map).rows()) {
+            rows_.push_back(bezier ? constructions::local_monomial_from_bernstein(row)
+                                   : Row(row.begin(), row.end()));
         }
+        if (!bezier) return;
+        const auto [a, b, q] = cleared(bezier->interval());
+        scale_ = q;
+        shift_ = a;
+        mass_scale_ = b - a;
+        denominator_ *= pow(mass_scale_, bezier->degree());
     }
 
     /// F times the denominator, one entry a coordinate.
-    std::vector<R> operator()(const HomogeneousPair<R>& pair) {
-        const R x = local(pair).u;
-        const auto evaluate = [&](const std::vector<std::vector<R>>& rows) {
-            std::vector<R> values;
+    Row operator()(const Pair& pair) {
+        const Integer x = local(pair).u;
+        const auto evaluate = [&](const std::vector<Row>& rows) {
+            Row values;
             values.reserve(rows.size());
-            for (const auto& row : rows) values.push_back(value_at(row, x));
+            for (const Row& row : rows)
+                values.push_back(constructions::polynomial_value(std::span<const Integer>(row), x));
             return values;
         };
         const auto known = std::ranges::find(at_mass_, pair.mass, &AtMass::mass);
@@ -68,35 +55,30 @@ public:
     const Integer& denominator() const { return denominator_; }
 
     /// c_0, ..., c_n for each coordinate, and an argument as (x, y).
-    const std::vector<std::vector<R>>& rows() const { return rows_; }
-    HomogeneousPair<R> local(const HomogeneousPair<R>& pair) const {
-        return {R(scale_) * pair.u - R(shift_) * pair.mass, R(mass_scale_) * pair.mass};
+    std::vector<std::span<const Integer>> rows() const { return {rows_.begin(), rows_.end()}; }
+    Pair local(const Pair& pair) const {
+        return {scale_ * pair.u - shift_ * pair.mass, mass_scale_ * pair.mass};
     }
-    std::vector<HomogeneousPair<R>> local(std::span<const HomogeneousPair<R>> pairs) const {
-        std::vector<HomogeneousPair<R>> result;
+    std::vector<Pair> local(std::span<const Pair> pairs) const {
+        std::vector<Pair> result;
         result.reserve(pairs.size());
-        for (const auto& pair : pairs) result.push_back(local(pair));
+        for (const Pair& pair : pairs) result.push_back(local(pair));
         return result;
     }
 
 private:
     struct AtMass {
-        R mass;
-        std::vector<std::vector<R>> rows;
+        Integer mass;
+        std::vector<Row> rows;
     };
     static constexpr std::size_t most_masses = 64;
 
-    static R value_at(const std::vector<R>& row, const R& x) {
-        using constructions::polynomial_value;
-        return polynomial_value(std::span<const R>(row), x);
-    }
-
     /// c_k y^(n-k)
-    std::vector<std::vector<R>> rows_at(const R& mass) const {
-        std::vector<std::vector<R>> rows = rows_;
-        const R y = R(mass_scale_) * mass;
-        for (auto& row : rows) {
-            R power = y;
+    std::vector<Row> rows_at(const Integer& mass) const {
+        std::vector<Row> rows = rows_;
+        const Integer y = mass_scale_ * mass;
+        for (Row& row : rows) {
+            Integer power = y;
             for (std::size_t k = row.size() - 1; k-- > 0;) {
                 row[k] *= power;
                 power *= y;
@@ -105,7 +87,7 @@ private:
         return rows;
     }
 
-    std::vector<std::vector<R>> rows_;
+    std::vector<Row> rows_;
     Integer scale_ = 1;
     Integer shift_;
     Integer mass_scale_ = 1;
@@ -113,62 +95,35 @@ private:
     std::vector<AtMass> at_mass_;
 };
 
-/// The map in monomial coefficients.
-inline PolynomialCurve monomial(const PolynomialMap& map, const Limits& limits) {
-    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return *curve;
-    return monomial_form(std::get<BezierCurve>(map), limits);
+/// Bounds on the bits of a blossom value: those of the numbers of the map, of each argument, and of the frame
+/// once an argument.
+inline std::size_t numerator_bits(const PolynomialMap& map) {
+    return greatest_bit_length(points_of(map).numbers().numerators());
 }
 
-/// The map as a control polygon, over [0, 1] unless it has an interval of its own.
-inline BezierCurve control_polygon(const PolynomialMap& map, const Limits& limits) {
-    if (const auto* curve = std::get_if<BezierCurve>(&map)) return *curve;
-    return control_points(std::get<PolynomialCurve>(map), Interval(), limits);
+inline std::size_t frame_bits(const PolynomialMap& map) {
+    const auto* bezier = std::get_if<BezierCurve>(&map);
+    return bezier ? cleared(bezier->interval()).bits() : 0;
 }
 
-template <class R>
-Quotients<R> run_construction(const PolynomialMap& map, Construction construction,
-                              std::span<const HomogeneousPair<R>> pairs, const Limits& limits) {
-    Quotients<R> value;
-    switch (construction) {
-        case Construction::symmetric: {
-            const PolynomialCurve curve = monomial(map, limits);
-            const auto rows = rows_over<R>(curve.coefficients());
-            value = constructions::by_symmetric_functions<R>(row_spans(rows), pairs);
-            value.denominator *= curve.coefficients().denominator();
-            break;
-        }
-        case Construction::polarization: {
-            HomogeneousForm<R> form(map);
-            value = constructions::by_polarization<R>(form, pairs);
-            value.denominator *= form.denominator();
-            break;
-        }
-        case Construction::regrouped_polarization: {
-            const HomogeneousForm<R> form(map);
-            value = constructions::by_regrouped_polarization<R>(row_spans(form.rows()), form.local(pairs));
-            value.denominator *= form.denominator();
-            break;
-        }
-        case Construction::casteljau: {
-            const BezierCurve curve = control_polygon(map, limits);
-            const auto rows = rows_over<R>(curve.control_points());
-            const auto [a, b, q] = cleared(curve.interval());
-            value = constructions::by_casteljau<R>(row_spans(rows), a, b, q, pairs);
-            value.denominator *= curve.control_points().denominator();
-            break;
-        }
+/// By one of the polarizations, or by de Casteljau's algorithm over [0, 1] unless the map has an interval.
+inline Quotients<Integer> run_construction(const PolynomialMap& map, Construction construction,
+                                           std::span<const HomogeneousPair<Integer>> pairs,
+                                           const Limits& limits) {
+    if (construction == Construction::casteljau) {
+        const auto* own = std::get_if<BezierCurve>(&map);
+        const BezierCurve curve = own ? *own : control_points(map, Interval(), limits);
+        const auto [a, b, q] = cleared(curve.interval());
+        auto value = constructions::by_casteljau<Integer>(curve.control_points().rows(), a, b, q, pairs);
+        value.denominator *= curve.control_points().denominator();
+        return value;
     }
+    HomogeneousForm form(map);
+    auto value = construction == Construction::polarization
+                     ? constructions::by_polarization<Integer>(form, pairs)
+                     : constructions::by_regrouped_polarization<Integer>(form.rows(), form.local(pairs));
+    value.denominator *= form.denominator();
     return value;
-}
-
-/// The coefficients or the control points.
-inline const PointArray& numbers_of(const PolynomialMap& map) {
-    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return curve->coefficients();
-    return std::get<BezierCurve>(map).control_points();
-}
-
-inline std::size_t degree_of(const PolynomialMap& map) {
-    return std::visit([](const auto& curve) { return curve.degree(); }, map);
 }
 
 /// Errors: `wrong_arity` unless there are as many arguments as the formal degree.

@@ -137,9 +137,13 @@ std::vector<Integer> multinomials(const NetShape& shape) {
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         std::vector<Integer> longer;
         longer.reserve(products.size() * shape.count(f));
+        const auto [dimension, degree] = shape[f];
         std::vector<Integer> own;
-        for (const MultiIndex& index : multi_indices(shape[f].dimension, shape[f].degree)) {
-            own.push_back(multinomial(index));
+        if (dimension == 1) {
+            own = binomial_row(degree);
+        } else {
+            for (const MultiIndex& index : multi_indices(dimension, degree))
+                own.push_back(multinomial(index));
         }
         for (const Integer& product : products) {
             for (const Integer& factor : own) longer.push_back(product * factor);

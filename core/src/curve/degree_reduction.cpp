@@ -1,8 +1,8 @@
 #include <blossom/core/blossom/change_of_basis.hpp>
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
-#include <blossom/core/curve/inverse_formula.hpp>
 #include <blossom/core/curve/orthogonal_projection.hpp>
 #include <blossom/rational/error.hpp>
 

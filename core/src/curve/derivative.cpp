@@ -1,6 +1,6 @@
 #include <blossom/core/curve/derivative.hpp>
 
-#include "blossom/run_construction.hpp"
+#include "maps/integer_frame.hpp"
 
 namespace blossom {
 

@@ -1,9 +1,9 @@
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/geometry/coordinate_free_blossom.hpp>
 #include <blossom/core/maps/bspline_curve.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
-#include <blossom/core/patch/patch_inverse_formula.hpp>
-#include <blossom/core/patch/patch_subdivision.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/rational/error.hpp>
 

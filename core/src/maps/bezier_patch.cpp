@@ -30,31 +30,6 @@ BezierPatch::BezierPatch(NetShape shape, PointArray control_net)
     require_complete(shape_, control_net_.size());
 }
 
-void require_arguments(const NetShape& shape, const PatchArguments& arguments) {
-    const auto refuse = [](ErrorCode code, const std::string& what, std::size_t given, std::size_t needed,
-                           const Place& place) {
-        throw Error(code,
-                    what + " must have length " + std::to_string(needed) + ", not " + std::to_string(given),
-                    place);
-    };
-    if (arguments.size() != shape.factors()) {
-        refuse(ErrorCode::wrong_arity, "the list of argument lists, one a factor,", arguments.size(),
-               shape.factors(), Part::arguments);
-    }
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
-        if (arguments[f].size() != shape[f].degree) {
-            refuse(ErrorCode::wrong_arity, "the argument list of factor " + std::to_string(f),
-                   arguments[f].size(), shape[f].degree, Part::arguments / f);
-        }
-        for (std::size_t i = 0; i < arguments[f].size(); ++i) {
-            if (arguments[f][i].size() == shape[f].dimension + 1) continue;
-            refuse(ErrorCode::mismatched_dimensions,
-                   "argument " + std::to_string(i) + " of factor " + std::to_string(f),
-                   arguments[f][i].size(), shape[f].dimension + 1, Part::arguments / f / i);
-        }
-    }
-}
-
 PatchArguments diagonal(const NetShape& shape, const PatchPoint& point) {
     PatchArguments arguments;
     for (std::size_t f = 0; f < shape.factors(); ++f) arguments.emplace_back(shape[f].degree, point.at(f));

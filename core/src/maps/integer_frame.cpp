@@ -44,22 +44,6 @@ ClearedArguments cleared_one_by_one(std::span<const Argument> arguments) {
     return cleared;
 }
 
-ClearedArguments cleared_together(std::span<const Argument> arguments, const Limits& limits) {
-    Integer scale = 1;
-    for (const Argument& argument : arguments) {
-        scale = lcm(scale, lcm(argument.u.denominator(), argument.mass.denominator()));
-        require_result_bits(arguments.size() * (scale.bit_length() - 1), limits);
-    }
-    ClearedArguments cleared;
-    cleared.pairs.reserve(arguments.size());
-    for (const Argument& argument : arguments) {
-        cleared.pairs.push_back(scaled(argument, scale));
-        cleared.bits += bits(cleared.pairs.back());
-    }
-    cleared.scales.assign(arguments.size(), scale);
-    return cleared;
-}
-
 ClearedInterval cleared(const Interval& interval) {
     const Integer q = lcm(interval.a().denominator(), interval.b().denominator());
     return {interval.a().numerator() * divide_exactly(q, interval.a().denominator()),

@@ -23,8 +23,6 @@ struct ClearedArguments {
 
 /// Each argument over its own denominator, as few bits as possible.
 ClearedArguments cleared_one_by_one(std::span<const Argument> arguments);
-/// All arguments over one denominator, so that their sums stay integers. Errors: `limit_exceeded`.
-ClearedArguments cleared_together(std::span<const Argument> arguments, const Limits& limits);
 
 /// The interval [a/q, b/q].
 struct ClearedInterval {

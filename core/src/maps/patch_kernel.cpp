@@ -159,13 +159,10 @@ void require_mass(const Coordinates& tuple, int mass, const std::string& what) {
                                            std::to_string(mass) + ", not " + to_string(sum));
 }
 
-void require_masses(const PatchArguments& lists, int mass, const std::string& what) {
-    for (std::size_t f = 0; f < lists.size(); ++f) {
-        within(f, [&] {
-            for (std::size_t i = 0; i < lists[f].size(); ++i)
-                within(i, [&] { require_mass(lists[f][i], mass, what); });
-        });
-    }
+void require_first(const Coordinates& tuple, int mass, const std::string& what) {
+    if (tuple.front() == mass) return;
+    throw Error(ErrorCode::not_affine,
+                what + " must have the mass " + std::to_string(mass) + ", not " + to_string(tuple.front()));
 }
 
 void require_point(const NetShape& shape, const PatchPoint& point) {
@@ -179,21 +176,43 @@ void require_point(const NetShape& shape, const PatchPoint& point) {
     }
 }
 
-void require_directions(const NetShape& shape, const PatchArguments& directions) {
-    within(Part::directions, [&] {
-        require_length(directions.size(), shape.factors(), ErrorCode::wrong_arity,
-                       "the list of direction lists, one a factor,");
-    });
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
-        for (std::size_t i = 0; i < directions[f].size(); ++i) {
-            if (directions[f][i].size() == shape[f].dimension + 1) continue;
-            throw Error(ErrorCode::mismatched_dimensions,
-                        "direction " + std::to_string(i) + " of factor " + std::to_string(f) +
-                            " must have length " + std::to_string(shape[f].dimension + 1) + ", not " +
-                            std::to_string(directions[f][i].size()),
-                        Part::directions / f / i);
+namespace {
+
+/// One list a factor, of tuples of its length; `what` is one of these.
+void require_lists(const NetShape& shape, const PatchArguments& lists, Part part, const std::string& what) {
+    within(part, [&] {
+        require_length(lists.size(), shape.factors(), ErrorCode::wrong_arity,
+                       "the list of " + what + " lists, one a factor,");
+        for (std::size_t f = 0; f < lists.size(); ++f) {
+            for (std::size_t i = 0; i < lists[f].size(); ++i) {
+                within(f, [&] {
+                    within(i, [&] {
+                        require_length(lists[f][i].size(), shape[f].dimension + 1,
+                                       ErrorCode::mismatched_dimensions,
+                                       what + " " + std::to_string(i) + " of factor " + std::to_string(f));
+                    });
+                });
+            }
         }
-    }
+    });
+}
+
+}  // namespace
+
+void require_directions(const NetShape& shape, const PatchArguments& directions) {
+    require_lists(shape, directions, Part::directions, "direction");
+}
+
+void require_arguments(const NetShape& shape, const PatchArguments& arguments) {
+    within(Part::arguments, [&] {
+        for (std::size_t f = 0; f < std::min(arguments.size(), shape.factors()); ++f) {
+            within(f, [&] {
+                require_length(arguments[f].size(), shape[f].degree, ErrorCode::wrong_arity,
+                               "the argument list of factor " + std::to_string(f));
+            });
+        }
+    });
+    require_lists(shape, arguments, Part::arguments, "argument");
 }
 
 }  // namespace blossom

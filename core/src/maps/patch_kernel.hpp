@@ -3,7 +3,8 @@
 // What control nets and monomial coefficients share: both are weighted by products of powers of the
 // coordinates of an argument, with respect to the vertices, or to the origin and the unit vectors.
 
-#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/core/maps/patch_map.hpp>
+#include <blossom/rational/error.hpp>
 
 #include <string>
 #include <utility>
@@ -26,6 +27,14 @@ PointArray form_of(const NetShape& shape, const PointArray& polar);
 /// The inverse.
 PointArray polar_of(const NetShape& shape, const PointArray& form);
 
+/// Of a patch, whichever of the two it keeps.
+inline const PointArray& polar_of(const BezierPatch& patch) { return patch.control_net(); }
+inline PointArray polar_of(const PolynomialPatch& patch) {
+    return polar_of(patch.shape(), patch.coefficients());
+}
+inline PointArray form_of(const BezierPatch& patch) { return form_of(patch.shape(), patch.control_net()); }
+inline const PointArray& form_of(const PolynomialPatch& patch) { return patch.coefficients(); }
+
 /// The derivative in these directions, k_f of them in factor f of degree n_f: prod n_f! / (n_f - k_f)! times
 /// the value at n_f - k_f copies of the point and the directions; zero where k_f > n_f.
 Coordinates polar_derivative_at(const NetShape& shape, const PointArray& polar,
@@ -43,7 +52,17 @@ void require_directions(const NetShape& shape, const PatchArguments& directions)
 
 /// Errors: `not_affine` unless the coordinates have the sum `mass`; `what` is a point or a vector.
 void require_mass(const Coordinates& tuple, int mass, const std::string& what);
-/// The same for each of the lists, at the factor and the index in its list.
-void require_masses(const PatchArguments& lists, int mass, const std::string& what);
+/// The same of (mass, x_1, ..., x_s).
+void require_first(const Coordinates& tuple, int mass, const std::string& what);
+/// require(tuple, mass, what) for each of the lists, at the factor and the index in its list.
+template <class Require>
+void require_masses(const PatchArguments& lists, int mass, const std::string& what, const Require& require) {
+    for (std::size_t f = 0; f < lists.size(); ++f) {
+        within(f, [&] {
+            for (std::size_t i = 0; i < lists[f].size(); ++i)
+                within(i, [&] { require(lists[f][i], mass, what); });
+        });
+    }
+}
 
 }  // namespace blossom

@@ -79,4 +79,11 @@ Polynomial PolynomialCurve::coordinate(std::size_t j) const {
     return Polynomial(coefficients_.numbers().over_same_denominator({row.begin(), row.end()}));
 }
 
+std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
+    std::vector<Polynomial> coordinates;
+    coordinates.reserve(curve.dimension());
+    for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
+    return coordinates;
+}
+
 }  // namespace blossom

@@ -82,19 +82,10 @@ std::vector<std::vector<std::size_t>> exponents_of(const NetShape& shape) {
     return all;
 }
 
-PatchPoint with_mass(const PatchPoint& tuples, int mass) {
-    PatchPoint arguments;
-    for (const Coordinates& tuple : tuples) {
-        Coordinates& argument = arguments.emplace_back(1, Rational(mass));
-        argument.insert(argument.end(), tuple.begin(), tuple.end());
-    }
-    return arguments;
-}
-
-PatchArguments vectors(const PatchArguments& directions) {
-    PatchArguments result;
-    for (const auto& list : directions) result.push_back(with_mass(list, 0));
-    return result;
+Coordinates with_mass(std::span<const Rational> tuple, int mass) {
+    Coordinates argument(1, Rational(mass));
+    argument.insert(argument.end(), tuple.begin(), tuple.end());
+    return argument;
 }
 
 }  // namespace
@@ -119,51 +110,8 @@ SparsePolynomial PolynomialPatch::coordinate(std::size_t j) const {
     return sum(terms);
 }
 
-Coordinates point_argument(std::span<const Rational> point) {
-    return with_mass({Coordinates(point.begin(), point.end())}, 1).front();
-}
-
-Coordinates vector_argument(std::span<const Rational> vector) {
-    return with_mass({Coordinates(vector.begin(), vector.end())}, 0).front();
-}
-
-Coordinates blossom_value(const PolynomialPatch& patch, const PatchArguments& arguments,
-                          const Limits& limits) {
-    return polar_value(patch.shape(), polar_of(patch.shape(), patch.coefficients()), arguments, limits);
-}
-
-std::vector<Coordinates> evaluate(const PolynomialPatch& patch, std::span<const PatchPoint> points,
-                                  const Limits& limits) {
-    std::vector<PatchPoint> arguments;
-    for (const PatchPoint& point : points) arguments.push_back(with_mass(point, 1));
-    return form_values(patch.shape(), patch.coefficients(), arguments, limits);
-}
-
-Coordinates derivative(const PolynomialPatch& patch, const PatchArguments& directions, const PatchPoint& at,
-                       const Limits& limits) {
-    const NetShape& shape = patch.shape();
-    const PatchArguments vector_lists = vectors(directions);
-    require_directions(shape, vector_lists);
-    const PatchPoint point = with_mass(at, 1);
-    within(Part::at, [&] { require_point(shape, point); });
-    return polar_derivative_at(shape, polar_of(shape, patch.coefficients()), vector_lists, point, limits);
-}
-
-PolynomialPatch derivative_patch(const PolynomialPatch& patch, const PatchArguments& directions,
-                                 const Limits& limits) {
-    const PatchArguments vector_lists = vectors(directions);
-    require_directions(patch.shape(), vector_lists);
-    const auto [shape, polar] =
-        polar_derivative(patch.shape(), polar_of(patch.shape(), patch.coefficients()), vector_lists, limits);
-    return {shape, form_of(shape, polar)};
-}
-
-PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,
-                        const Limits& limits) {
-    require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
-    return regrouped(patch, patch.shape().with_degree(factor, patch.shape()[factor].degree + r, limits),
-                     limits);
-}
+Coordinates point_argument(std::span<const Rational> point) { return with_mass(point, 1); }
+Coordinates vector_argument(std::span<const Rational> vector) { return with_mass(vector, 0); }
 
 PolynomialPatch regrouped(const PolynomialPatch& patch, const NetShape& shape, const Limits& limits) {
     if (shape.dimension() != patch.shape().dimension()) {

@@ -1,13 +1,13 @@
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/derivative.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/spline/continuity.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <algorithm>
 #include <string>
 #include <vector>
-
-#include "blossom/run_construction.hpp"
 
 namespace blossom {
 
@@ -18,13 +18,6 @@ void require_weight(const Rational& weight) {
         throw Error(ErrorCode::zero_weight,
                     "a point of weight 0 lies at infinity and has no Euclidean coordinates");
     }
-}
-
-std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
-    std::vector<Polynomial> coordinates;
-    coordinates.reserve(curve.dimension());
-    for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
-    return coordinates;
 }
 
 /// n (k + 1).
@@ -56,35 +49,48 @@ Coordinates homogeneous_point(const Coordinates& point, const Rational& weight) 
     return homogeneous;
 }
 
-Coordinates quotient_rule(std::span<const Coordinates> homogeneous_derivatives) {
-    if (homogeneous_derivatives.empty()) {
-        throw Error(ErrorCode::wrong_arity, "the quotient rule needs the value of the map at least");
-    }
-    const Rational& weight = homogeneous_derivatives.front().back();
-    require_weight(weight);
-    std::vector<Coordinates> derivatives;
-    for (std::size_t k = 0; k < homogeneous_derivatives.size(); ++k) {
-        Coordinates value(homogeneous_derivatives[k].begin(), homogeneous_derivatives[k].end() - 1);
-        for (std::size_t i = 1; i <= k; ++i) {
-            const Rational factor = Rational(binomial(k, i)) * homogeneous_derivatives[i].back();
-            for (std::size_t j = 0; j < value.size(); ++j) value[j] -= factor * derivatives[k - i][j];
+Coordinates quotient_rule(std::span<const std::size_t> orders,
+                          const std::function<Coordinates(std::span<const std::size_t>)>& derivative) {
+    // The place of m - k is the place of m less that of k.
+    std::vector<std::vector<std::size_t>> indices{{}};
+    for (const std::size_t order : orders) {
+        std::vector<std::vector<std::size_t>> longer;
+        for (const auto& index : indices) {
+            for (std::size_t k = 0; k <= order; ++k) {
+                longer.push_back(index);
+                longer.back().push_back(k);
+            }
         }
-        for (Rational& coordinate : value) coordinate /= weight;
+        indices = std::move(longer);
+    }
+    Coordinates weights;
+    std::vector<Coordinates> derivatives;
+    for (std::size_t m = 0; m < indices.size(); ++m) {
+        Coordinates value = derivative(indices[m]);
+        weights.push_back(value.back());
+        require_weight(weights.front());
+        value.pop_back();
+        for (std::size_t k = 1; k <= m; ++k) {
+            if (!std::ranges::equal(indices[k], indices[m], std::less_equal())) continue;
+            Rational factor = weights[k];
+            for (std::size_t i = 0; i < orders.size(); ++i) factor *= binomial(indices[m][i], indices[k][i]);
+            for (std::size_t j = 0; j < value.size(); ++j) value[j] -= factor * derivatives[m - k][j];
+        }
+        for (Rational& coordinate : value) coordinate /= weights.front();
         derivatives.push_back(std::move(value));
     }
-    return derivatives.back();
+    return std::move(derivatives.back());
 }
 
 Coordinates rational_derivative(const PolynomialMap& map, std::size_t order, const Parameter& t,
                                 const Limits& limits) {
-    std::vector<Coordinates> derivatives;
-    for (std::size_t k = 0; k <= order; ++k) derivatives.push_back(derivative(map, k, t, limits));
-    return quotient_rule(derivatives);
+    return quotient_rule(std::span(&order, 1),
+                         [&](std::span<const std::size_t> k) { return derivative(map, k[0], t, limits); });
 }
 
 PolynomialMap rational_derivative_map(const PolynomialMap& map, std::size_t order, const Limits& limits) {
     if (order == 0) return map;
-    const PolynomialCurve curve = monomial(map, limits);
+    const PolynomialCurve curve = monomial_form(map, limits);
     const std::size_t degree = require_degree(curve.degree(), order, limits);
     std::vector<Polynomial> coordinates = coordinates_of(curve);
     const Polynomial weight = coordinates.back();
@@ -106,8 +112,8 @@ PolynomialMap rational_derivative_map(const PolynomialMap& map, std::size_t orde
 
 ProjectedContact projected_contact(const PolynomialMap& left, const PolynomialMap& right, const Rational& s,
                                    const Limits& limits) {
-    const std::vector<Polynomial> a = coordinates_of(monomial(left, limits));
-    const std::vector<Polynomial> b = coordinates_of(monomial(right, limits));
+    const std::vector<Polynomial> a = coordinates_of(monomial_form(left, limits));
+    const std::vector<Polynomial> b = coordinates_of(monomial_form(right, limits));
     if (a.size() != b.size() || a.size() < 2) {
         throw Error(ErrorCode::mismatched_dimensions, "rational curves of " + std::to_string(a.size()) +
                                                           " and " + std::to_string(b.size()) +

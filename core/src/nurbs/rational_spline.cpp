@@ -11,9 +11,8 @@ namespace blossom {
 
 Coordinates rational_derivative(const BSplineCurve& curve, std::size_t order, const Parameter& t,
                                 const Limits& limits) {
-    std::vector<Coordinates> derivatives;
-    for (std::size_t k = 0; k <= order; ++k) derivatives.push_back(derivative(curve, k, t, limits));
-    return quotient_rule(derivatives);
+    return quotient_rule(std::span(&order, 1),
+                         [&](std::span<const std::size_t> k) { return derivative(curve, k[0], t, limits); });
 }
 
 BSplineCurve rational_derivative_curve(const BSplineCurve& curve, std::size_t order, const Limits& limits) {

@@ -1,13 +1,13 @@
+#include <blossom/core/blossom/patch_subdivision.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
-#include <blossom/core/patch/patch_elevation.hpp>
-#include <blossom/core/patch/patch_subdivision.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
 #include <numeric>
 
+#include "blossom/patch_product.hpp"
 #include "maps/bracketed.hpp"
-#include "patch_faces.hpp"
 
 namespace blossom {
 
@@ -42,6 +42,66 @@ PatchArguments vertices_at(std::span<const BarycentricFrame> frames, const std::
     return arguments;
 }
 
+/// How many of the vertices, with multiplicities as exponents, are off the face.
+std::size_t distance_from(const std::vector<MultiIndex>& indices, const Face& face) {
+    std::size_t off = 0;
+    for (std::size_t f = 0; f < indices.size(); ++f) {
+        off += std::accumulate(indices[f].begin(), indices[f].end(), std::size_t{0});
+        for (const std::size_t vertex : face[f]) off -= indices[f][vertex];
+    }
+    return off;
+}
+
+/// Errors: `mismatched_dimensions`, `wrong_arity` unless both patches and the face are of one product of
+/// simplices, and the points of one dimension.
+void require_comparable(const PlacedPatch& left, const PlacedPatch& right, const Face& face) {
+    require_same_factors(left.frames, right.frames);
+    if (left.patch.dimension() != right.patch.dimension()) {
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "patches in " + std::to_string(left.patch.dimension()) + " and in " +
+                        std::to_string(right.patch.dimension()) + " dimensions have no contact");
+    }
+    if (face.size() != left.frames.size()) {
+        throw Error(ErrorCode::wrong_arity, "a face of a product of " + std::to_string(left.frames.size()) +
+                                                " simplices has as many factors, not " +
+                                                std::to_string(face.size()));
+    }
+}
+
+/// The control net over other simplices.
+BezierPatch over_frames(const PlacedPatch& patch, std::span<const BarycentricFrame> frames,
+                        const Limits& limits) {
+    BezierPatch net = patch.patch;
+    for (std::size_t factor = 0; factor < frames.size(); ++factor) {
+        std::vector<Coordinates> elements;
+        for (const Coordinates& vertex : frames[factor].vertices())
+            elements.push_back(patch.frames[factor].of_point(vertex));
+        net = with_frame(net, factor, elements, limits);
+    }
+    return net;
+}
+
+/// The coordinates of one patch times the weight of the other.
+BezierPatch crossed(const BezierPatch& patch, const BezierPatch& other, const Limits& limits) {
+    Form form = form_rows(patch);
+    const Form weight = form_rows(other);
+    const ProductTable table(form.shape, weight.shape, limits);
+    form.rows.pop_back();
+    for (auto& row : form.rows) row = table.product(row, weight.rows.back());
+    return patch_of<BezierPatch>(
+        {table.shape(), std::move(form.rows), form.denominator * weight.denominator});
+}
+
+/// Errors: `zero_weight` if the weight vanishes on the whole face.
+void require_weight(const BezierPatch& patch, const Face& face, const std::string& side) {
+    const auto indices = net_indices(patch.shape());
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        if (distance_from(indices[i], face) == 0 && !patch.control_net()[i].back().is_zero()) return;
+    }
+    throw Error(ErrorCode::zero_weight,
+                "the weight of the " + side + " patch is 0 on the whole face, where it has no points");
+}
+
 }  // namespace
 
 Face shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right) {
@@ -61,41 +121,6 @@ Face shared_face(std::span<const BarycentricFrame> left, std::span<const Barycen
     return face;
 }
 
-std::size_t distance_from(const std::vector<MultiIndex>& indices, const Face& face) {
-    std::size_t off = 0;
-    for (std::size_t f = 0; f < indices.size(); ++f) {
-        off += std::accumulate(indices[f].begin(), indices[f].end(), std::size_t{0});
-        for (const std::size_t vertex : face[f]) off -= indices[f][vertex];
-    }
-    return off;
-}
-
-void require_comparable(const PlacedPatch& left, const PlacedPatch& right, const Face& face) {
-    require_same_factors(left.frames, right.frames);
-    if (left.patch.dimension() != right.patch.dimension()) {
-        throw Error(ErrorCode::mismatched_dimensions,
-                    "patches in " + std::to_string(left.patch.dimension()) + " and in " +
-                        std::to_string(right.patch.dimension()) + " dimensions have no contact");
-    }
-    if (face.size() != left.frames.size()) {
-        throw Error(ErrorCode::wrong_arity, "a face of a product of " + std::to_string(left.frames.size()) +
-                                                " simplices has as many factors, not " +
-                                                std::to_string(face.size()));
-    }
-}
-
-BezierPatch over_frames(const PlacedPatch& patch, std::span<const BarycentricFrame> frames,
-                        const Limits& limits) {
-    BezierPatch net = patch.patch;
-    for (std::size_t factor = 0; factor < frames.size(); ++factor) {
-        std::vector<Coordinates> elements;
-        for (const Coordinates& vertex : frames[factor].vertices())
-            elements.push_back(patch.frames[factor].of_point(vertex));
-        net = with_frame(net, factor, elements, limits);
-    }
-    return net;
-}
-
 PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
                      const Limits& limits) {
     require_comparable(left, right, face);
@@ -113,6 +138,19 @@ PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Fa
     return {static_cast<std::ptrdiff_t>(distance_from(indices[*first], face)) - 1,
             PatchDifference{vertices_at(left.frames, indices[*first]), f.control_net()[*first],
                             g.control_net()[*first]}};
+}
+
+PatchContact projected_contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
+                               const Limits& limits) {
+    require_comparable(left, right, face);
+    if (left.patch.dimension() < 2) {
+        throw Error(ErrorCode::mismatched_dimensions, "a rational map has a coordinate besides its weight");
+    }
+    const PlacedPatch moved{over_frames(right, left.frames, limits), left.frames};
+    require_weight(left.patch, face, "left");
+    require_weight(moved.patch, face, "right");
+    return contact({crossed(left.patch, moved.patch, limits), left.frames},
+                   {crossed(moved.patch, left.patch, limits), left.frames}, face, limits);
 }
 
 namespace {

@@ -1,5 +1,5 @@
+#include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
-#include <blossom/core/patch/patch_subdivision.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <string>

@@ -8,10 +8,12 @@ namespace blossom {
 
 namespace {
 
+using Compare = PatchContact (*)(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
+                                 const Limits& limits);
+
 /// The least of the contacts at the boxes along the parameter, the first of that order.
-template <class Compare>
 PatchContact least_contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
-                           const Limits& limits, const Compare& compare) {
+                           const Limits& limits, Compare compare) {
     const auto [before, behind] = sides(spline.knots(direction), parameter);
     PatchContact least;
     if (before == behind) return least;
@@ -22,7 +24,7 @@ PatchContact least_contact(const TensorBSpline& spline, std::size_t direction, c
         if (spans[direction] != before) continue;
         const PlacedPatch left = placed_segment(spline, spans, limits);
         spans[direction] = behind;
-        PatchContact found = compare(left, placed_segment(spline, spans, limits), face);
+        PatchContact found = compare(left, placed_segment(spline, spans, limits), face, limits);
         if (found.order && (!least.order || *found.order < *least.order)) least = std::move(found);
     }
     return least;
@@ -32,18 +34,12 @@ PatchContact least_contact(const TensorBSpline& spline, std::size_t direction, c
 
 PatchContact contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
                      const Limits& limits) {
-    return least_contact(spline, direction, parameter, limits,
-                         [&](const PlacedPatch& left, const PlacedPatch& right, const Face& face) {
-                             return contact(left, right, face, limits);
-                         });
+    return least_contact(spline, direction, parameter, limits, contact);
 }
 
 PatchContact projected_contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
                                const Limits& limits) {
-    return least_contact(spline, direction, parameter, limits,
-                         [&](const PlacedPatch& left, const PlacedPatch& right, const Face& face) {
-                             return projected_contact(left, right, face, limits);
-                         });
+    return least_contact(spline, direction, parameter, limits, projected_contact);
 }
 
 }  // namespace blossom

@@ -1,3 +1,4 @@
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/continuity.hpp>
@@ -9,23 +10,6 @@
 
 namespace blossom {
 
-namespace {
-
-std::size_t formal_degree(const PolynomialMap& map) {
-    return std::visit([](const auto& curve) { return curve.degree(); }, map);
-}
-
-std::size_t dimension_of(const PolynomialMap& map) {
-    return std::visit([](const auto& curve) { return curve.dimension(); }, map);
-}
-
-Blossom blossom_of_degree(const PolynomialMap& map, std::size_t n, const Limits& limits) {
-    return std::visit(
-        [&](const auto& curve) { return Blossom(elevate(curve, n - curve.degree(), limits), limits); }, map);
-}
-
-}  // namespace
-
 Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rational& s,
                 const Limits& limits) {
     if (dimension_of(left) != dimension_of(right)) {
@@ -33,17 +17,18 @@ Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rat
                                                           " and in " + std::to_string(dimension_of(right)) +
                                                           " dimensions have no contact");
     }
-    const std::size_t n = std::max(formal_degree(left), formal_degree(right));
-    const Blossom f = blossom_of_degree(left, n, limits);
-    const Blossom g = blossom_of_degree(right, n, limits);
-    const Parameter at = s;
+    const std::size_t n = std::max(degree_of(left), degree_of(right));
+    // The values at (s^(n-k), (s + 1)^k) are the control points over [s, s + 1].
+    const auto polygon = [&](const PolynomialMap& map) {
+        return elevate(control_points(map, {s, s + 1}, limits), n - degree_of(map), limits).control_points();
+    };
+    const PointArray f = polygon(left);
+    const PointArray g = polygon(right);
     for (std::size_t k = 0; k <= n; ++k) {
-        std::vector<Argument> arguments = with_copies(with_copies({}, n - k, at), k, at + delta);
-        Coordinates of_left = f(arguments);
-        Coordinates of_right = g(arguments);
-        if (of_left == of_right) continue;
-        return {static_cast<std::ptrdiff_t>(k) - 1,
-                BlossomDifference{std::move(arguments), std::move(of_left), std::move(of_right)}};
+        if (f[k] == g[k]) continue;
+        std::vector<Argument> arguments =
+            with_copies(with_copies({}, n - k, Parameter(s)), k, Parameter(s + 1));
+        return {static_cast<std::ptrdiff_t>(k) - 1, BlossomDifference{std::move(arguments), f[k], g[k]}};
     }
     return {};
 }

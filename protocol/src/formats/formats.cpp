@@ -1,6 +1,7 @@
 #include "formats.hpp"
 
 #include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 
 #include "doubles.hpp"
@@ -108,8 +109,7 @@ Parts parts_of(const Map& map) {
         if (map.form.separate_weights()) {
             const Rational weight = point.back();
             if (weight.is_zero()) throw Error(ErrorCode::zero_weight, "a control point has weight 0");
-            point.pop_back();
-            for (Rational& coordinate : point) coordinate /= weight;
+            point = projected(point);
             parts.weights.emplace_back(double_number(weight));
         }
         parts.points.emplace_back(doubles(point));

@@ -128,28 +128,16 @@ Interval read_interval(const Json& value, const Limits& limits) {
 Json to_json(const Interval& interval) { return Json::Array{interval.a(), interval.b()}; }
 
 Argument read_argument(const Json& value, const Limits& limits) {
-    if (!value.object()) return Parameter(read_number(value, limits));
-    Fields fields(value);
-    const auto direction =
-        fields.optional("vector", [&](const Json& member) { return Direction{read_number(member, limits)}; });
-    if (direction) {
-        fields.finish();
-        return *direction;
-    }
-    if (!fields.has("homogeneous")) {
-        fields.finish();
-        fields.missing("vector");
-    }
-    const auto pair =
-        fields.required("homogeneous", [&](const Json& member) { return read_numbers(member, limits); });
-    fields.finish();
-    if (pair.size() != 2) {
-        throw Error(
-            ErrorCode::wrong_arity,
-            "a homogeneous argument is a pair [u, mass], not " + std::to_string(pair.size()) + " numbers",
-            Place{"homogeneous"});
-    }
-    return {pair[0], pair[1]};
+    const auto affine = [&](const Json& member, int mass) {
+        return Argument(read_number(member, limits), mass);
+    };
+    const auto homogeneous = [&](const Json& member) {
+        const std::vector<Rational> pair = read_numbers(member, limits);
+        if (pair.size() == 2) return Argument(pair[0], pair[1]);
+        throw Error(ErrorCode::wrong_arity, "a homogeneous argument is a pair [u, mass], not " +
+                                                std::to_string(pair.size()) + " numbers");
+    };
+    return read_argument(value, affine, homogeneous);
 }
 
 }  // namespace blossom::protocol

@@ -108,11 +108,47 @@ auto read_list(const Json& value, const Read& read) {
     return list;
 }
 
+/// A list with one element a direction; `what` are several of them. Errors: `wrong_arity`.
+template <class Read>
+auto read_each_direction(const Json& value, std::size_t directions, std::string_view what, const Read& read) {
+    const std::size_t given = read_array(value).size();
+    if (given == directions) return read_list(value, read);
+    throw Error(ErrorCode::wrong_arity, std::to_string(given) + " " + std::string(what) + " for " +
+                                            std::to_string(directions) + " directions");
+}
+
 std::vector<Rational> read_numbers(const Json& value, const Limits& limits);
+
+/// Lists of numbers as they stand in answers.
+template <class Lists>
+Json::Array lists_json(const Lists& lists) {
+    Json::Array written;
+    for (const auto& list : lists) written.emplace_back(Json::Array(list.begin(), list.end()));
+    return written;
+}
 
 /// [a, b]. Errors: `wrong_arity`, `empty_interval`.
 Interval read_interval(const Json& value, const Limits& limits);
 Json to_json(const Interval& interval);
+
+/// A homogeneous argument: a point, {"vector": ..} or {"homogeneous": ..}. affine(value, mass) reads the
+/// first two, homogeneous(value) what has its mass with it.
+template <class Affine, class Homogeneous>
+auto read_argument(const Json& value, const Affine& affine, const Homogeneous& homogeneous) {
+    if (!value.object()) return affine(value, 1);
+    Fields fields(value);
+    if (auto vector = fields.optional("vector", [&](const Json& member) { return affine(member, 0); })) {
+        fields.finish();
+        return *std::move(vector);
+    }
+    if (!fields.has("homogeneous")) {
+        fields.finish();
+        fields.missing("vector");
+    }
+    auto argument = fields.required("homogeneous", homogeneous);
+    fields.finish();
+    return argument;
+}
 
 /// An argument of a blossom of one parameter: a number, {"vector": x} or {"homogeneous": [u, v]}.
 Argument read_argument(const Json& value, const Limits& limits);

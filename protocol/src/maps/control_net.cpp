@@ -68,26 +68,12 @@ Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
     return entries;
 }
 
-std::vector<std::size_t> degrees_of(const NetShape& shape) {
-    std::vector<std::size_t> degrees;
-    degrees.reserve(shape.factors());
-    for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
-    return degrees;
-}
-
 /// One more than the degree in each direction.
 std::vector<std::size_t> counts_of(const NetShape& shape) {
     std::vector<std::size_t> counts;
     counts.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) counts.push_back(shape.count(f));
     return counts;
-}
-
-Json vertices_json(const BarycentricFrame& frame) {
-    Json::Array vertices;
-    for (const Coordinates& vertex : frame.vertices())
-        vertices.emplace_back(Json::Array(vertex.begin(), vertex.end()));
-    return vertices;
 }
 
 Json write_tensor(const BezierPatch& patch, const std::vector<BarycentricFrame>& frames,
@@ -100,17 +86,17 @@ Json write_tensor(const BezierPatch& patch, const std::vector<BarycentricFrame>&
     Json map = Json::Object{{"kind", "tensor"},
                             {"degrees", Json::Array(degrees.begin(), degrees.end())},
                             {"intervals", std::move(intervals)}};
-    write_net(map, patch.control_net().to_points(), form,
-              [&](std::span<const Json> values) { return nested(values, counts_of(patch.shape())); });
+    write_points(map, "control_net", patch.control_net().to_points(), form,
+                 [&](std::span<const Json> values) { return nested(values, counts_of(patch.shape())); });
     return map;
 }
 
 Json write_simplex(const BezierPatch& patch, const std::vector<BarycentricFrame>& frames,
                    const PointForm& form) {
     Json map = Json::Object{{"kind", "simplex"}, {"degree", patch.shape()[0].degree}};
-    if (!frames.empty()) map["vertices"] = vertices_json(frames.front());
-    write_net(map, patch.control_net().to_points(), form,
-              [&](std::span<const Json> values) { return indexed(values, patch.shape()[0]); });
+    if (!frames.empty()) map["vertices"] = lists_json(frames.front().vertices());
+    write_points(map, "control_net", patch.control_net().to_points(), form,
+                 [&](std::span<const Json> values) { return indexed(values, patch.shape()[0]); });
     return map;
 }
 
@@ -126,12 +112,8 @@ Map read_tensor(Fields& fields, const Limits& limits) {
         });
     };
     WeightedPoints read = read_net(fields, limits, visit);
-    auto frames = fields.optional("intervals", [&](const Json& value) {
-        std::vector<BarycentricFrame> given = read_intervals(value, limits);
-        if (given.size() == degrees.size()) return given;
-        throw Error(ErrorCode::wrong_arity,
-                    fmt::format("{} intervals for {} directions", given.size(), degrees.size()));
-    });
+    auto frames = fields.optional(
+        "intervals", [&](const Json& value) { return read_intervals(value, degrees.size(), limits); });
     if (!frames) frames.emplace(degrees.size(), BarycentricFrame::standard(1));
     require_numbers(read.points.size(), read.points.front().size(), limits);
     return {Patch{BezierPatch(shape, read.points), true, std::move(*frames), {}}, read.form};

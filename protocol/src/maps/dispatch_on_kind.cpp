@@ -1,15 +1,8 @@
 #include "dispatch_on_kind.hpp"
 
-#include <blossom/core/curve/inverse_formula.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 
 namespace blossom::protocol {
-
-std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve) {
-    std::vector<Polynomial> coordinates;
-    coordinates.reserve(curve.dimension());
-    for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));
-    return coordinates;
-}
 
 BezierCurve curve_of_samples(const Samples& samples, const Limits& limits) {
     return within("map", [&] {

@@ -21,9 +21,6 @@ struct Overloads : Functions... {
     using Functions::operator()...;
 };
 
-/// One polynomial a coordinate.
-std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve);
-
 /// The names of the kinds that `Function` can be called with, "bezier, bspline".
 template <class Function, std::size_t... Indices>
 std::string taken_names(std::index_sequence<Indices...>) {

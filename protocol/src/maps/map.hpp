@@ -4,6 +4,8 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <blossom/protocol/json.hpp>
 #include "json/fields.hpp"
@@ -23,6 +25,12 @@ struct Map {
 /// Another map whose points are written as those of the original.
 inline Map like(const Map& original, AnyMap value) {
     return {std::move(value), original.form, original.variable};
+}
+inline std::vector<Map> like(const Map& original, std::vector<AnyMap> values) {
+    std::vector<Map> maps;
+    maps.reserve(values.size());
+    for (AnyMap& value : values) maps.push_back(like(original, std::move(value)));
+    return maps;
 }
 
 std::size_t dimension_of(const Map& map);

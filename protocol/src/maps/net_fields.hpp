@@ -15,32 +15,11 @@ namespace blossom::protocol {
 /// Throws `incomplete_net`.
 [[noreturn]] void refuse_net(const std::string& message);
 
-/// The points of a net in order, all of the form of the first.
-class NetPoints {
-public:
-    explicit NetPoints(const Limits& limits) : limits_(limits) {}
-
-    /// Errors: `mismatched_dimensions` for a point of another form.
-    void add(const Json& value);
-    Points finish() && { return {std::move(points_), scalar_}; }
-
-private:
-    const Limits& limits_;
-    std::vector<Coordinates> points_;
-    bool scalar_ = true;
-};
-
-/// Multiplies a point by its weight and appends that. Errors: `zero_weight`.
-void append_weight(Coordinates& point, const Rational& weight);
-
-/// Errors: `wrong_kind` for "weights" beside "homogeneous".
-void refuse_weights(const Fields& fields);
-
 /// The points and their form; visit(value, leaf) goes through a net in order.
 template <class Visit>
 WeightedPoints read_net(Fields& fields, const Limits& limits, const Visit& visit) {
     Points points = fields.required("control_net", [&](const Json& value) {
-        NetPoints read(limits);
+        PointReader read(limits);
         visit(value, [&](const Json& leaf) { read.add(leaf); });
         return std::move(read).finish();
     });
@@ -58,20 +37,6 @@ WeightedPoints read_net(Fields& fields, const Limits& limits, const Visit& visit
     };
     form.rational = fields.optional("weights", read_weights).value_or(false);
     return {std::move(points.points), form};
-}
-
-/// Writes the same fields; arrange(values) puts a list in the form of the net.
-template <class Arrange>
-void write_net(Json& map, std::span<const Coordinates> points, const PointForm& form,
-               const Arrange& arrange) {
-    Json::Array written, weights;
-    for (const Coordinates& point : points) {
-        written.push_back(to_json(point, form));
-        if (form.separate_weights()) weights.emplace_back(point.back());
-    }
-    map["control_net"] = arrange(written);
-    if (form.separate_weights()) map["weights"] = arrange(weights);
-    if (form.homogeneous) map["homogeneous"] = true;
 }
 
 /// leaf(value) for every entry of nested arrays with counts[d] elements on level d; `rule(d, count)` is what

@@ -14,80 +14,7 @@ namespace {
                                                       " are needed");
 }
 
-void require_sum(std::span<const Rational> numbers, const Rational& mass) {
-    const Rational sum = std::accumulate(numbers.begin(), numbers.end(), Rational());
-    if (sum == mass) return;
-    throw Error(ErrorCode::not_affine, "barycentric coordinates of a " +
-                                           std::string(mass.is_zero() ? "vector" : "point") +
-                                           " have the sum " + to_string(mass) + ", not " + to_string(sum));
-}
-
-void require_mass(const Rational& mass, const PointForm& form) {
-    if (!mass.is_zero() || !form.separate_weights()) return;
-    throw Error(ErrorCode::zero_weight,
-                "the argument has mass 0, and so has the value, which for a rational map is no point; "
-                "\"homogeneous\": true gives it with its weight");
-}
-
-/// (u, mass) in one factor.
-Coordinates factor_argument(const Patch& patch, std::size_t factor, std::span<const Rational> u,
-                            const Rational& mass) {
-    if (!patch.frames.empty()) return patch.frames[factor].of_argument(u, mass);
-    Coordinates argument(u.begin(), u.end());
-    if (patch.is_polynomial()) argument.insert(argument.begin(), mass);
-    return argument;
-}
-
-Coordinates read_simplex_argument(const Json& value, const Patch& patch, const PointForm& form,
-                                  const Limits& limits) {
-    const std::size_t count = patch.parameters();
-    const auto made = [&](const std::vector<Rational>& numbers, const Rational& mass) {
-        require_mass(mass, form);
-        if (patch.is_barycentric()) require_sum(numbers, mass);
-        return factor_argument(patch, 0, numbers, mass);
-    };
-    if (!value.object()) return made(read_tuple(value, count, limits), 1);
-    Fields fields(value);
-    const auto vector =
-        fields.optional("vector", [&](const Json& member) { return read_tuple(member, count, limits); });
-    if (vector) {
-        fields.finish();
-        return made(*vector, 0);
-    }
-    if (!fields.has("homogeneous")) {
-        fields.finish();
-        fields.missing("vector");
-    }
-    // Barycentric coordinates have their mass in them.
-    const bool sum_is_mass = patch.is_barycentric();
-    auto numbers = fields.required("homogeneous", [&](const Json& member) {
-        return read_tuple(member, count + (sum_is_mass ? 0 : 1), limits);
-    });
-    fields.finish();
-    Rational mass = std::accumulate(numbers.begin(), numbers.end(), Rational());
-    if (!sum_is_mass) {
-        mass = numbers.back();
-        numbers.pop_back();
-    }
-    return made(numbers, mass);
-}
-
-Coordinates read_direction_argument(const Json& value, const Patch& patch, std::size_t factor,
-                                    const PointForm& form, const Limits& limits) {
-    const Argument argument = read_argument(value, limits);
-    require_mass(argument.mass, form);
-    return factor_argument(patch, factor, std::span(&argument.u, 1), argument.mass);
-}
-
 }  // namespace
-
-const NetShape& Patch::shape() const {
-    return std::visit([](const auto& one) -> const NetShape& { return one.shape(); }, map);
-}
-
-std::size_t Patch::dimension() const {
-    return std::visit([](const auto& one) { return one.dimension(); }, map);
-}
 
 std::size_t Patch::parameters() const { return shape().dimension() + (is_barycentric() ? 1 : 0); }
 
@@ -97,52 +24,46 @@ std::vector<Rational> read_tuple(const Json& value, std::size_t count, const Lim
     return numbers;
 }
 
+void require_sum(std::span<const Rational> numbers, const Rational& mass) {
+    const Rational sum = std::accumulate(numbers.begin(), numbers.end(), Rational());
+    if (sum == mass) return;
+    throw Error(ErrorCode::not_affine, "barycentric coordinates of a " +
+                                           std::string(mass.is_zero() ? "vector" : "point") +
+                                           " have the sum " + to_string(mass) + ", not " + to_string(sum));
+}
+
+Coordinates engine_argument(const Patch& patch, std::size_t factor, std::span<const Rational> u,
+                            const Rational& mass) {
+    if (!patch.frames.empty()) return patch.frames[factor].of_argument(u, mass);
+    Coordinates argument(u.begin(), u.end());
+    if (patch.is_polynomial()) argument.insert(argument.begin(), mass);
+    return argument;
+}
+
 PatchPoint engine_arguments(const Patch& patch, std::span<const Rational> numbers, const Rational& mass) {
     if (patch.is_barycentric()) require_sum(numbers, mass);
     PatchPoint arguments;
     for (std::size_t f = 0; f < patch.shape().factors(); ++f) {
         const std::size_t own = patch.shape()[f].dimension + (patch.is_barycentric() ? 1 : 0);
-        arguments.push_back(factor_argument(patch, f, numbers.first(own), mass));
+        arguments.push_back(engine_argument(patch, f, numbers.first(own), mass));
         numbers = numbers.subspan(own);
     }
     return arguments;
 }
 
-PatchArguments read_patch_arguments(const Json& value, const Patch& patch, const PointForm& form,
-                                    const Limits& limits) {
-    if (!patch.tensor) {
-        return {read_list(
-            value, [&](const Json& element) { return read_simplex_argument(element, patch, form, limits); })};
-    }
-    const std::size_t factors = patch.shape().factors();
-    const Json::Array& lists = read_array(value);
-    if (lists.size() != factors) {
-        throw Error(ErrorCode::wrong_arity, "the arguments come as " + std::to_string(factors) +
-                                                " lists, one a direction, not " +
-                                                std::to_string(lists.size()));
-    }
-    PatchArguments arguments;
-    for (std::size_t f = 0; f < factors; ++f) {
-        arguments.push_back(within(f, [&] {
-            return read_list(lists[f], [&](const Json& element) {
-                return read_direction_argument(element, patch, f, form, limits);
-            });
-        }));
-    }
-    return arguments;
+std::vector<std::size_t> degrees_of(const NetShape& shape) {
+    std::vector<std::size_t> degrees;
+    for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
+    return degrees;
 }
 
-Json patch_arguments_json(const PatchArguments& arguments, bool tensor) {
-    Json::Array lists;
-    for (const auto& list : arguments) {
-        Json::Array written;
-        for (const Coordinates& point : list) {
-            written.push_back(tensor ? Json(point.front()) : Json(Json::Array(point.begin(), point.end())));
-        }
-        if (!tensor) return written;
-        lists.emplace_back(std::move(written));
+void write_degrees(Json& map, const Patch& patch) {
+    const std::vector<std::size_t> degrees = degrees_of(patch.shape());
+    if (patch.tensor) {
+        map["degrees"] = Json::Array(degrees.begin(), degrees.end());
+    } else {
+        map["degree"] = degrees.front();
     }
-    return lists;
 }
 
 std::vector<BarycentricFrame> domain_or_standard(const Patch& patch) {
@@ -161,8 +82,9 @@ BarycentricFrame read_vertices(const Json& value, const Limits& limits) {
     return as_parameter(Part::vertices, [&] { return BarycentricFrame(std::move(vertices)); });
 }
 
-std::vector<BarycentricFrame> read_intervals(const Json& value, const Limits& limits) {
-    return read_list(value, [&](const Json& element) {
+std::vector<BarycentricFrame> read_intervals(const Json& value, std::size_t directions,
+                                             const Limits& limits) {
+    return read_each_direction(value, directions, "intervals", [&](const Json& element) {
         const Interval interval = read_interval(element, limits);
         return BarycentricFrame({{interval.a()}, {interval.b()}});
     });

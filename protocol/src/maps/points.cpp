@@ -1,5 +1,6 @@
 #include "points.hpp"
 
+#include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/rational/error.hpp>
 
 #include "text/readable.hpp"
@@ -31,39 +32,33 @@ std::string joined(const std::vector<std::string>& texts) {
 
 }  // namespace
 
+void append_weight(Coordinates& point, const Rational& weight) {
+    if (weight.is_zero()) {
+        throw Error(ErrorCode::zero_weight,
+                    "the weight is 0; with \"homogeneous\": true, points carry their weight and may have "
+                    "weight 0");
+    }
+    point = homogeneous_point(point, weight);
+}
+
 void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights) {
     if (weights.size() != points.size()) {
         throw Error(ErrorCode::wrong_arity, std::to_string(weights.size()) + " weights for " +
                                                 std::to_string(points.size()) +
                                                 " control points; one each is needed");
     }
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (weights[i].is_zero()) {
-            throw Error(ErrorCode::zero_weight,
-                        "weight " + std::to_string(i) +
-                            " is 0; with \"homogeneous\": true, points carry their weight and "
-                            "may have weight 0",
-                        Place{i});
-        }
-        for (Rational& coordinate : points[i]) coordinate *= weights[i];
-        points[i].push_back(weights[i]);
-    }
+    for (std::size_t i = 0; i < points.size(); ++i) within(i, [&] { append_weight(points[i], weights[i]); });
 }
 
 Json to_json(const Coordinates& point, const PointForm& form) {
-    const bool divided = form.separate_weights();
-    const Rational weight = divided ? point.back() : Rational(1);
-    if (weight.is_zero()) {
+    if (form.separate_weights()) {
+        if (!point.back().is_zero()) return to_json(projected(point), PointForm{.scalar = form.scalar});
         throw Error(ErrorCode::zero_weight,
                     "the weight is 0, so that there is no such point; \"homogeneous\": true gives it with "
                     "its weight");
     }
-    const std::size_t dimension = point.size() - (divided ? 1 : 0);
-    if (form.scalar) return point.front() / weight;
-    Json::Array coordinates;
-    coordinates.reserve(dimension);
-    for (std::size_t i = 0; i < dimension; ++i) coordinates.emplace_back(point[i] / weight);
-    return coordinates;
+    if (form.scalar) return point.front();
+    return Json::Array(point.begin(), point.end());
 }
 
 Coordinates answered_point(const Json& value) {
@@ -82,24 +77,24 @@ Coordinates read_point(const Json& value, const PointForm& form, std::size_t dim
                                                       " coordinates, not " + std::to_string(dimension));
 }
 
+void PointReader::add(const Json& value) {
+    const bool scalar = !value.array();
+    if (points_.empty()) scalar_ = scalar;
+    Coordinates point = read_coordinates(value, scalar, limits_);
+    if (scalar != scalar_ || point.empty() || (!points_.empty() && point.size() != points_.front().size())) {
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "the point is not of the form of those before; all are numbers, or all are arrays of the "
+                    "same length of at least 1");
+    }
+    points_.push_back(std::move(point));
+}
+
 Points read_points(const Json& value, const Limits& limits) {
     const Json::Array& elements = read_array(value);
     if (elements.empty()) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
-    Points result{{}, !elements.front().array()};
-    result.points.reserve(elements.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-        within(i, [&] {
-            const bool scalar = !elements[i].array();
-            result.points.push_back(read_coordinates(elements[i], scalar, limits));
-            if (scalar != result.scalar || result.points[i].size() != result.points[0].size() ||
-                result.points[i].empty()) {
-                throw Error(ErrorCode::mismatched_dimensions,
-                            "point " + std::to_string(i) +
-                                " is not of the form of point 0; all are numbers, or all are "
-                                "arrays of the same length of at least 1");
-            }
-        });
-    }
+    PointReader read(limits);
+    for (std::size_t i = 0; i < elements.size(); ++i) within(i, [&] { read.add(elements[i]); });
+    Points result = std::move(read).finish();
     require_numbers(result.points.size(), result.points.front().size(), limits);
     return result;
 }
@@ -111,31 +106,13 @@ WeightedPoints read_control_points(Fields& fields, const Limits& limits) {
         fields.optional("weights", [&](const Json& value) { return read_numbers(value, limits); });
     PointForm form{.scalar = points.scalar};
     if (read_homogeneous(fields)) {
-        if (weights) {
-            throw Error(
-                ErrorCode::wrong_kind,
-                R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
-                Place{"weights"});
-        }
+        refuse_weights(fields);
         form = within("control_points", [&] { return homogeneous_form(points); });
     } else if (weights) {
         form.rational = true;
         within("weights", [&] { append_weights(points.points, *weights); });
     }
     return {std::move(points.points), form};
-}
-
-void write_control_points(Json& map, std::span<const Coordinates> points, const PointForm& form) {
-    Json::Array written;
-    Json::Array weights;
-    written.reserve(points.size());
-    for (const Coordinates& point : points) {
-        written.push_back(to_json(point, form));
-        if (form.separate_weights()) weights.emplace_back(point.back());
-    }
-    map["control_points"] = std::move(written);
-    if (form.separate_weights()) map["weights"] = std::move(weights);
-    if (form.homogeneous) map["homogeneous"] = true;
 }
 
 void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const PointForm& form) {
@@ -152,6 +129,13 @@ void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const 
     map["coefficients"] = std::move(written);
     if (form.separate_weights()) map["denominator"] = std::move(denominator);
     if (form.homogeneous) map["homogeneous"] = true;
+}
+
+void refuse_weights(const Fields& fields) {
+    if (!fields.has("weights")) return;
+    throw Error(ErrorCode::wrong_kind,
+                R"(with "homogeneous": true the control points carry their weights; leave "weights" out)",
+                Place{"weights"});
 }
 
 bool read_homogeneous(Fields& fields) { return fields.optional("homogeneous", read_boolean).value_or(false); }

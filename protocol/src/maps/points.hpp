@@ -40,6 +40,21 @@ struct Points {
     std::vector<Coordinates> points;
     bool scalar;
 };
+/// Points one after the other, all of the form of the first.
+class PointReader {
+public:
+    explicit PointReader(const Limits& limits) : limits_(limits) {}
+
+    /// Errors: `mismatched_dimensions` for a point of another form.
+    void add(const Json& value);
+    Points finish() && { return {std::move(points_), scalar_}; }
+
+private:
+    const Limits& limits_;
+    std::vector<Coordinates> points_;
+    bool scalar_ = true;
+};
+
 /// Errors: `wrong_arity` for none, `mismatched_dimensions`, `limit_exceeded` for more than `limits.numbers`.
 Points read_points(const Json& value, const Limits& limits);
 
@@ -48,6 +63,8 @@ struct WeightedPoints {
     std::vector<Coordinates> points;
     PointForm form;
 };
+/// Multiplies a point by its weight and appends that. Errors: `zero_weight`.
+void append_weight(Coordinates& point, const Rational& weight);
 /// Makes (w_i P_i, w_i) of every point. Errors: `wrong_arity` unless there is a weight a point;
 /// `zero_weight`.
 void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights);
@@ -56,8 +73,25 @@ void append_weights(std::vector<Coordinates>& points, const std::vector<Rational
 /// Errors: `wrong_arity` unless there is a weight a point; `zero_weight`; `wrong_kind` for both "weights" and
 /// "homogeneous".
 WeightedPoints read_control_points(Fields& fields, const Limits& limits);
-/// Writes the same fields.
-void write_control_points(Json& map, std::span<const Coordinates> points, const PointForm& form);
+/// Writes the points as field `name`, with "weights" and "homogeneous"; arrange(values) puts a list in the
+/// form of the points.
+template <class Arrange>
+void write_points(Json& map, std::string_view name, std::span<const Coordinates> points,
+                  const PointForm& form, const Arrange& arrange) {
+    Json::Array written;
+    Json::Array weights;
+    written.reserve(points.size());
+    for (const Coordinates& point : points) {
+        written.push_back(to_json(point, form));
+        if (form.separate_weights()) weights.emplace_back(point.back());
+    }
+    map[name] = arrange(std::move(written));
+    if (form.separate_weights()) map["weights"] = arrange(std::move(weights));
+    if (form.homogeneous) map["homogeneous"] = true;
+}
+inline void write_control_points(Json& map, std::span<const Coordinates> points, const PointForm& form) {
+    write_points(map, "control_points", points, form, [](Json::Array values) { return values; });
+}
 
 /// The fields "coefficients", "denominator" and "homogeneous": coefficients stand as they are, only points
 /// are divided by a weight.
@@ -65,6 +99,8 @@ void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const 
 
 /// Whether "homogeneous" is asked for.
 bool read_homogeneous(Fields& fields);
+/// Errors: `wrong_kind` for "weights" beside "homogeneous".
+void refuse_weights(const Fields& fields);
 /// The form of points that carry their weight. Errors: `mismatched_dimensions` when there is nothing but a
 /// weight.
 PointForm homogeneous_form(const Points& points);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "kind.hpp"
+#include "polynomial_fields.hpp"
 
 namespace blossom::protocol {
 
@@ -46,10 +47,7 @@ Written read_texts(const Json& value, const Limits& limits) {
 Written read_coefficients(const Json& value, const Limits& limits) {
     const Points points = read_points(value, limits);
     require_degree(points.points.size(), limits);
-    const PolynomialCurve curve(points.points);
-    Written result{{}, points.scalar, ""};
-    for (std::size_t j = 0; j < curve.dimension(); ++j) result.coordinates.push_back(curve.coordinate(j));
-    return result;
+    return {coordinates_of(PolynomialCurve(points.points)), points.scalar, ""};
 }
 
 Polynomial read_denominator(const Json& value, std::string& variable, const Limits& limits) {
@@ -66,48 +64,17 @@ Polynomial read_denominator(const Json& value, std::string& variable, const Limi
     return denominator;
 }
 
-Written read_written(Fields& fields, const Limits& limits) {
-    auto text = fields.optional("text", [&](const Json& value) { return read_texts(value, limits); });
-    if (!text)
-        return fields.required("coefficients",
-                               [&](const Json& value) { return read_coefficients(value, limits); });
-    if (fields.has("coefficients")) {
-        throw Error(ErrorCode::wrong_kind,
-                    R"(a polynomial is given by "text" or by "coefficients", not by both)",
-                    Place{"coefficients"});
-    }
-    return std::move(*text);
-}
-
-PointForm form_of(const Written& written, bool has_denominator, bool homogeneous) {
-    if (!homogeneous) return {.scalar = written.scalar, .rational = has_denominator};
-    if (!has_denominator && (written.scalar || written.coordinates.size() < 2)) {
-        throw Error(
-            ErrorCode::mismatched_dimensions,
-            R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
-            Place{"homogeneous"});
-    }
-    return {.scalar = false, .rational = true, .homogeneous = true};
-}
-
-/// The first coordinates of the map, "(1 - t^2, 2t)".
-std::string tuple_of_polynomials(const PolynomialCurve& curve, std::size_t count, bool scalar,
-                                 std::string_view variable) {
-    std::string text;
-    for (std::size_t j = 0; j < count; ++j) {
-        text += (j == 0 ? "" : ", ") + to_text(curve.coordinate(j), variable);
-    }
-    return scalar ? text : "(" + text + ")";
-}
-
 /// {"kind": "polynomial", "coefficients" or "text", "degree"?, "denominator"?, "homogeneous"?}
 Map read_polynomial(Fields& fields, const Limits& limits) {
-    Written written = read_written(fields, limits);
+    Written written = read_polynomials(
+        fields, "coefficients", [&](const Json& value) { return read_texts(value, limits); },
+        [&](const Json& value) { return read_coefficients(value, limits); });
     const auto denominator = fields.optional(
         "denominator", [&](const Json& value) { return read_denominator(value, written.variable, limits); });
     const auto degree =
         fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
-    const PointForm form = form_of(written, denominator.has_value(), read_homogeneous(fields));
+    const PointForm form =
+        read_polynomial_form(fields, written.coordinates.size(), written.scalar, denominator.has_value());
     if (denominator) written.coordinates.push_back(*denominator);
 
     std::size_t formal = degree.value_or(0);
@@ -124,17 +91,10 @@ Json write(const PolynomialCurve& curve, const PointForm& form) {
 }
 
 std::string formula(const PolynomialCurve& curve, const Map& map, std::string_view name) {
-    const std::size_t dimension = curve.dimension();
-    const PointForm& form = map.form;
-    std::string text;
-    if (form.separate_weights()) {
-        const std::string numerators = tuple_of_polynomials(curve, dimension - 1, form.scalar, map.variable);
-        text = fmt::format("{} / ({})", form.scalar ? "(" + numerators + ")" : numerators,
-                           to_text(curve.coordinate(dimension - 1), map.variable));
-    } else {
-        text = tuple_of_polynomials(curve, dimension, form.scalar, map.variable);
-    }
-    return fmt::format("{}({}) = {}", name, map.variable, text);
+    std::vector<std::string> texts;
+    for (const Polynomial& coordinate : coordinates_of(curve))
+        texts.push_back(to_text(coordinate, map.variable));
+    return fmt::format("{}({}) = {}", name, map.variable, coordinates_text(std::move(texts), map.form));
 }
 
 /// "to": "monomial".

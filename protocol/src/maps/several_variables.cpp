@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 
+#include "polynomial_fields.hpp"
 #include "several_variables.hpp"
 
 namespace blossom::protocol {
@@ -93,16 +94,6 @@ Coordinatewise read_terms(const Json& value, const Names& names, const Limits& l
     return result;
 }
 
-Coordinatewise read_numerators(Fields& fields, const Names& names, const Limits& limits) {
-    auto text = fields.optional("text", [&](const Json& value) { return read_texts(value, names, limits); });
-    if (text && fields.has("terms")) {
-        throw Error(ErrorCode::wrong_kind, R"(a polynomial is given by "text" or by "terms", not by both)",
-                    Place{"terms"});
-    }
-    if (text) return std::move(*text);
-    return fields.required("terms", [&](const Json& value) { return read_terms(value, names, limits); });
-}
-
 SparsePolynomial read_denominator(const Json& value, const Names& names, const Limits& limits) {
     const Coordinatewise read =
         value.text() ? read_texts(value, names, limits) : read_terms(value, names, limits);
@@ -125,10 +116,8 @@ std::size_t actual_degree(const Coordinatewise& map, std::optional<std::size_t> 
 /// By a total degree or by one degree a variable; without either by the actual total degree.
 NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& names, const Limits& limits) {
     const auto degrees = fields.optional("degrees", [&](const Json& value) {
-        auto list = read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
-        if (list.size() == names.size()) return list;
-        throw Error(ErrorCode::wrong_arity,
-                    fmt::format("{} degrees for {} variables", list.size(), names.size()));
+        return read_each_direction(value, names.size(), "degrees",
+                                   [&](const Json& degree) { return read_count(degree, limits); });
     });
     const auto degree =
         fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
@@ -140,17 +129,6 @@ NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& name
     if (degrees) return within("degrees", [&] { return NetShape::tensor(*degrees, limits); });
     const std::size_t total = degree.value_or(actual_degree(map, {}));
     return within("degree", [&] { return NetShape::simplex(names.size(), total, limits); });
-}
-
-PointForm form_of(const Coordinatewise& map, bool has_denominator, bool homogeneous) {
-    if (!homogeneous) return {.scalar = map.scalar, .rational = has_denominator};
-    if (!has_denominator && (map.scalar || map.coordinates.size() < 2)) {
-        throw Error(
-            ErrorCode::mismatched_dimensions,
-            R"(with "homogeneous": true and no "denominator", a map has at least 1 coordinate and a weight)",
-            Place{"homogeneous"});
-    }
-    return {.scalar = false, .rational = true, .homogeneous = true};
 }
 
 /// The exponents that occur in any of the coordinates, with one coefficient a coordinate.
@@ -178,10 +156,13 @@ std::map<std::vector<std::size_t>, Coordinates> terms_of(const PolynomialPatch& 
 Map read_several_variables(Fields& fields, const Limits& limits) {
     Names names =
         fields.required("variables", [&](const Json& value) { return read_variables(value, limits); });
-    Coordinatewise map = read_numerators(fields, names, limits);
+    Coordinatewise map = read_polynomials(
+        fields, "terms", [&](const Json& value) { return read_texts(value, names, limits); },
+        [&](const Json& value) { return read_terms(value, names, limits); });
     const auto denominator = fields.optional(
         "denominator", [&](const Json& value) { return read_denominator(value, names, limits); });
-    const PointForm form = form_of(map, denominator.has_value(), read_homogeneous(fields));
+    const PointForm form =
+        read_polynomial_form(fields, map.coordinates.size(), map.scalar, denominator.has_value());
     if (denominator) map.coordinates.push_back(*denominator);
     const bool tensor = fields.has("degrees");
     const NetShape shape = read_shape(fields, map, names, limits);
@@ -195,16 +176,9 @@ Map read_several_variables(Fields& fields, const Limits& limits) {
 }
 
 Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form) {
-    const NetShape& shape = polynomial.shape();
     Json map = Json::Object{{"kind", "polynomial"},
                             {"variables", Json::Array(patch.variables.begin(), patch.variables.end())}};
-    if (patch.tensor) {
-        Json::Array degrees;
-        for (std::size_t f = 0; f < shape.factors(); ++f) degrees.emplace_back(shape[f].degree);
-        map["degrees"] = std::move(degrees);
-    } else {
-        map["degree"] = shape[0].degree;
-    }
+    write_degrees(map, patch);
     const PointForm numerators{.scalar = form.scalar};
     Json::Array terms, denominator;
     for (auto& [exponents, point] : terms_of(polynomial)) {
@@ -224,23 +198,17 @@ Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointFor
 }
 
 std::string degree_text(const Patch& patch) {
-    std::vector<std::size_t> degrees;
-    for (std::size_t f = 0; f < patch.shape().factors(); ++f) degrees.push_back(patch.shape()[f].degree);
-    return fmt::format("formal degree{} {}", patch.tensor ? "s" : "", fmt::join(degrees, ", "));
+    return fmt::format("formal degree{} {}", patch.tensor ? "s" : "",
+                       fmt::join(degrees_of(patch.shape()), ", "));
 }
 
 std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name) {
     const auto& names = std::get<Patch>(map.value).variables;
-    const PointForm& form = map.form;
-    std::string text;
-    const std::size_t numerators = polynomial.dimension() - (form.separate_weights() ? 1 : 0);
-    for (std::size_t j = 0; j < numerators; ++j) {
-        text += (j == 0 ? "" : ", ") + to_text(polynomial.coordinate(j), names);
-    }
-    if (!form.scalar || form.separate_weights()) text = "(" + text + ")";
-    if (form.separate_weights())
-        text += fmt::format(" / ({})", to_text(polynomial.coordinate(numerators), names));
-    return fmt::format("{}({}) = {}", name, fmt::join(names, ", "), text);
+    std::vector<std::string> texts;
+    for (std::size_t j = 0; j < polynomial.dimension(); ++j)
+        texts.push_back(to_text(polynomial.coordinate(j), names));
+    return fmt::format("{}({}) = {}", name, fmt::join(names, ", "),
+                       coordinates_text(std::move(texts), map.form));
 }
 
 }  // namespace blossom::protocol

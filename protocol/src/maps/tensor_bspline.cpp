@@ -31,20 +31,13 @@ std::string rule_of(std::size_t count, std::size_t needed) {
 std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std::size_t>& degrees,
                                           const std::vector<std::size_t>& counts, const Limits& limits) {
     return fields.required("knots", [&](const Json& value) {
-        const Json::Array& lists = read_array(value);
-        if (lists.size() != degrees.size()) {
-            throw Error(ErrorCode::wrong_arity,
-                        fmt::format("{} lists of knots for {} directions", lists.size(), degrees.size()));
-        }
-        std::vector<KnotVector> knots;
-        for (std::size_t d = 0; d < lists.size(); ++d) {
-            within(d, [&] {
-                std::vector<Rational> numbers = read_numbers(lists[d], limits);
-                as_parameter(Part::knots,
-                             [&] { knots.emplace_back(degrees[d], std::move(numbers), counts[d]); });
-            });
-        }
-        return knots;
+        std::size_t direction = 0;
+        return read_each_direction(value, degrees.size(), "lists of knots", [&](const Json& list) {
+            const std::size_t d = direction++;
+            std::vector<Rational> numbers = read_numbers(list, limits);
+            return as_parameter(Part::knots,
+                                [&] { return KnotVector(degrees[d], std::move(numbers), counts[d]); });
+        });
     });
 }
 
@@ -73,8 +66,8 @@ Json write(const TensorBSpline& spline, const PointForm& form) {
     }
     Json map =
         Json::Object{{"kind", "bspline"}, {"degrees", std::move(degrees)}, {"knots", std::move(knots)}};
-    write_net(map, spline.control_points(), form,
-              [&](std::span<const Json> values) { return nested(values, counts); });
+    write_points(map, "control_net", spline.control_points(), form,
+                 [&](std::span<const Json> values) { return nested(values, counts); });
     return map;
 }
 

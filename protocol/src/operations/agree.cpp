@@ -5,8 +5,6 @@
 #include "blossom_arguments.hpp"
 #include "construction_results.hpp"
 #include "map_options.hpp"
-#include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -21,27 +19,74 @@ std::string_view readable_name(std::string_view construction) {
     return construction;
 }
 
-std::size_t degree_of(const PolynomialMap& map) {
-    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+Json degree_member(const OnePolynomial auto& curve) { return Json::Object{{"degree", curve.degree()}}; }
+Json degree_member(const Patch& patch) {
+    Json member;
+    write_degrees(member, patch);
+    return member;
 }
 
-Json agree_for_all_arguments(const PolynomialMap& map, const PointForm& form, const Limits& limits) {
-    const std::size_t degree = degree_of(map);
-    const auto agreement = within("map", [&] { return agreement_for_all_arguments(map, limits); });
-    const Json elementary =
-        expansion_texts(elementary_symmetric_form(map, limits), form, numbered_names("e", degree));
-    return agreement_for_all(agreement, {{"degree", degree}, {"elementary", elementary}}, form,
-                             numbered_names("u", degree));
+/// The names of the symbolic arguments, argument by argument in each factor: x1, y1, x2, y2 for variables x
+/// and y; u1, u2, v1 for the directions of a tensor product; v1, w1, ... for barycentric coordinates behind
+/// the first.
+std::vector<std::string> symbol_names(const Patch& patch) {
+    const NetShape& shape = patch.shape();
+    const std::string_view letters = patch.tensor ? "uvwxyz" : "vwxyz";
+    const auto letter = [&](std::size_t variable) {
+        if (patch.is_polynomial()) return patch.variables[variable];
+        return variable < letters.size() ? std::string(1, letters[variable]) : fmt::format("c{}_", variable);
+    };
+    std::vector<std::string> names;
+    std::size_t first = 0;
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        for (std::size_t i = 1; i <= shape[f].degree; ++i) {
+            for (std::size_t k = 0; k < shape[f].dimension; ++k)
+                names.push_back(letter(first + k) + std::to_string(i));
+        }
+        first += shape[f].dimension;
+    }
+    return names;
 }
 
-Answer agree_on_curve(Fields& request, const Map& map, const Limits& limits) {
-    const auto arguments = request.optional(
-        "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
-    request.finish();
-    const PolynomialMap curve = one_polynomial(map, limits);
-    if (!arguments) return agree_for_all_arguments(curve, map.form, limits);
-    return agreement_at_arguments(agreement(curve, *arguments, limits), {{"degree", degree_of(curve)}},
-                                  map.form);
+struct Agree {
+    Fields& request;
+    const PointForm& form;
+    const Limits& limits;
+
+    Json operator()(const OnePolynomial auto& curve) const {
+        return answer(curve, polynomial_map(curve, limits), [&](const PolynomialMap& map) {
+            Json::Object members = *degree_member(curve).object();
+            const auto names = numbered_names("e", curve.degree());
+            members.emplace_back("elementary",
+                                 expansion_texts(elementary_symmetric_form(map, limits), form, names));
+            return std::pair(std::move(members), numbered_names("u", curve.degree()));
+        });
+    }
+    Json operator()(const Patch& patch) const {
+        return answer(patch, patch.map, [&](const PatchMap&) {
+            return std::pair(*degree_member(patch).object(), symbol_names(patch));
+        });
+    }
+
+private:
+    /// `expanded` are the members before the expansion, and the names of the symbolic arguments in it.
+    Json answer(const auto& value, const auto& map, const auto& expanded) const {
+        const auto arguments = request.optional(
+            "arguments", [&](const Json& written) { return read_arguments(written, value, form, limits); });
+        request.finish();
+        if (arguments) {
+            const auto found = at_arguments(value, [&] { return agreement(map, *arguments, limits); });
+            return agreement_at_arguments(found, *degree_member(value).object(), form);
+        }
+        const auto found = within("map", [&] { return agreement_for_all_arguments(map, limits); });
+        auto [members, names] = expanded(map);
+        return agreement_for_all(found, std::move(members), form, names);
+    }
+};
+
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    return dispatch_on_kind<Json>(map, Agree{request, map.form, limits});
 }
 
 /// The names of the constructions that have a value.
@@ -72,7 +117,19 @@ std::string expression_text(const Json& expressions) {
     return point_text(expressions);
 }
 
+std::string patch_expansion_text(const Answered& answered, const Patch& patch) {
+    const Json& expansion = *answered.result().find("expansion");
+    std::string text =
+        fmt::format("  p({}) = {}\n", fmt::join(symbol_names(patch), ", "), point_text(expansion));
+    if (patch.is_polynomial()) return text;
+    return text + (patch.tensor
+                       ? "where each argument runs from 0 to 1 over its interval.\n"
+                       : "where the first barycentric coordinate of each argument is 1 less the others.\n");
+}
+
 std::string expansion_text(const Answered& answered) {
+    if (const auto* patch = std::get_if<Patch>(&answered.given().value))
+        return patch_expansion_text(answered, *patch);
     const std::size_t degree = read_count(*answered.result().find("degree"), answered.limits);
     std::string arguments;
     for (const std::string& name : numbered_names("u", degree))
@@ -115,11 +172,10 @@ std::string verdict(const Answered& answered) {
 
 std::string render(const Answered& answered) {
     const Json* arguments = answered.request.find("arguments");
-    return fmt::format("{}\n\n{}\n{}", description(answered.given()),
-                       arguments                     ? values_text(answered, arguments_text(*arguments))
-                       : has_patch(answered.request) ? patch_expansion_text(answered)
-                                                     : expansion_text(answered),
-                       verdict(answered));
+    return fmt::format(
+        "{}\n\n{}\n{}", description(answered.given()),
+        arguments ? values_text(answered, arguments_text(*arguments)) : expansion_text(answered),
+        verdict(answered));
 }
 
 }  // namespace
@@ -131,7 +187,7 @@ Operation agree_operation() {
         .example = {"agree", "1 + 2t + 4t^2 - t^3", "--at", "1,2,3"},
         .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; by "
                                                       "default agreement is proved for all arguments")}),
-        .answer = answer_by_shape<agree_on_curve, agree_on_patch, nullptr>,
+        .answer = answer,
         .render = render,
     };
 }

@@ -5,15 +5,14 @@
 #include <utility>
 
 #include "comparison.hpp"
-#include "evaluator.hpp"
 #include "foreign_options.hpp"
 #include "formats/formats.hpp"
 #include "json/json_text.hpp"
 #include "map_options.hpp"
 #include "maps/points.hpp"
-#include "patch_answers.hpp"
 #include "rounding.hpp"
 #include "table.hpp"
+#include "values.hpp"
 
 namespace blossom::protocol {
 
@@ -28,20 +27,11 @@ constexpr std::string_view audited[] = {"knots",          "interval",    "interv
 constexpr std::string_view divided[] = {"control_points", "control_net",  "left",
                                         "right",          "coefficients", "terms"};
 
-Answer values_of_curve(Fields& request, const Map& map, const Limits& limits) {
-    const auto parameters =
-        request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
-    return Json::Object{{"values", values_at(value_evaluator(map, parameters.size(), limits), parameters,
-                                             map.form, dimension_of(map), limits)}};
-}
-
 /// The values of the map at the parameters "at".
 Json values_of(const Map& map, const Json& at, const Limits& limits) {
-    const Json parameters = Json::Object{{"at", at}};
-    Fields fields(parameters);
-    Answer answer =
-        answer_about<values_of_curve, evaluate_patch, evaluate_tensor_bspline>(fields, map, limits);
-    return std::move(answer.result["values"]);
+    const Json request = Json::Object{{"at", at}};
+    Fields fields(request);
+    return written_at(values_at(map, read_parameters(fields, parameter_form(map), limits), limits), map.form);
 }
 
 /// What is compared with what.
@@ -140,7 +130,7 @@ Answer answer(Request& request, const Limits& limits) {
     const Sides sides =
         request.has("document") ? read_document(request, map, limits) : read_computed(request, map, limits);
     request.finish();
-    const Patch* patch = patch_of(map);
+    const auto* patch = std::get_if<Patch>(&map.value);
     Comparison compare(patch && patch->is_polynomial(), limits);
     Difference found;
     for (const std::string_view field : audited) {

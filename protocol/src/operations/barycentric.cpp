@@ -17,9 +17,7 @@ Answer answer(Request& request, const Limits& limits) {
         });
     });
     request.finish();
-    Json::Array list;
-    for (const Coordinates& point : coordinates) list.emplace_back(Json::Array(point.begin(), point.end()));
-    return Json::Object{{"coordinates", std::move(list)}};
+    return Json::Object{{"coordinates", lists_json(coordinates)}};
 }
 
 std::string render(const Answered& answered) {

@@ -1,13 +1,13 @@
 #include <fmt/format.h>
 #include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 
-#include <algorithm>
+#include <optional>
+#include <type_traits>
 
 #include "blossom_arguments.hpp"
 #include "map_options.hpp"
-#include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
 #include "segment.hpp"
 #include "table.hpp"
 
@@ -15,40 +15,51 @@ namespace blossom::protocol {
 
 namespace {
 
+/// By the construction asked for, or the one that suits the map.
+template <OnePolynomial Curve>
+Coordinates value_of(const Curve& curve, std::span<const Argument> arguments,
+                     std::optional<Construction> construction, const Limits& limits) {
+    if constexpr (std::is_same_v<Curve, ProgressiveCurve>) {
+        if (!construction) return blossom_value(curve, arguments, limits);
+    }
+    const PolynomialMap map = polynomial_map(curve, limits);
+    return construction ? blossom_value(map, arguments, *construction, limits)
+                        : Blossom(map, limits)(arguments);
+}
+
+Coordinates value_of(const Patch& patch, const PatchArguments& arguments,
+                     std::optional<Construction> construction, const Limits& limits) {
+    if (construction) return blossom_value(patch.map, arguments, *construction, limits);
+    return std::visit([&](const auto& one) { return blossom_value(one, arguments, limits); }, patch.map);
+}
+
+/// Reads what the value is asked at, and computes it.
 struct Value {
-    std::span<const Argument> arguments;
-    std::optional<Construction> construction;
-    std::optional<std::size_t> span;
+    Fields& request;
+    const PointForm& form;
     const Limits& limits;
 
-    Coordinates operator()(const OnePolynomial auto& curve) const {
-        const PolynomialMap map = polynomial_map(curve, limits);
-        return construction ? blossom_value(map, arguments, *construction, limits)
-                            : Blossom(map, limits)(arguments);
-    }
-    Coordinates operator()(const ProgressiveCurve& curve) const {
-        if (construction)
-            return blossom_value(polynomial_map(curve, limits), arguments, *construction, limits);
-        return blossom_value(curve, arguments, limits);
+    template <class Polynomial>
+        requires OnePolynomial<Polynomial> || std::is_same_v<Polynomial, Patch>
+    Coordinates operator()(const Polynomial& map) const {
+        const auto arguments = request.required(
+            "arguments", [&](const Json& value) { return read_arguments(value, map, form, limits); });
+        const auto construction = request.optional("construction", read_construction);
+        request.finish();
+        return at_arguments(map, [&] { return value_of(map, arguments, construction, limits); });
     }
     Coordinates operator()(const BSplineCurve& curve) const {
-        return (*this)(segment(curve, chosen_span(curve, span)));
+        return (*this)(segment(curve, chosen_span(curve, read_span(request, limits))));
+    }
+    Coordinates operator()(const TensorBSpline& spline) const {
+        return (*this)(read_segment(request, spline, limits));
     }
 };
 
-Answer blossom_of_curve(Fields& request, const Map& map, const Limits& limits) {
-    const std::vector<Argument> arguments = request.required(
-        "arguments", [&](const Json& value) { return read_arguments(value, map.form, limits); });
-    const auto construction = request.optional("construction", read_construction);
-    const auto span = read_span(request, map, limits);
-    request.finish();
-
-    const auto value = dispatch_on_kind<Coordinates>(map, Value{arguments, construction, span, limits});
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    const auto value = dispatch_on_kind<Coordinates>(map, Value{request, map.form, limits});
     return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
-}
-
-Json blossom_of_tensor_bspline(Fields& request, const Map& map, const Limits& limits) {
-    return blossom_of_patch(request, chosen_segment(request, map, limits), limits);
 }
 
 std::string render(const Answered& answered) {
@@ -71,7 +82,7 @@ Operation blossom_operation() {
                          "the construction to use; by default the one that suits the map", plain_text),
             segment_option(),
         }),
-        .answer = answer_by_shape<blossom_of_curve, blossom_of_patch, blossom_of_tensor_bspline>,
+        .answer = answer,
         .render = render,
     };
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "maps/dispatch_on_kind.hpp"
 #include "operation.hpp"
 
 namespace blossom::protocol {
@@ -13,10 +14,34 @@ inline constexpr Construction all_constructions[] = {Construction::symmetric, Co
                                                      Construction::regrouped_polarization,
                                                      Construction::casteljau};
 
-/// The arguments of a blossom of a map of this form.
+/// The arguments of the blossom of a curve of this form.
 /// Errors: those of `read_argument`; `zero_weight` for a vector, where the values are divided by their
 /// weight: the blossom of a rational map has no point there.
 std::vector<Argument> read_arguments(const Json& value, const PointForm& form, const Limits& limits);
+std::vector<Argument> read_arguments(const Json& value, const OnePolynomial auto&, const PointForm& form,
+                                     const Limits& limits) {
+    return read_arguments(value, form, limits);
+}
+/// Those of a patch: for a simplex or a total degree a list of points [..], {"vector": [..]} or
+/// {"homogeneous": [.., mass]}; for a tensor product one list a direction as for a curve.
+PatchArguments read_arguments(const Json& value, const Patch& patch, const PointForm& form,
+                              const Limits& limits);
+
+/// Runs `action`; where the engine names factor 0 of a simplex, the request has no such level.
+template <class Action>
+auto at_arguments(const Patch& patch, const Action& action) {
+    try {
+        return action();
+    } catch (const Error& error) {
+        const Place of_factor = Part::arguments / 0;
+        if (patch.tensor || !error.place().begins_with(of_factor)) throw;
+        throw error.at(Place(Part::arguments).around(error.place().inside(of_factor)));
+    }
+}
+template <class Action>
+auto at_arguments(const OnePolynomial auto&, const Action& action) {
+    return action();
+}
 
 /// "symmetric", "polarization", "regrouped-polarization" or "casteljau". Errors: `wrong_kind`.
 Construction read_construction(const Json& value);

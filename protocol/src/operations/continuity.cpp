@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 #include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/patch/patch_contact.hpp>
+#include <blossom/core/patch/tensor_bspline_contact.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/continuity.hpp>
 #include <blossom/rational/number_text.hpp>
@@ -9,7 +11,7 @@
 #include "map_list.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
+#include "maps/parameters.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -20,22 +22,54 @@ Json order_json(const std::optional<std::ptrdiff_t>& order) {
     return order ? Json(Json::Number{std::to_string(*order)}) : Json("infinite");
 }
 
-Json to_json(const Argument& argument) {
-    if (argument.mass == Rational(1)) return argument.u;
-    return Json::Object{{"homogeneous", Json::Array{argument.u, argument.mass}}};
+Json arguments_json(std::span<const Argument> arguments) {
+    Json::Array list;
+    for (const auto& [u, mass] : arguments) {
+        list.push_back(mass == Rational(1) ? Json(u)
+                                           : Json(Json::Object{{"homogeneous", Json::Array{u, mass}}}));
+    }
+    return list;
+}
+
+/// Points all of them; of a simplex one list.
+Json arguments_json(const PatchArguments& arguments, bool tensor) {
+    Json::Array lists;
+    for (const auto& list : arguments) {
+        Json::Array written;
+        for (const Coordinates& point : list) {
+            written.push_back(tensor ? Json(point.front()) : Json(Json::Array(point.begin(), point.end())));
+        }
+        if (!tensor) return written;
+        lists.emplace_back(std::move(written));
+    }
+    return lists;
+}
+
+/// A contact of polynomials; write(arguments) gives those of the first difference.
+template <class Write>
+Json contact_json(const auto& contact, const PointForm& form, std::string reason, const Write& write) {
+    Json result = Json::Object{{"order", order_json(contact.order)}};
+    if (const auto& difference = contact.first_difference) {
+        result["first_difference"] = Json::Object{{"arguments", write(difference->arguments)},
+                                                  {"left", to_json(difference->left, form)},
+                                                  {"right", to_json(difference->right, form)}};
+    }
+    result["reason"] = std::move(reason);
+    return result;
 }
 
 Json answer_of(const Contact& contact, const PointForm& form, const Rational& s) {
-    Json result = Json::Object{{"order", order_json(contact.order)}};
-    if (const auto& difference = contact.first_difference) {
-        Json::Array arguments;
-        for (const Argument& argument : difference->arguments) arguments.push_back(to_json(argument));
-        result["first_difference"] = Json::Object{{"arguments", std::move(arguments)},
-                                                  {"left", protocol::to_json(difference->left, form)},
-                                                  {"right", protocol::to_json(difference->right, form)}};
-    }
-    result["reason"] = to_string(contact, s);
-    return result;
+    return contact_json(contact, form, to_string(contact, s),
+                        [](const auto& arguments) { return arguments_json(arguments); });
+}
+
+/// Of maps that are divided by their weights where the form says so: then the values of the first difference
+/// are points multiplied by weights.
+Json answer_of(const PatchContact& contact, const PointForm& form, bool tensor) {
+    const bool divided = form.separate_weights();
+    return contact_json(contact, divided ? PointForm{.scalar = form.scalar} : form,
+                        divided ? projected_contact_text(contact) : to_string(contact),
+                        [&](const auto& arguments) { return arguments_json(arguments, tensor); });
 }
 
 /// Of maps that are divided by their weights. Blossom values of these are not compared, but derivatives.
@@ -46,8 +80,8 @@ Json answer_of(const ProjectedContact& contact, const PointForm& form, const Rat
         return result;
     }
     const PointForm of_points{.scalar = form.scalar};
-    const Json left = protocol::to_json(contact.first_difference->first, of_points);
-    const Json right = protocol::to_json(contact.first_difference->second, of_points);
+    const Json left = to_json(contact.first_difference->first, of_points);
+    const Json right = to_json(contact.first_difference->second, of_points);
     const auto differing = static_cast<std::size_t>(*contact.order + 1);
     result["first_difference"] = Json::Object{{"derivative", differing}, {"left", left}, {"right", right}};
     result["reason"] =
@@ -71,12 +105,13 @@ struct OneSide {
     }
 };
 
-Json continuity_of_maps(std::vector<Map> maps, const Rational& s, const Limits& limits) {
-    if (maps.size() != 2) {
-        throw Error(ErrorCode::wrong_arity,
-                    "there are two sides, left and right, not " + std::to_string(maps.size()), Place{"maps"});
-    }
-    make_form_common(maps, limits);
+Rational read_at(Fields& request, const Limits& limits) {
+    const Rational s = request.required("at", [&](const Json& value) { return read_number(value, limits); });
+    request.finish();
+    return s;
+}
+
+Json continuity_of_curves(const std::vector<Map>& maps, const Rational& s, const Limits& limits) {
     const PointForm& form = maps.front().form;
     const auto left = dispatch_on_kind<PolynomialMap>(maps[0], OneSide{s, true, limits}, Place{"maps"} / 0);
     const auto right = dispatch_on_kind<PolynomialMap>(maps[1], OneSide{s, false, limits}, Place{"maps"} / 1);
@@ -86,29 +121,86 @@ Json continuity_of_maps(std::vector<Map> maps, const Rational& s, const Limits& 
     });
 }
 
-Json continuity_of_spline(const Map& map, const Rational& s, const Limits& limits) {
-    return dispatch_on_kind<Json>(map, [&](const BSplineCurve& curve) {
-        return map.form.separate_weights() ? answer_of(projected_contact(curve, s, limits), map.form, s)
-                                           : answer_of(contact(curve, s, limits), map.form, s);
+PlacedPatch required_net(const Map& map, std::size_t i) {
+    const auto* patch = std::get_if<Patch>(&map.value);
+    if (patch && !patch->frames.empty()) return {std::get<BezierPatch>(patch->map), patch->frames};
+    throw Error(
+        ErrorCode::wrong_kind,
+        R"(two tensor or two simplex maps are needed, these with "vertices": their domains say where they meet)",
+        Place{"maps"} / i);
+}
+
+/// Along what their domains share.
+Json continuity_of_patches(const std::vector<Map>& maps, const Limits& limits) {
+    const PlacedPatch left = required_net(maps[0], 0);
+    const PlacedPatch right = required_net(maps[1], 1);
+    const PointForm& form = maps[0].form;
+    return within("maps", [&] {
+        const Face face = shared_face(left.frames, right.frames);
+        const PatchContact found = form.separate_weights() ? projected_contact(left, right, face, limits)
+                                                           : contact(left, right, face, limits);
+        return answer_of(found, form, std::get<Patch>(maps[0].value).tensor);
     });
 }
 
-Answer answer(Request& request, const Limits& limits) {
-    const auto read_at = [&] {
-        const Rational s =
-            request.required("at", [&](const Json& value) { return read_number(value, limits); });
-        request.finish();
-        return s;
-    };
-    if (!request.has("maps")) {
-        const Map& map = request.map(limits);
-        return tensor_bspline_of(map) ? continuity_of_tensor_bspline(request, map, limits)
-                                      : continuity_of_spline(map, read_at(), limits);
-    }
+Json continuity_of_maps(Fields& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
-    if (std::ranges::any_of(maps, patch_of)) return continuity_of_patches(request, std::move(maps), limits);
-    const Rational s = read_at();
-    return continuity_of_maps(std::move(maps), s, limits);
+    const bool patches =
+        std::ranges::any_of(maps, [](const Map& map) { return std::holds_alternative<Patch>(map.value); });
+    std::optional<Rational> s;
+    if (patches) {
+        request.finish();
+    } else {
+        s = read_at(request, limits);
+    }
+    if (maps.size() != 2) {
+        throw Error(ErrorCode::wrong_arity,
+                    "there are two sides, left and right, not " + std::to_string(maps.size()), Place{"maps"});
+    }
+    for (std::size_t i = 0; patches && i < maps.size(); ++i) required_net(maps[i], i);
+    make_form_common(maps, limits);
+    return patches ? continuity_of_patches(maps, limits) : continuity_of_curves(maps, *s, limits);
+}
+
+/// At a knot; in several directions "at" has null for the others.
+struct AtKnot {
+    Fields& request;
+    const PointForm& form;
+    const Limits& limits;
+
+    Json operator()(const BSplineCurve& curve) const {
+        const Rational s = read_at(request, limits);
+        return form.separate_weights() ? answer_of(projected_contact(curve, s, limits), form, s)
+                                       : answer_of(contact(curve, s, limits), form, s);
+    }
+    Json operator()(const TensorBSpline& spline) const {
+        const auto at = request.required("at", [&](const Json& value) {
+            return read_some_directions(value, spline.directions(), limits);
+        });
+        request.finish();
+        const auto is_given = [](const std::optional<Rational>& entry) { return entry.has_value(); };
+        if (std::ranges::count_if(at, is_given) != 1) {
+            throw Error(ErrorCode::wrong_arity,
+                        "a knot is a number in one direction, with null in the others", Place{"at"});
+        }
+        const auto direction = static_cast<std::size_t>(std::ranges::find_if(at, is_given) - at.begin());
+        const Rational& s = *at[direction];
+        return within("at", [&] {
+            return within(direction, [&] {
+                return as_parameter(Part::at, [&] {
+                    return answer_of(form.separate_weights() ? projected_contact(spline, direction, s, limits)
+                                                             : contact(spline, direction, s, limits),
+                                     form, true);
+                });
+            });
+        });
+    }
+};
+
+Answer answer(Request& request, const Limits& limits) {
+    if (request.has("maps")) return continuity_of_maps(request, limits);
+    const Map& map = request.map(limits);
+    return dispatch_on_kind<Json>(map, AtKnot{request, map.form, limits});
 }
 
 std::string render(const Answered& answered) {

@@ -1,22 +1,24 @@
+#include <fmt/format.h>
 #include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
 #include <blossom/core/spline/spline_split.hpp>
 
+#include "control_nets.hpp"
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
+#include "segment.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
 
 namespace {
 
-struct ControlPoints {
+struct CurvePoints {
     std::optional<std::size_t> degree;
     std::optional<Interval> interval;
     const Limits& limits;
@@ -30,7 +32,7 @@ struct ControlPoints {
     AnyMap operator()(const BezierCurve& curve) const {
         const Interval wanted = interval.value_or(curve.interval());
         if (degree && *degree != curve.degree()) {
-            return ControlPoints{degree, wanted, limits}(monomial_form(curve, limits));
+            return CurvePoints{degree, wanted, limits}(monomial_form(curve, limits));
         }
         return curve.interval() == wanted ? curve : control_points(curve, wanted, limits);
     }
@@ -50,15 +52,76 @@ struct ControlPoints {
     }
 };
 
-Answer control_points_of_curve(Fields& request, const Map& map, const Limits& limits) {
-    const auto interval =
-        request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
-    const auto degree =
-        request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
-    request.finish();
-    require_numbers(degree.value_or(0) + 1, dimension_of(map), limits);
+/// The part over intervals, one a direction.
+TensorBSpline part_of(TensorBSpline spline, std::span<const Interval> intervals, const Limits& limits) {
+    within("intervals", [&] {
+        for (std::size_t d = 0; d < intervals.size(); ++d) {
+            within(d, [&] {
+                as_parameter(Part::at, [&] { spline = restricted(spline, d, intervals[d], limits); });
+            });
+        }
+    });
+    return spline;
+}
 
-    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, ControlPoints{degree, interval, limits})));
+TensorBSpline elevated_to(TensorBSpline spline, std::span<const std::size_t> degrees, const Limits& limits) {
+    for (std::size_t d = 0; d < degrees.size(); ++d) {
+        const std::size_t own = spline.knots(d).degree();
+        if (degrees[d] < own) {
+            throw Error(
+                ErrorCode::degree_too_low,
+                fmt::format("the B-splines of direction {} have degree {}, above {}", d, own, degrees[d]),
+                Place{"degrees"} / d);
+        }
+        spline = elevate(spline, d, degrees[d] - own, limits);
+    }
+    return spline;
+}
+
+/// Reads over what and of which degree the control points are wanted.
+struct ControlPoints {
+    Fields& request;
+    const Limits& limits;
+
+    /// Curves.
+    template <class Curve>
+        requires std::is_invocable_v<const CurvePoints&, const Curve&>
+    AnyMap operator()(const Curve& curve) const {
+        const auto interval =
+            request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
+        const auto degree =
+            request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+        request.finish();
+        require_numbers(degree.value_or(0) + 1, curve.dimension(), limits);
+        return CurvePoints{degree, interval, limits}(curve);
+    }
+    AnyMap operator()(const Patch& patch) const { return net_over(request, patch, {}, limits); }
+    /// A tensor map where there is only one polynomial, otherwise a spline.
+    AnyMap operator()(const TensorBSpline& spline) const {
+        const auto each = [&](std::string_view name, const auto& read) {
+            return request.optional(name, [&](const Json& value) {
+                return read_each_direction(value, spline.directions(), name,
+                                           [&](const Json& element) { return read(element, limits); });
+            });
+        };
+        const auto intervals = each("intervals", read_interval);
+        const auto degrees = each("degrees", read_count);
+        request.finish();
+        TensorBSpline part = intervals ? part_of(spline, *intervals, limits) : spline;
+        if (degrees) part = elevated_to(std::move(part), *degrees, limits);
+        std::vector<std::size_t> spans;
+        for (const KnotVector& knots : part.knots()) {
+            const std::vector<std::size_t> own = knots.spans();
+            if (own.size() > 1) return part;
+            spans.push_back(own.front());
+        }
+        return segment(part, spans, limits);
+    }
+};
+
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, ControlPoints{request, limits})));
 }
 
 /// A B-spline has to say its degree, so that --degree says this one.
@@ -88,8 +151,7 @@ Operation control_points_operation() {
              apply_degree},
             wanted_degrees_option(),
         }),
-        .answer =
-            answer_by_shape<control_points_of_curve, control_net_of_patch, control_net_of_tensor_bspline>,
+        .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -1,13 +1,17 @@
+#include <fmt/format.h>
+#include <blossom/core/patch/patch_conversion.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 
 #include <algorithm>
 #include <iterator>
+#include <type_traits>
 
+#include "control_nets.hpp"
 #include "json/nearest_name.hpp"
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "segment.hpp"
@@ -32,7 +36,7 @@ const Kind& read_target(const Json& value) {
     return *targets[read_alternative(value, words, "a basis")];
 }
 
-struct Conversion {
+struct CurveConversion {
     Target::Convert convert;
     std::optional<std::size_t> span;
     bool keeps_splines;
@@ -51,14 +55,93 @@ struct Conversion {
     }
 };
 
-Answer convert_curve(Fields& request, const Map& map, const Limits& limits) {
-    const Kind& to = request.required("to", read_target);
-    Target::Convert convert = to.target.read(request, limits);
-    const auto span = read_span(request, map, limits);
-    request.finish();
-    const bool keeps_splines = &to == &kind_of(map) && !span && !request.has("interval");
-    const Conversion conversion{std::move(convert), span, keeps_splines, limits};
-    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, conversion)));
+/// x, y, z for a simplex, u, v, w for a tensor product, x1, x2, ... where there are more.
+std::vector<std::string> usual_variables(std::size_t count, bool tensor) {
+    const std::string_view letters = tensor ? "uvw" : "xyz";
+    std::vector<std::string> names;
+    names.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        names.push_back(count <= letters.size() ? std::string(1, letters[i]) : fmt::format("x{}", i + 1));
+    }
+    return names;
+}
+
+Patch as_polynomial(const Patch& patch, const Limits& limits) {
+    if (patch.is_polynomial()) return patch;
+    if (patch.is_barycentric()) {
+        throw Error(ErrorCode::wrong_kind,
+                    R"(a simplex without "vertices" is no polynomial in coordinates of its points)",
+                    Place{"map"});
+    }
+    return {monomial_form(std::get<BezierPatch>(patch.map), patch.frames, limits),
+            patch.tensor,
+            {},
+            usual_variables(patch.shape().dimension(), patch.tensor)};
+}
+
+TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
+    if (!patch.tensor) {
+        throw Error(ErrorCode::wrong_kind,
+                    "B-splines in several directions are over a box; convert the simplex map to tensor first",
+                    Place{"map"});
+    }
+    Patch net = as_net(patch, limits);
+    return bspline_of({std::get<BezierPatch>(net.map), std::move(net.frames)}, limits);
+}
+
+enum class PatchForm { monomial, bernstein, bspline, tensor, simplex };
+constexpr std::string_view form_names[] = {"monomial", "bernstein", "bspline", "tensor", "simplex"};
+
+/// Reads the target and what else belongs to it.
+struct Conversion {
+    Fields& request;
+    const Map& map;
+    const Limits& limits;
+
+    /// Curves.
+    template <class Curve>
+        requires std::is_invocable_v<const CurveConversion&, const Curve&>
+    AnyMap operator()(const Curve& curve) const {
+        const Kind& to = request.required("to", read_target);
+        Target::Convert convert = to.target.read(request, limits);
+        const auto span = read_span(request, map, limits);
+        request.finish();
+        const bool keeps_splines = &to == &kind_of(map) && !span && !request.has("interval");
+        return CurveConversion{std::move(convert), span, keeps_splines, limits}(curve);
+    }
+    AnyMap operator()(const Patch& patch) const {
+        const auto to = static_cast<PatchForm>(request.required("to", [](const Json& value) {
+            return read_alternative(value, form_names, "a form of a patch");
+        }));
+        switch (to) {
+            case PatchForm::monomial:
+                request.finish();
+                return as_polynomial(patch, limits);
+            case PatchForm::bspline:
+                request.finish();
+                return as_bspline(patch, limits);
+            case PatchForm::bernstein:
+                return net_over(request, patch, {}, limits);
+            case PatchForm::tensor:
+            case PatchForm::simplex:
+                break;
+        }
+        return net_over(request, patch, to == PatchForm::tensor, limits);
+    }
+    /// Of the polynomial of field "segment"; to bspline it is what it is.
+    AnyMap operator()(const TensorBSpline& spline) const {
+        const auto to = request.optional("to", [](const Json& value) { return value; });
+        const std::string* word = to ? to->text() : nullptr;
+        if (request.has("segment") || !word || *word != "bspline")
+            return (*this)(read_segment(request, spline, limits));
+        request.finish();
+        return spline;
+    }
+};
+
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, Conversion{request, map, limits})));
 }
 
 std::string words_of_targets() {
@@ -98,7 +181,7 @@ Operation convert_operation() {
         .summary = "Convert a map to another basis or form",
         .example = {"convert", "--control-points", "1; 5/3; 11/3; 6", "--to", "monomial"},
         .options = options(),
-        .answer = answer_by_shape<convert_curve, convert_patch, convert_tensor_bspline>,
+        .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -1,31 +1,75 @@
 #include <fmt/format.h>
 #include <blossom/core/curve/derivative.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
+#include <blossom/core/nurbs/rational_patch.hpp>
 #include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/patch/patch_derivative.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 
-#include "evaluator.hpp"
+#include <algorithm>
+#include <map>
+
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
+#include "maps/parameters.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
+#include "segment.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
 
 namespace {
 
-struct DerivativeMap {
-    std::size_t order;
+/// The order of a derivative in each direction, and what multiplies it.
+struct PartialOrders {
+    std::vector<std::size_t> orders;
+    Rational factor = 1;
+};
+
+PartialOrders partial_orders(std::size_t count, std::span<const Coordinates> directions) {
+    PartialOrders result{std::vector<std::size_t>(count), 1};
+    for (const Coordinates& direction : directions) {
+        const auto nonzero = [](const Rational& x) { return !x.is_zero(); };
+        const auto first = std::ranges::find_if(direction, nonzero);
+        if (std::ranges::count_if(direction, nonzero) > 1) {
+            throw Error(
+                ErrorCode::wrong_kind,
+                "the derivative of B-splines is again a map of this kind along one parameter only, "
+                "with all entries but one 0; at parameters, with \"at\", it is given in any direction",
+                Place{"direction"});
+        }
+        if (first == direction.end()) {
+            result.factor = 0;
+        } else {
+            result.factor *= *first;
+            ++result.orders[static_cast<std::size_t>(first - direction.begin())];
+        }
+    }
+    return result;
+}
+
+/// What is wanted of a map: its derivative in some directions, of a curve as often as there are directions.
+struct Derivative {
+    std::span<const Coordinates> directions;
     bool divided;  ///< of the map divided by its weight
     const Limits& limits;
 
+    std::size_t order() const { return directions.size(); }
+    std::vector<PatchPoint> vectors(const Patch& patch) const {
+        std::vector<PatchPoint> list;
+        for (const Coordinates& direction : directions) list.push_back(engine_arguments(patch, direction, 0));
+        return list;
+    }
+};
+
+struct DerivativeMap : Derivative {
     AnyMap operator()(const OnePolynomial auto& curve) const {
         const PolynomialMap map = polynomial_map(curve, limits);
         const PolynomialMap derived =
-            divided ? rational_derivative_map(map, order, limits) : derivative_map(map, order);
+            divided ? rational_derivative_map(map, order(), limits) : derivative_map(map, order());
         return std::visit([](const auto& one) { return AnyMap(one); }, derived);
     }
     AnyMap operator()(const TaylorCurve& curve) const {
@@ -33,27 +77,92 @@ struct DerivativeMap {
         return taylor_form(std::get<PolynomialCurve>(derived), curve.center, limits);
     }
     AnyMap operator()(const BSplineCurve& curve) const {
-        return divided ? rational_derivative_curve(curve, order, limits)
-                       : derivative_curve(curve, order, limits);
+        return divided ? rational_derivative_curve(curve, order(), limits)
+                       : derivative_curve(curve, order(), limits);
+    }
+    AnyMap operator()(Patch patch) const {
+        const std::vector<PatchPoint> along = vectors(patch);
+        const auto derived = [&](const auto& one) -> PatchMap {
+            return divided ? rational_derivative_patch(one, along, limits)
+                           : directional_derivative_patch(one, along, limits);
+        };
+        patch.map = std::visit(derived, patch.map);
+        return patch;
+    }
+    AnyMap operator()(const TensorBSpline& spline) const {
+        if (divided) {
+            throw Error(
+                ErrorCode::wrong_kind,
+                R"(the derivative of rational B-splines in several directions is given at parameters, )"
+                R"("at" is missing; or take the derivatives of its segments)",
+                Place{"map"});
+        }
+        const auto [orders, factor] = partial_orders(spline.directions(), directions);
+        const TensorBSpline derived = derivative_spline(spline, orders, limits);
+        std::vector<Coordinates> points = derived.control_points();
+        for (Coordinates& point : points) {
+            for (Rational& coordinate : point) coordinate *= factor;
+        }
+        return TensorBSpline(derived.knots(), std::move(points));
     }
 };
 
-Map derived_map(const Map& map, std::size_t order, const Limits& limits) {
-    const DerivativeMap derive{order, map.form.separate_weights(), limits};
-    return like(map, dispatch_on_kind<AnyMap>(map, derive));
+struct DerivativeValues : Derivative {
+    const Parameters& parameters;
+
+    std::vector<Coordinates> operator()(const OnePolynomial auto& curve) const {
+        return on_line(polynomial_map(curve, limits));
+    }
+    std::vector<Coordinates> operator()(const BSplineCurve& curve) const { return on_line(curve); }
+    std::vector<Coordinates> operator()(const Patch& patch) const {
+        const std::vector<PatchPoint> along = vectors(patch);
+        return at_each(parameters,
+                       [&](std::span<const Rational> numbers) { return value(patch, along, numbers); });
+    }
+    std::vector<Coordinates> operator()(const TensorBSpline& spline) const {
+        std::map<std::vector<std::size_t>, Patch> pieces;
+        return at_each(parameters, [&](std::span<const Rational> numbers) {
+            const auto spans = as_parameter(Part::at, [&] { return spans_at(spline, numbers); });
+            auto piece = pieces.find(spans);
+            if (piece == pieces.end()) piece = pieces.emplace(spans, segment(spline, spans, limits)).first;
+            return value(piece->second, vectors(piece->second), numbers);
+        });
+    }
+
+private:
+    Coordinates value(const Patch& patch, std::span<const PatchPoint> along,
+                      std::span<const Rational> numbers) const {
+        const PatchPoint at = engine_arguments(patch, numbers, 1);
+        return divided ? rational_derivative(patch.map, along, at, limits)
+                       : directional_derivative(patch.map, along, at, limits);
+    }
+    std::vector<Coordinates> on_line(const auto& curve) const {
+        return at_each(parameters, [&](std::span<const Rational> t) {
+            return divided ? rational_derivative(curve, order(), t.front(), limits)
+                           : derivative(curve, order(), t.front(), limits);
+        });
+    }
+};
+
+Answer derivative_of(Fields& request, const Map& map, const Limits& limits) {
+    const ParameterForm parameter = parameter_form(map);
+    const std::vector<Coordinates> directions = read_directions(request, parameter, limits);
+    std::optional<Parameters> parameters;
+    if (request.has("at")) parameters = read_parameters(request, parameter, limits);
+    request.finish();
+    const bool divided = map.form.separate_weights();
+    const Derivative wanted{directions, divided, limits};
+    if (!parameters) return answer_of(like(map, dispatch_on_kind<AnyMap>(map, DerivativeMap{wanted})));
+    // The derivative of a rational map comes divided.
+    const PointForm form = divided ? PointForm{.scalar = map.form.scalar} : map.form;
+    within("at", [&] { require_numbers(parameters->size(), dimension_of(map), limits); });
+    const auto values =
+        dispatch_on_kind<std::vector<Coordinates>>(map, DerivativeValues{wanted, *parameters});
+    return Json::Object{{"values", written_at(values, form)}};
 }
 
-Answer derivative_of_curve(Fields& request, const Map& map, const Limits& limits) {
-    const std::size_t order =
-        request.optional("order", [&](const Json& value) { return read_count(value, limits); }).value_or(1);
-    const auto parameters =
-        request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
-    request.finish();
-    if (!parameters) return answer_of(derived_map(map, order, limits));
-    // The derivative of a rational map comes divided.
-    const PointForm form = map.form.separate_weights() ? PointForm{.scalar = map.form.scalar} : map.form;
-    return Json::Object{{"values", values_at(derivative_evaluator(map, order, limits), *parameters, form,
-                                             dimension_of(map), limits)}};
+Answer answer(Request& request, const Limits& limits) {
+    return derivative_of(request, request.map(limits), limits);
 }
 
 /// P', P'', P''', P^(4), ...
@@ -90,8 +199,7 @@ std::string of_derived_map(const Answered& answered) {
     }
     const Json without_parameters = std::move(members);
     Fields fields(without_parameters);
-    Answer derived = answer_about<derivative_of_curve, derivative_of_patch, derivative_of_tensor_bspline>(
-        fields, answered.given(), answered.limits);
+    Answer derived = derivative_of(fields, answered.given(), answered.limits);
     derived.given = answered.answer.given;
     return show({answered.request, derived, answered.limits, answered.style});
 }
@@ -113,7 +221,7 @@ Operation derivative_operation() {
             field_option("--directions", "directions", "D1;D2;...",
                          "for a patch: one direction per order of a mixed derivative", tuple_list),
         }),
-        .answer = answer_by_shape<derivative_of_curve, derivative_of_patch, derivative_of_tensor_bspline>,
+        .answer = answer,
         .render = render,
         .plot = of_derived_map<plot_of_result>,
         .mesh = of_derived_map<obj_of>,

@@ -1,11 +1,15 @@
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
+
+#include <algorithm>
+#include <span>
 
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
+#include "maps/parameters.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "table.hpp"
@@ -15,24 +19,43 @@ namespace blossom::protocol {
 namespace {
 
 struct Elevate {
-    std::size_t by;
+    std::span<const std::size_t> by;  ///< one number a factor
     const Limits& limits;
 
     AnyMap operator()(const OnePolynomial auto& curve) const {
-        const auto raised = [&](const auto& one) -> AnyMap { return elevate(one, by, limits); };
+        const auto raised = [&](const auto& one) -> AnyMap { return elevate(one, by[0], limits); };
         return std::visit(raised, polynomial_map(curve, limits));
     }
-    AnyMap operator()(const BSplineCurve& curve) const { return elevate(curve, by, limits); }
+    AnyMap operator()(const BSplineCurve& curve) const { return elevate(curve, by[0], limits); }
     AnyMap operator()(const TaylorCurve& curve) const {
-        return taylor_form(elevate(monomial_form(curve, limits), by, limits), curve.center, limits);
+        return taylor_form(elevate(monomial_form(curve, limits), by[0], limits), curve.center, limits);
+    }
+    AnyMap operator()(Patch patch) const {
+        for (std::size_t f = 0; f < by.size(); ++f) {
+            const auto raised = [&](const auto& one) -> PatchMap { return elevate(one, f, by[f], limits); };
+            patch.map = std::visit(raised, patch.map);
+        }
+        return patch;
+    }
+    AnyMap operator()(TensorBSpline spline) const {
+        for (std::size_t d = 0; d < by.size(); ++d) spline = elevate(spline, d, by[d], limits);
+        return spline;
     }
 };
 
-Answer elevate_curve(Fields& request, const Map& map, const Limits& limits) {
-    const std::size_t by =
-        request.required("by", [&](const Json& value) { return read_count(value, limits); });
+/// A number, or one a direction.
+std::vector<std::size_t> read_by(const Json& value, const ParameterForm& form, const Limits& limits) {
+    const auto read = [&](const Json& element) { return read_count(element, limits); };
+    if (form.scalar || !value.array()) return std::vector(form.factors, read(value));
+    return read_each_direction(value, form.factors, "numbers", read);
+}
+
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    const auto by = request.required(
+        "by", [&](const Json& value) { return read_by(value, parameter_form(map), limits); });
     request.finish();
-    require_numbers(by, dimension_of(map), limits);
+    require_numbers(std::ranges::max(by), dimension_of(map), limits);
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, Elevate{by, limits})));
 }
 
@@ -51,7 +74,7 @@ Operation elevate_operation() {
             {field_option("--by", "by", "R",
                           "by how much to raise the degree; for a tensor product one number per direction",
                           count, degrees_to_raise_by)}),
-        .answer = answer_by_shape<elevate_curve, elevate_patch, elevate_tensor_bspline>,
+        .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -1,27 +1,26 @@
 #include <fmt/format.h>
 
-#include "evaluator.hpp"
 #include "map_options.hpp"
-#include "patch_answers.hpp"
+#include "maps/parameters.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "pyramid.hpp"
 #include "table.hpp"
+#include "values.hpp"
 
 namespace blossom::protocol {
 
 namespace {
 
-Answer evaluate_curve(Fields& request, const Map& map, const Limits& limits) {
-    const auto parameters =
-        request.required("at", [&](const Json& value) { return read_numbers(value, limits); });
-    const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    const ParameterForm form = parameter_form(map);
+    const Parameters parameters = read_parameters(request, form, limits);
+    const bool pyramid = form.scalar && request.optional("pyramid", read_boolean).value_or(false);
     request.finish();
 
-    const std::size_t dimension = dimension_of(map);
-    Json result = Json::Object{{"values", values_at(value_evaluator(map, parameters.size(), limits),
-                                                    parameters, map.form, dimension, limits)}};
-    if (pyramid) add_pyramids(result, map, parameters, limits);
+    Json result = Json::Object{{"values", written_at(values_at(map, parameters, limits), map.form)}};
+    if (pyramid) add_pyramids(result, map, parameters.numbers, limits);
     return result;
 }
 
@@ -48,7 +47,7 @@ Operation evaluate_operation() {
                          number_list, patch_parameters),
             flag_option("--pyramid", "pyramid", "show every point of de Casteljau's or de Boor's algorithm"),
         }),
-        .answer = answer_by_shape<evaluate_curve, evaluate_patch, evaluate_tensor_bspline>,
+        .answer = answer,
         .render = render,
         .plot = plot_of_values,
         .mesh = obj_of,

@@ -1,9 +1,9 @@
+#include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
 
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "table.hpp"
@@ -18,18 +18,40 @@ using Insertion = BSplineCurve (*)(const BSplineCurve& curve, std::span<const Ra
 constexpr std::string_view method_names[] = {"boehm", "oslo"};
 constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
 
-Answer insert_knots_of_curve(Fields& request, const Map& map, const Limits& limits) {
-    const auto knots =
-        request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
-    const auto method =
-        request
-            .optional("method",
-                      [](const Json& value) { return read_alternative(value, method_names, "a method"); })
-            .value_or(0);
-    request.finish();
-    auto refined = dispatch_on_kind<BSplineCurve>(
-        map, [&](const BSplineCurve& curve) { return methods[method](curve, knots, limits); });
-    return answer_of(like(map, std::move(refined)));
+/// Reads the knots, one list a direction, and inserts them.
+struct InsertKnots {
+    Fields& request;
+    const Limits& limits;
+
+    AnyMap operator()(const BSplineCurve& curve) const {
+        const auto knots =
+            request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
+        const auto read = [](const Json& value) { return read_alternative(value, method_names, "a method"); };
+        const std::size_t method = request.optional("method", read).value_or(0);
+        request.finish();
+        return methods[method](curve, knots, limits);
+    }
+    AnyMap operator()(TensorBSpline spline) const {
+        const auto knots = request.required("knots", [&](const Json& value) {
+            return read_each_direction(value, spline.directions(), "lists of knots",
+                                       [&](const Json& list) { return read_numbers(list, limits); });
+        });
+        request.finish();
+        within("knots", [&] {
+            for (std::size_t d = 0; d < knots.size(); ++d) {
+                if (knots[d].empty()) continue;
+                within(d, [&] {
+                    as_parameter(Part::knots, [&] { spline = insert_knots(spline, d, knots[d], limits); });
+                });
+            }
+        });
+        return spline;
+    }
+};
+
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    return answer_of(like(map, dispatch_on_kind<AnyMap>(map, InsertKnots{request, limits})));
 }
 
 /// "1/2; 1,3": one list a direction, which may be empty.
@@ -54,7 +76,7 @@ Operation insert_knots_operation() {
                          number_list, lists_of_knots),
             field_option("--method", "method", "boehm|oslo", "the algorithm; by default boehm", plain_text),
         }),
-        .answer = answer_by_shape<insert_knots_of_curve, nullptr, insert_knots_of_tensor_bspline>,
+        .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

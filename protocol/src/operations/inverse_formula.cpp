@@ -1,6 +1,5 @@
 #include <fmt/format.h>
-#include <blossom/core/curve/inverse_formula.hpp>
-#include <blossom/core/patch/patch_inverse_formula.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 
 #include "map_options.hpp"
 #include "maps/patch.hpp"
@@ -14,19 +13,12 @@ Json of_simplex(Fields& request, std::size_t degree, const Limits& limits) {
     const BarycentricFrame frame =
         request.required("vertices", [&](const Json& value) { return read_vertices(value, limits); });
     request.finish();
-    const SimplexInverseFormula formula = inverse_formula(frame.dimension(), degree, limits);
-    Json::Array nodes, weights, indices;
-    for (const Coordinates& node : formula.nodes) {
-        const Coordinates point = frame.combination(node);
-        nodes.emplace_back(Json::Array(point.begin(), point.end()));
-    }
-    for (const std::vector<Rational>& row : formula.weights)
-        weights.emplace_back(Json::Array(row.begin(), row.end()));
-    for (const MultiIndex& index : multi_indices(frame.dimension(), degree)) {
-        indices.emplace_back(Json::Array(index.begin(), index.end()));
-    }
-    return Json::Object{
-        {"nodes", std::move(nodes)}, {"weights", std::move(weights)}, {"indices", std::move(indices)}};
+    const SimplexInverseFormula formula = inverse_formula({frame.dimension(), degree}, limits);
+    std::vector<Coordinates> nodes;
+    for (const Coordinates& node : formula.nodes) nodes.push_back(frame.combination(node));
+    return Json::Object{{"nodes", lists_json(nodes)},
+                        {"weights", lists_json(formula.weights)},
+                        {"indices", lists_json(multi_indices(frame.dimension(), degree))}};
 }
 
 Answer answer(Request& request, const Limits& limits) {
@@ -42,12 +34,8 @@ Answer answer(Request& request, const Limits& limits) {
     if (request.has("vertices")) return of_simplex(request, degree, limits);
     request.finish();
     InverseFormula formula = inverse_formula(degree, interval.value_or(Interval()), limits);
-    Json::Array nodes(formula.nodes.begin(), formula.nodes.end());
-    Json::Array weights;
-    for (const std::vector<Rational>& row : formula.weights) {
-        weights.emplace_back(Json::Array(row.begin(), row.end()));
-    }
-    return Json::Object{{"nodes", std::move(nodes)}, {"weights", std::move(weights)}};
+    return Json::Object{{"nodes", Json::Array(formula.nodes.begin(), formula.nodes.end())},
+                        {"weights", lists_json(formula.weights)}};
 }
 
 std::string render(const Answered& answered) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <blossom/core/maps/bspline_curve.hpp>
-
 #include <cstddef>
 #include <optional>
+#include <span>
 
 #include "operation.hpp"
 
@@ -11,12 +10,20 @@
 
 namespace blossom::protocol {
 
-/// Field "segment", which only a bspline has: the index i of a knot span [t_i, t_(i+1)).
+/// Field "segment": the index i of a knot span [t_i, t_(i+1)).
+std::optional<std::size_t> read_span(Fields& request, const Limits& limits);
+/// The same, of a map that may be no spline and has no such field.
 std::optional<std::size_t> read_span(Fields& request, const Map& map, const Limits& limits);
 
 /// The span asked for, or the only one.
 /// Errors: `outside_domain` if there is no such span, or if none is named and there are several.
 std::size_t chosen_span(const BSplineCurve& curve, std::optional<std::size_t> span);
+
+/// The polynomial on a box of spans, over this box.
+Patch segment(const TensorBSpline& spline, std::span<const std::size_t> spans, const Limits& limits);
+
+/// That of field "segment", one index of a knot a direction; without it the only one. Errors: as above.
+Patch read_segment(Fields& request, const TensorBSpline& spline, const Limits& limits);
 
 /// --segment, for field "segment".
 Option segment_option();

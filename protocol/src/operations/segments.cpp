@@ -1,27 +1,37 @@
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
+#include "segment.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
 
 namespace {
 
-Answer segments_of_curve(Fields& request, const Map& map, const Limits& limits) {
-    request.finish();
-    const auto segments = dispatch_on_kind<std::vector<BezierCurve>>(map, [&](const BSplineCurve& curve) {
+struct Segments {
+    const Limits& limits;
+
+    std::vector<AnyMap> operator()(const BSplineCurve& curve) const {
         require_numbers(curve.knots().spans().size() * (curve.degree() + 1), curve.dimension(), limits);
-        return bezier_segments(curve, limits);
-    });
-    std::vector<Map> maps;
-    maps.reserve(segments.size());
-    for (const BezierCurve& segment : segments) maps.push_back(like(map, segment));
-    return answer_of(std::move(maps));
+        const std::vector<BezierCurve> segments = bezier_segments(curve, limits);
+        return {segments.begin(), segments.end()};
+    }
+    std::vector<AnyMap> operator()(const TensorBSpline& spline) const {
+        std::vector<AnyMap> segments;
+        for (const auto& spans : boxes_of(spline, limits)) segments.push_back(segment(spline, spans, limits));
+        return segments;
+    }
+};
+
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    request.finish();
+    return answer_of(like(map, dispatch_on_kind<std::vector<AnyMap>>(map, Segments{limits})));
 }
 
 }  // namespace
@@ -33,7 +43,7 @@ Operation segments_operation() {
         .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
                     "--degree", "2"},
         .options = with_map_options({}),
-        .answer = answer_by_shape<segments_of_curve, nullptr, segments_of_tensor_bspline>,
+        .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -1,11 +1,14 @@
 #include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/curve/subdivision.hpp>
+#include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/spline_split.hpp>
 
+#include "control_nets.hpp"
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
-#include "patch_answers.hpp"
+#include "maps/parameters.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "table.hpp"
@@ -14,26 +17,121 @@ namespace blossom::protocol {
 
 namespace {
 
-using TwoMaps = std::pair<AnyMap, AnyMap>;
+using Parts = std::vector<AnyMap>;
 
+/// A piece of one factor whose vertices are the combinations of the old ones.
+Patch piece_of(const Patch& patch, BezierPatch net, std::size_t factor,
+               std::span<const Coordinates> elements) {
+    Patch piece = patch;
+    piece.map = std::move(net);
+    if (piece.frames.empty()) return piece;
+    std::vector<Coordinates> vertices;
+    for (const Coordinates& element : elements) vertices.push_back(patch.frames[factor].combination(element));
+    piece.frames[factor] = BarycentricFrame(std::move(vertices));
+    return piece;
+}
+
+/// The pieces with vertex i of the factor replaced by the point, in the order of i.
+std::vector<Patch> pieces_at(const Patch& patch, std::size_t factor, const Coordinates& point,
+                             const Limits& limits) {
+    std::vector<Patch> pieces;
+    for (BezierPatch& net : subdivide(std::get<BezierPatch>(patch.map), factor, point, limits)) {
+        std::vector<Coordinates> elements(point.size(), Coordinates(point.size()));
+        for (std::size_t k = 0; k < point.size(); ++k) elements[k][k] = 1;
+        elements[pieces.size()] = point;
+        pieces.push_back(piece_of(patch, std::move(net), factor, elements));
+    }
+    return pieces;
+}
+
+std::vector<Patch> parts_of_simplex(const Patch& patch, const Json& at, const Limits& limits) {
+    if (const std::string* word = at.text(); word && *word == "midpoints") {
+        std::vector<Patch> pieces;
+        for (auto& [net, elements] : subdivide_at_midpoints(std::get<BezierPatch>(patch.map), 0, limits)) {
+            pieces.push_back(piece_of(patch, std::move(net), 0, elements));
+        }
+        return pieces;
+    }
+    const PatchPoint point = engine_arguments(patch, read_tuple(at, patch.parameters(), limits), 1);
+    return as_parameter(Part::at, [&] { return pieces_at(patch, 0, point.front(), limits); });
+}
+
+/// Two parts, before and behind, in each direction for which there is a parameter: split(part, d, t).
+template <class Value, class Split>
+std::vector<Value> parts_of_box(const Value& whole, std::size_t directions, const Json& at,
+                                const Limits& limits, const Split& split) {
+    const auto parameters = read_some_directions(at, directions, limits);
+    std::vector<Value> parts{whole};
+    for (std::size_t d = 0; d < directions; ++d) {
+        if (!parameters[d]) continue;
+        within(d, [&] {
+            std::vector<Value> finer;
+            for (const Value& part : parts) {
+                auto [before, behind] =
+                    as_parameter(Part::at, [&] { return split(part, d, *parameters[d]); });
+                finer.push_back(std::move(before));
+                finer.push_back(std::move(behind));
+            }
+            parts = std::move(finer);
+        });
+    }
+    return parts;
+}
+
+/// The parts of a map, which the field "at" divides.
 struct Subdivide {
-    const Rational& t;
+    Fields& request;
     const Limits& limits;
 
-    TwoMaps operator()(const BezierCurve& curve) const {
-        return within("at", [&] { return subdivide(curve, t, limits); });
+    Parts operator()(const BezierCurve& curve) const {
+        return divided([&](const Json& at) {
+            const auto [left, right] = subdivide(curve, read_number(at, limits), limits);
+            return std::vector{left, right};
+        });
     }
-    TwoMaps operator()(const OnePolynomial auto& curve) const {
+    Parts operator()(const OnePolynomial auto& curve) const {
         return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
-    TwoMaps operator()(const BSplineCurve& curve) const { return split(curve, t, limits); }
+    Parts operator()(const BSplineCurve& curve) const {
+        return divided([&](const Json& at) {
+            const Rational t = read_number(at, limits);
+            const auto [left, right] = as_parameter(Part::at, [&] { return split(curve, t, limits); });
+            return std::vector{left, right};
+        });
+    }
+    Parts operator()(const Patch& patch) const {
+        const Patch net = as_net(patch, limits);
+        return divided([&](const Json& at) {
+            if (!patch.tensor) return parts_of_simplex(net, at, limits);
+            return parts_of_box(net, net.shape().factors(), at, limits,
+                                [&](const Patch& part, std::size_t f, const Rational& t) {
+                                    auto halves =
+                                        pieces_at(part, f, part.frames[f].of_point(std::span(&t, 1)), limits);
+                                    return std::pair(std::move(halves[1]), std::move(halves[0]));
+                                });
+        });
+    }
+    Parts operator()(const TensorBSpline& spline) const {
+        return divided([&](const Json& at) {
+            return parts_of_box(spline, spline.directions(), at, limits,
+                                [&](const TensorBSpline& part, std::size_t d, const Rational& t) {
+                                    return split(part, d, t, limits);
+                                });
+        });
+    }
+
+private:
+    template <class Divide>
+    Parts divided(const Divide& divide) const {
+        auto parts = request.required("at", divide);
+        request.finish();
+        return {std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end())};
+    }
 };
 
-Answer subdivide_curve(Fields& request, const Map& map, const Limits& limits) {
-    const Rational t = request.required("at", [&](const Json& value) { return read_number(value, limits); });
-    request.finish();
-    auto [left, right] = dispatch_on_kind<TwoMaps>(map, Subdivide{t, limits});
-    return answer_of(std::vector{like(map, std::move(left)), like(map, std::move(right))}, "at");
+Answer answer(Request& request, const Limits& limits) {
+    const Map& map = request.map(limits);
+    return answer_of(like(map, dispatch_on_kind<Parts>(map, Subdivide{request, limits})), "at");
 }
 
 }  // namespace
@@ -48,7 +146,7 @@ Operation subdivide_operation() {
             "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a point or "
             "\"midpoints\", for a tensor product a number or - per direction",
             plain_text, place_of_division)}),
-        .answer = answer_by_shape<subdivide_curve, subdivide_patch, subdivide_tensor_bspline>,
+        .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -1,12 +1,14 @@
 #include "mesh.hpp"
 
 #include <blossom/core/blossom/patch_blossom.hpp>
+#include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 
 #include <algorithm>
 #include <map>
 
-#include "operations/patch_answers.hpp"
+#include "operations/control_nets.hpp"
+#include "operations/segment.hpp"
 
 namespace blossom::protocol {
 
@@ -46,7 +48,7 @@ std::vector<Piece> pieces_of(const TensorBSpline& spline, const Limits& limits) 
             sides[d].ends = spans[d] == own.back();
         }
         DomainGrid grid = grid_of_box(sides);
-        if (!grid.points.empty()) pieces.push_back({segment_patch(spline, spans, limits), std::move(grid)});
+        if (!grid.points.empty()) pieces.push_back({segment(spline, spans, limits), std::move(grid)});
     }
     return pieces;
 }
@@ -118,10 +120,8 @@ private:
 
 std::optional<SpacePoint> placed(Coordinates value, bool rational, const Coordinates& parameters) {
     if (rational) {
-        const Rational weight = value.back();
-        if (weight.is_zero()) return {};
-        value.pop_back();
-        for (Rational& coordinate : value) coordinate /= weight;
+        if (value.back().is_zero()) return {};
+        value = projected(value);
     }
     if (value.size() == 1) value.insert(value.begin(), parameters.begin(), parameters.end());
     value.resize(3);
@@ -141,7 +141,7 @@ Coordinates parameters_of(const Patch& patch, const PatchPoint& point) {
 std::optional<SpacePoint> place_of_value(const Map& map, const Json& parameter, const Json& value,
                                          const Limits& limits) {
     Coordinates numbers = read_numbers(parameter, limits);
-    const Patch* patch = patch_of(map);
+    const auto* patch = std::get_if<Patch>(&map.value);
     if (patch && patch->is_barycentric())
         numbers = parameters_of(*patch, engine_arguments(*patch, numbers, 1));
     // Only homogeneous values carry their weight.
@@ -149,8 +149,8 @@ std::optional<SpacePoint> place_of_value(const Map& map, const Json& parameter, 
 }
 
 Mesh mesh_of(const Map& map, const Limits& limits) {
-    const Patch* patch = patch_of(map);
-    const TensorBSpline* spline = tensor_bspline_of(map);
+    const Patch* patch = std::get_if<Patch>(&map.value);
+    const TensorBSpline* spline = std::get_if<TensorBSpline>(&map.value);
     if (!patch && !spline)
         throw Error(ErrorCode::wrong_kind, "only patches are surfaces; this map is a curve", Place{"map"});
     Mesh mesh;

@@ -8,8 +8,8 @@
 #include <array>
 
 #include "drawn_curve.hpp"
+#include "maps/parameters.hpp"
 #include "operations/listing.hpp"
-#include "operations/patch_answers.hpp"
 #include "surface_picture.hpp"
 
 namespace blossom::protocol {
@@ -18,7 +18,7 @@ namespace {
 
 using worked::Role;
 
-bool is_surface(const Map& map) { return patch_of(map) || tensor_bspline_of(map); }
+bool is_surface(const Map& map) { return !parameter_form(map).scalar; }
 
 /// The interval on which the curve is given, or none for a polynomial in any form.
 std::optional<Interval> given_interval(const Map& map) {
@@ -81,8 +81,8 @@ SurfacePicture surfaces(const std::string& title, const std::vector<Map>& maps, 
 
 /// Whether the map has a net of its own to be painted before another.
 bool has_net(const Map& map) {
-    const Patch* patch = patch_of(map);
-    return tensor_bspline_of(map) || (patch && !patch->is_polynomial());
+    const auto* patch = std::get_if<Patch>(&map.value);
+    return is_surface(map) && !(patch && patch->is_polynomial());
 }
 
 std::string surface_of_values(const Answered& answered, const Json::Array& values) {
@@ -136,8 +136,7 @@ std::string plot_of_maps(const Answered& answered) {
 
 std::string plot_of_result(const Answered& answered) {
     const std::vector<Map>& results = answered.answer.maps;
-    if (are_surfaces(results))
-        return svg_of(surfaces(operation_of(answered), results, answered.limits));
+    if (are_surfaces(results)) return svg_of(surfaces(operation_of(answered), results, answered.limits));
     return with_results(begun(operation_of(answered)), answered);
 }
 

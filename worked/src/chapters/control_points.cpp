@@ -102,7 +102,7 @@ Document control_points_over(const GivenMap& given, const Interval& interval, co
     const PolynomialCurve back = monomial_form(polygon, limits);
     document.check = {{Paragraph{"Turned back into coefficients, the control points give the map again:"},
                        Display{{polynomial_equation(back, given.variable, limits)}}},
-                      back == coefficient_form(given.map, limits)};
+                      back == monomial_form(given.map, limits)};
     return document;
 }
 

@@ -40,7 +40,7 @@ void mark_upper_edge(TrianglePyramid& triangle) {
 }  // namespace
 
 Document coefficients_to_control_points(const GivenMap& given, const Limits& limits) {
-    const PolynomialCurve curve = coefficient_form(given.map, limits);
+    const PolynomialCurve curve = monomial_form(given.map, limits);
     const std::size_t n = curve.degree();
     Document document = begun({curve, given.variable}, "From coefficients to control points",
                               "Goldman, section 5 and figure 11(b)");

@@ -98,7 +98,7 @@ Document degree_raised(const GivenMap& given, std::size_t times, const Limits& l
         {Paragraph{
              "Turned into coefficients, the new control points give the map, with zeros above its degree:"},
          Display{{polynomial_equation(back, given.variable, limits)}}},
-        back == elevate(coefficient_form(given.map, limits), times, limits)};
+        back == elevate(monomial_form(given.map, limits), times, limits)};
     return document;
 }
 

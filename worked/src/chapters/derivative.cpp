@@ -19,7 +19,7 @@ Formula falling(std::size_t n, std::size_t k) {
 
 Check derivative_check(const GivenMap& given, std::size_t order, const Parameter& t, const Coordinates& value,
                        const Limits& limits) {
-    const PolynomialMap derived = derivative_map(coefficient_form(given.map, limits), order);
+    const PolynomialMap derived = derivative_map(monomial_form(given.map, limits), order);
     const auto& curve = std::get<PolynomialCurve>(derived);
     const Coordinates direct = evaluate(curve, t, limits);
     const Formula symbolic = definition_of({curve, given.variable}).formulas.front().parts.back();

@@ -59,7 +59,7 @@ Document evaluation_at(const GivenMap& given, const Parameter& t, const Limits& 
     const Coordinates value = Blossom(given.map, limits)(arguments);
     document.result.show({equation({wanted, diagonal, point_formula(value)})});
 
-    const PolynomialCurve coefficients = coefficient_form(given.map, limits);
+    const PolynomialCurve coefficients = monomial_form(given.map, limits);
     const Coordinates direct = evaluate(coefficients, t, limits);
     document.check = {
         {Paragraph{"The polynomial, evaluated directly, gives the same:"},

@@ -55,22 +55,9 @@ Formula combination(const std::vector<std::pair<Rational, Formula>>& terms) {
     return sum(std::move(parts));
 }
 
-std::size_t degree_of(const PolynomialMap& map) {
-    return std::visit([](const auto& curve) { return curve.degree(); }, map);
-}
-
-std::size_t dimension_of(const PolynomialMap& map) {
-    return std::visit([](const auto& curve) { return curve.dimension(); }, map);
-}
-
 BezierCurve bezier_form(const PolynomialMap& map, const Limits& limits) {
     if (const auto* bezier = std::get_if<BezierCurve>(&map)) return *bezier;
     return control_points(std::get<PolynomialCurve>(map), Interval(), limits);
-}
-
-PolynomialCurve coefficient_form(const PolynomialMap& map, const Limits& limits) {
-    if (const auto* curve = std::get_if<PolynomialCurve>(&map)) return *curve;
-    return monomial_form(std::get<BezierCurve>(map), limits);
 }
 
 std::vector<Argument> end_arguments(const Interval& interval, std::size_t n, std::size_t k) {
@@ -104,7 +91,7 @@ Display definition_of(const GivenMap& given) {
 }
 
 Formula polynomial_equation(const PolynomialMap& map, const std::string& variable, const Limits& limits) {
-    return definition_of({coefficient_form(map, limits), variable}).formulas.front();
+    return definition_of({monomial_form(map, limits), variable}).formulas.front();
 }
 
 Formula division(const Coordinates& homogeneous) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/core/algebra/polynomial.hpp>
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/maps/argument.hpp>
 #include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/worked/chapters.hpp>
@@ -39,13 +40,8 @@ Formula combination(const std::vector<std::pair<Rational, Formula>>& terms);
 /// What defines the map: its equation, or its control points as blossom values over their interval.
 Display definition_of(const GivenMap& given);
 
-std::size_t degree_of(const PolynomialMap& map);
-std::size_t dimension_of(const PolynomialMap& map);
-
 /// The map by its control points: as given, or over [0, 1].
 BezierCurve bezier_form(const PolynomialMap& map, const Limits& limits);
-/// The map by its coefficients.
-PolynomialCurve coefficient_form(const PolynomialMap& map, const Limits& limits);
 
 /// (a^(n-k), b^k) for the interval [a, b].
 std::vector<Argument> end_arguments(const Interval& interval, std::size_t n, std::size_t k);

@@ -131,7 +131,7 @@ Table monomials(std::size_t n, const std::string& variable) {
 }  // namespace
 
 Document homogenisation(const GivenMap& given, const Limits& limits) {
-    const PolynomialCurve curve = coefficient_form(given.map, limits);
+    const PolynomialCurve curve = monomial_form(given.map, limits);
     const std::size_t n = curve.degree();
     Document document = begun({curve, given.variable}, "Blossoming and homogenising commute",
                               "Goldman, figures 4 and 5, theorem 6");

@@ -107,7 +107,7 @@ Document rational_arc(const GivenMap& given, const Parameter& t, const Limits& l
                equation({symbol("C"), division(homogeneous), point_formula(point)})});
     document.result.show({equation({symbol("C"), division(homogeneous), point_formula(point)})});
     document.result.add_if(arc_picture(bezier, t, limits));
-    const Coordinates direct = evaluate(coefficient_form(given.map, limits), t, limits);
+    const Coordinates direct = evaluate(monomial_form(given.map, limits), t, limits);
     document.check = {
         {Paragraph{"The coefficients, evaluated directly, give the same point with its weight:"},
          Display{{polynomial_equation(given.map, given.variable, limits),

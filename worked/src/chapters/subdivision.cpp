@@ -53,7 +53,7 @@ Document subdivision_at(const GivenMap& given, const Parameter& t, const Limits&
     document.result.show(control_point_equations(left));
     document.result.say("The right polygon:");
     document.result.show(control_point_equations(right));
-    const PolynomialCurve whole = coefficient_form(given.map, limits);
+    const PolynomialCurve whole = monomial_form(given.map, limits);
     document.check = {{Paragraph{"Both polygons, turned into coefficients, give the same map:"},
                        Display{{polynomial_equation(left, given.variable, limits)}}},
                       monomial_form(left, limits) == whole && monomial_form(right, limits) == whole};

@@ -47,7 +47,7 @@ Formula elementary_equation(std::span<const Argument> arguments, std::size_t k, 
 
 void append_symmetric(Blocks& step, const GivenMap& given, std::span<const Argument> arguments,
                       const Coordinates& value, const Limits& limits) {
-    const PolynomialCurve curve = coefficient_form(given.map, limits);
+    const PolynomialCurve curve = monomial_form(given.map, limits);
     const std::size_t n = curve.degree();
     const std::vector<Rational> values = elementary_values(arguments);
     step.say({"Each power ", power(symbol(given.variable), symbol("k")), " of the polynomial is replaced by ",
@@ -169,7 +169,7 @@ Table polarization_table(const PolynomialCurve& curve, std::span<const SubsetRow
 
 void append_polarization(Blocks& step, const GivenMap& given, std::span<const Argument> arguments,
                          const Coordinates& value, const Limits& limits) {
-    const PolynomialCurve curve = coefficient_form(given.map, limits);
+    const PolynomialCurve curve = monomial_form(given.map, limits);
     const std::size_t n = curve.degree();
     if (n == 0) {
         step.say("A constant has no arguments, and nothing to average.");

@@ -1,4 +1,4 @@
-#include <blossom/core/patch/patch_subdivision.hpp>
+#include <blossom/core/blossom/patch_subdivision.hpp>
 
 #include "triangle_net.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <blossom/core/blossom/agreement.hpp>
 #include <blossom/core/maps/barycentric_frame.hpp>
-#include <blossom/core/patch/patch_agreement.hpp>
 #include <blossom/rational/limits.hpp>
 #include <blossom/worked/document.hpp>
 

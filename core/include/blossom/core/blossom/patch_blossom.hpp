@@ -1,6 +1,7 @@
 #pragma once
 
-#include <blossom/core/maps/bezier_patch.hpp>
+#include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/maps/patch_map.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <span>
@@ -11,37 +12,53 @@ namespace blossom {
 /// The blossom of a patch, symmetric and linear in the arguments of each factor, with the map on the
 /// diagonal.
 ///
-/// In each factor the coefficients of prod_j sum_k argument_jk X_k are the weights of the control points.
-/// Cost: one multiply-add a control point and coordinate; for the weights at most (s + 1) C(n + s, s + 1)
-/// multiply-adds a factor, less where arguments repeat. Errors: those of `require_arguments`;
-/// `limit_exceeded`. Source: DeRose, sections 5 and 6; Fernandez-Jambrina, equation (9). Statements:
-/// derose-tensor-props, derose-thm3, derose-adt-blossom, fj-eq9, fj-tri-blossom.
-Coordinates blossom_value(const BezierPatch& patch, const PatchArguments& arguments,
+/// In each factor the coefficients of prod_j sum_k argument_jk X_k, over tuples (mass, x_1, ..., x_s) the
+/// symmetric functions of points, are the weights of the control points, or of the monomial coefficients
+/// divided by multinomial ones. Cost: one multiply-add a point and coordinate; for the weights at most (s +
+/// 1) C(n + s, s + 1) multiply-adds a factor, less where arguments repeat. Errors: those of
+/// `require_arguments`; `limit_exceeded`. Source: DeRose, sections 5 and 6, theorem 3 and equation (3);
+/// Fernandez-Jambrina, equation (9). Statements: derose-tensor-props, derose-thm3, derose-adt-blossom,
+/// fj-eq9, fj-tri-blossom.
+template <PatchRepresentation Map>
+Coordinates blossom_value(const Map& patch, const PatchArguments& arguments, const Limits& limits = {});
+
+/// The blossom by one named construction, each from its own source: symmetric functions of points from
+/// monomial coefficients, the inverse formula from values of the map alone, de Casteljau from a control net.
+/// For a polynomial that net is over the origin and the ends of the unit vectors; for a control net the
+/// monomials are those in the differences from its first vertex.
+///
+/// Cost: C(n + s, s + 1) multiply-adds a factor, for polarization prod (m_i + 1) values. Errors: those of
+/// `require_arguments`; `wrong_kind` for regrouped polarization; `limit_exceeded`. Source: DeRose, theorem 3;
+/// Fernandez-Jambrina, equation (21). Statements: derose-thm3, fj-eq21, fj-tri-blossom.
+Coordinates blossom_value(const PatchMap& map, const PatchArguments& arguments, Construction construction,
                           const Limits& limits = {});
 
-/// The values at barycentric points, by Bernstein polynomials.
+/// The values at points, by Bernstein polynomials or monomials.
 ///
 /// Cost: s multiplications a control point for each point, and one multiply-add a control point and
-/// coordinate. Errors: `not_affine` unless the coordinates in each factor have the sum 1, `wrong_arity`,
-/// `mismatched_dimensions`, with places below `Part::at / i`; `limit_exceeded`. Statements: fj-tri-def,
-/// fj-tensor-matrix.
-std::vector<Coordinates> evaluate(const BezierPatch& patch, std::span<const PatchPoint> points,
+/// coordinate. Errors: `not_affine` for another mass than 1, `wrong_arity`, `mismatched_dimensions`, with
+/// places below `Part::at / i`; `limit_exceeded`. Statements: fj-tri-def, fj-tensor-matrix.
+template <PatchRepresentation Map>
+std::vector<Coordinates> evaluate(const Map& patch, std::span<const PatchPoint> points,
                                   const Limits& limits = {});
-Coordinates evaluate(const BezierPatch& patch, const PatchPoint& point, const Limits& limits = {});
+template <PatchRepresentation Map>
+Coordinates evaluate(const Map& patch, const PatchPoint& point, const Limits& limits = {}) {
+    return evaluate(patch, std::span(&point, 1), limits).front();
+}
 
-/// The mixed derivative in k_f directions of each factor f, barycentric vectors with coordinates of sum 0:
-/// prod n_f! / (n_f - k_f)! times the blossom at n_f - k_f copies of the point and the directions; zero where
-/// k_f > n_f.
+/// The mixed derivative in k_f directions of each factor f, vectors: prod n_f! / (n_f - k_f)! times the
+/// blossom at n_f - k_f copies of the point and the directions; zero where k_f > n_f.
 ///
-/// Cost: one blossom value. Errors: `not_affine` for a direction whose sum is not 0 or a point whose sum is
+/// Cost: one blossom value. Errors: `not_affine` for a direction whose mass is not 0 or a point whose mass is
 /// not 1; `wrong_arity`, `mismatched_dimensions`, `limit_exceeded`. Source: Goldman, theorem 9, in each
 /// factor.
-Coordinates derivative(const BezierPatch& patch, const PatchArguments& directions, const PatchPoint& at,
+template <PatchRepresentation Map>
+Coordinates derivative(const Map& patch, const PatchArguments& directions, const PatchPoint& at,
                        const Limits& limits = {});
 
 /// The same derivative as a patch, of degree n_f - k_f in each factor: one step of de Casteljau a direction.
 /// Where k_f > n_f it is zero of degree 0 in every factor. Errors: as for `derivative`.
-BezierPatch derivative_patch(const BezierPatch& patch, const PatchArguments& directions,
-                             const Limits& limits = {});
+template <PatchRepresentation Map>
+Map derivative_patch(const Map& patch, const PatchArguments& directions, const Limits& limits = {});
 
 }  // namespace blossom

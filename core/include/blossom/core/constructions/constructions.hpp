@@ -51,29 +51,6 @@ Quotients<R> normalised_coefficients(std::span<const R> coefficients) {
     return result;
 }
 
-/// sum_k row_k factor_k for every row.
-template <class R>
-std::vector<R> sums_of_products(Rows<R> rows, std::span<const R> factors) {
-    std::vector<R> sums;
-    sums.reserve(rows.size());
-    for (const auto row : rows) sums.push_back(dot(row, factors));
-    return sums;
-}
-
-/// sum_k a_k e_k for one row a of normalised coefficients a coordinate, where e_k are the elementary
-/// symmetric functions of the arguments: the coefficients of prod (mass_i + u_i X).
-template <class R>
-std::vector<R> symmetric_function_sums(Rows<R> normalised, std::span<const HomogeneousPair<R>> arguments) {
-    std::vector<R> masses;
-    std::vector<R> parameters;
-    for (const auto& argument : arguments) {
-        masses.push_back(argument.mass);
-        parameters.push_back(argument.u);
-    }
-    return sums_of_products<R>(
-        normalised, product_of_linear_factors(std::span<const R>(masses), std::span<const R>(parameters)));
-}
-
 /// The blossom by elementary symmetric functions: p(u_1..u_n) = sum_k c_k e_k(u) / C(n, k).
 ///
 /// `coefficients`: n + 1 monomial coefficients a coordinate, lowest first; n arguments.
@@ -81,15 +58,22 @@ std::vector<R> symmetric_function_sums(Rows<R> normalised, std::span<const Homog
 /// Source: Goldman, proposition 1; DeRose, equation (3). Statements: goldman-prop1, derose-eq3, goldman-thm2.
 template <class R>
 Quotients<R> by_symmetric_functions(Rows<R> coefficients, std::span<const HomogeneousPair<R>> arguments) {
-    std::vector<std::vector<R>> numerators;
-    Integer denominator = 1;
+    std::vector<R> masses;
+    std::vector<R> parameters;
+    for (const auto& argument : arguments) {
+        masses.push_back(argument.mass);
+        parameters.push_back(argument.u);
+    }
+    const std::vector<R> functions =
+        product_of_linear_factors(std::span<const R>(masses), std::span<const R>(parameters));
+    Quotients<R> result;
     for (const auto row : coefficients) {
         Quotients<R> normalised = normalised_coefficients(row);
-        denominator = std::move(normalised.denominator);
-        numerators.push_back(std::move(normalised.numerators));
+        result.denominator = std::move(normalised.denominator);
+        result.numerators.push_back(
+            dot(std::span<const R>(normalised.numerators), std::span<const R>(functions)));
     }
-    const std::vector<std::span<const R>> rows(numerators.begin(), numerators.end());
-    return {symmetric_function_sums<R>(rows, arguments), std::move(denominator)};
+    return result;
 }
 
 inline void accumulate_product(Integer& sum, const Integer& a, const Integer& b) { sum.add_product(a, b); }
@@ -226,52 +210,27 @@ Quotients<R> by_regrouped_polarization(Rows<R> coefficients, std::span<const Hom
     return result;
 }
 
-/// The weights of de Casteljau's algorithm: on the level of (u, v) neighbours are combined with
-/// left / (b - a) and right / (b - a), left = b v - q u and right = q u - a v, over the interval [a/q, b/q].
-template <class R>
-struct LevelWeights {
-    std::vector<R> left;
-    std::vector<R> right;
-
-    LevelWeights(const Integer& a, const Integer& b, const Integer& q,
-                 std::span<const HomogeneousPair<R>> arguments) {
-        for (const auto& [u, mass] : arguments) {
-            left.push_back(R(b) * mass - R(q) * u);
-            right.push_back(R(q) * u - R(a) * mass);
-        }
-    }
-};
-
-/// The blossom by de Casteljau's algorithm with one argument a level, from control points over [a/q, b/q].
+/// The blossom by de Casteljau's algorithm with one argument a level, from control points over [a/q, b/q]: on
+/// the level of (u, v) neighbours are combined with left / (b - a) and right / (b - a), left = b v - q u and
+/// right = q u - a v.
 ///
 /// Cost: n^2 / 2 multiply-adds a coordinate.
 /// Source: DeRose, figure 6; Goldman, figures 3 and 7. Statements: derose-fig6, goldman-fig3, goldman-fig7.
 template <class R>
 Quotients<R> by_casteljau(Rows<R> control_points, const Integer& a, const Integer& b, const Integer& q,
                           std::span<const HomogeneousPair<R>> arguments) {
-    const LevelWeights<R> weights(a, b, q, arguments);
+    std::vector<R> left;
+    std::vector<R> right;
+    for (const auto& [u, mass] : arguments) {
+        left.push_back(R(b) * mass - R(q) * u);
+        right.push_back(R(q) * u - R(a) * mass);
+    }
     Quotients<R> result{{}, pow(b - a, arguments.size())};
     for (const auto row : control_points) {
         result.numerators.push_back(fold_triangle(std::vector<R>(row.begin(), row.end()),
-                                                  std::span<const R>(weights.left),
-                                                  std::span<const R>(weights.right)));
+                                                  std::span<const R>(left), std::span<const R>(right)));
     }
     return result;
-}
-
-/// The same value as sum_k P_k sum_{|S| = k} prod_{i in S} right_i prod_{i not in S} left_i / (b - a)^n: the
-/// apex of the triangle written out, whose inner sums are the coefficients of prod (left_i + right_i X) and
-/// serve all coordinates.
-///
-/// Cost: n^2 / 2 multiply-adds, and n a coordinate.
-/// Source: DeRose, section 4.2. Statement: derose-42-bezier-blossom.
-template <class R>
-Quotients<R> bernstein_sums(Rows<R> control_points, const Integer& a, const Integer& b, const Integer& q,
-                            std::span<const HomogeneousPair<R>> arguments) {
-    const LevelWeights<R> weights(a, b, q, arguments);
-    return {sums_of_products<R>(control_points, product_of_linear_factors(std::span<const R>(weights.left),
-                                                                          std::span<const R>(weights.right))),
-            pow(b - a, arguments.size())};
 }
 
 /// sum_k c_k x^k by Horner's rule.

@@ -92,20 +92,25 @@ std::vector<R> times_linear_forms(std::size_t dimension, std::size_t degree, std
     return power;
 }
 
+/// base^0, ..., base^n. A ring may have a faster way of its own.
+template <class R>
+std::vector<R> powers(const R& base, std::size_t n) {
+    std::vector<R> row(1, R(1));
+    for (std::size_t k = 0; k < n; ++k) row.push_back(row.back() * base);
+    return row;
+}
+
 /// prod_k x_k^(i_k) for every multi-index i of a degree. Cost: s multiplications an index, after n of each
 /// coordinate.
 template <class R>
 std::vector<R> monomials(const Tuple<R>& x, std::size_t degree) {
-    std::vector<std::vector<R>> powers;
-    for (const R& coordinate : x) {
-        std::vector<R>& row = powers.emplace_back(1, R(1));
-        for (std::size_t k = 0; k < degree; ++k) row.push_back(row.back() * coordinate);
-    }
+    std::vector<std::vector<R>> factors;
+    for (const R& coordinate : x) factors.push_back(powers(coordinate, degree));
     std::vector<R> products;
     for (const MultiIndex& index : multi_indices(x.size() - 1, degree)) {
-        R product = powers[0][index[0]];
+        R product = factors[0][index[0]];
         for (std::size_t k = 1; k < index.size(); ++k) {
-            if (index[k] > 0) product = product * powers[k][index[k]];
+            if (index[k] > 0) product = product * factors[k][index[k]];
         }
         products.push_back(std::move(product));
     }

@@ -4,6 +4,7 @@
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -46,6 +47,10 @@ public:
     explicit NetShape(std::vector<SimplexFactor> factors, const Limits& limits = {});
     /// One simplex.
     static NetShape simplex(std::size_t dimension, std::size_t degree, const Limits& limits = {});
+    /// One segment, of any degree: that of a curve.
+    static NetShape segment(std::size_t degree) {
+        return NetShape({{1, degree}}, {.degree = degree, .numbers = degree + 1});
+    }
     /// One segment a degree.
     static NetShape tensor(std::span<const std::size_t> degrees, const Limits& limits = {});
 
@@ -61,14 +66,18 @@ public:
     /// The sum of the dimensions.
     std::size_t dimension() const;
 
-    /// The same with another degree in one factor. Errors: `limit_exceeded`.
-    NetShape with_degree(std::size_t factor, std::size_t degree, const Limits& limits = {}) const;
+    /// The same with another degree in one factor, without limits unless they are given. Errors:
+    /// `limit_exceeded`.
+    NetShape with_degree(std::size_t factor, std::size_t degree,
+                         const Limits& limits = {.degree = any, .numbers = any}) const;
     /// The place in the net of the point with one multi-index a factor.
     std::size_t position_of(std::span<const MultiIndex> indices) const;
 
     friend bool operator==(const NetShape&, const NetShape&) = default;
 
 private:
+    static constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+
     std::vector<SimplexFactor> factors_;
     std::vector<std::size_t> counts_;
     std::size_t size_ = 1;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <blossom/core/maps/bezier_curve.hpp>
-#include <blossom/core/maps/polynomial_curve.hpp>
+#include <blossom/core/maps/patch_map.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
+#include <span>
 
 namespace blossom {
 
@@ -17,5 +17,22 @@ BezierCurve elevate(const BezierCurve& curve, std::size_t r, const Limits& limit
 
 /// The same coefficients, with zeros for t^(n+1), ..., t^(n+r).
 PolynomialCurve elevate(const PolynomialCurve& curve, std::size_t r, const Limits& limits = {});
+
+/// The same map with degree n + r in one factor: its blossom is the mean of the old one over the n-subsets of
+/// the arguments, so that one step makes P~_i = sum_k i_k / (n + 1) P_(i - e_k).
+///
+/// The homogeneous form is multiplied by (x_0 + ... + x_s)^r. Cost: C(n + s, s) C(r + s, s) multiply-adds a
+/// coordinate and entry of the other factors. Errors: `limit_exceeded`. Source: DeRose, section 5.3.
+/// Statements: derose-tri-raise, derose-tri-raise-points, derose-tensor-allresults.
+BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r, const Limits& limits = {});
+
+/// The same coefficients among those of the higher degree. Errors: `limit_exceeded`.
+PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,
+                        const Limits& limits = {});
+
+/// The same map with these degrees, one a factor. Errors: `degree_too_low` if one is below that of the patch;
+/// `limit_exceeded`.
+template <PatchRepresentation Map>
+Map elevated_to(const Map& patch, std::span<const std::size_t> degrees, const Limits& limits = {});
 
 }  // namespace blossom

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace blossom {
 
@@ -41,5 +42,8 @@ public:
 private:
     PointArray coefficients_;
 };
+
+/// One polynomial a coordinate.
+std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve);
 
 }  // namespace blossom

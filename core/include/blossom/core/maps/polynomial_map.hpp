@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/core/maps/bezier_curve.hpp>
+#include <blossom/core/maps/on_simplices.hpp>
 #include <blossom/core/maps/polynomial_curve.hpp>
 #include <blossom/core/maps/stated_value.hpp>
 #include <blossom/rational/limits.hpp>
@@ -15,6 +16,19 @@ namespace blossom {
 
 /// A curve that is one polynomial, in one of the two representations that every algorithm takes.
 using PolynomialMap = std::variant<PolynomialCurve, BezierCurve>;
+
+inline std::size_t degree_of(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.degree(); }, map);
+}
+inline std::size_t dimension_of(const PolynomialMap& map) {
+    return std::visit([](const auto& curve) { return curve.dimension(); }, map);
+}
+
+/// A curve is one segment.
+inline NetShape shape_of(const PolynomialCurve& curve) { return NetShape::segment(curve.degree()); }
+inline NetShape shape_of(const BezierCurve& curve) { return NetShape::segment(curve.degree()); }
+inline const PointArray& points_of(const PolynomialCurve& curve) { return curve.coefficients(); }
+inline const PointArray& points_of(const BezierCurve& curve) { return curve.control_points(); }
 
 inline PolynomialMap polynomial_map(const PolynomialCurve& curve, const Limits& = {}) { return curve; }
 inline PolynomialMap polynomial_map(const BezierCurve& curve, const Limits& = {}) { return curve; }

@@ -45,32 +45,6 @@ Coordinates point_argument(std::span<const Rational> point);
 /// (0, x_1, ..., x_s), a vector as an argument.
 Coordinates vector_argument(std::span<const Rational> vector);
 
-/// The blossom: the coefficient of x_1^(i_1) ... x_s^(i_s) divided by the multinomial coefficient of i, times
-/// the symmetric function of points with this index, the coefficient of X^i in prod_j (mass_j X_0 + x_j1 X_1
-/// + ... + x_js X_s).
-///
-/// Arguments are tuples (mass, x_1, ..., x_s). Cost and errors: as for control nets. Source: DeRose, theorem
-/// 3 and equation (3). Statement: derose-thm3.
-Coordinates blossom_value(const PolynomialPatch& patch, const PatchArguments& arguments,
-                          const Limits& limits = {});
-
-/// The values at points, x_1, ..., x_s in each factor. Cost: as for control nets. Errors: `wrong_arity`,
-/// `mismatched_dimensions`, `limit_exceeded`.
-std::vector<Coordinates> evaluate(const PolynomialPatch& patch, std::span<const PatchPoint> points,
-                                  const Limits& limits = {});
-
-/// The mixed derivative in the directions x_1, ..., x_s, k_f of them in factor f.
-Coordinates derivative(const PolynomialPatch& patch, const PatchArguments& directions, const PatchPoint& at,
-                       const Limits& limits = {});
-
-/// The same as a map, of degree n_f - k_f in each factor, zero where k_f > n_f.
-PolynomialPatch derivative_patch(const PolynomialPatch& patch, const PatchArguments& directions,
-                                 const Limits& limits = {});
-
-/// The same map with degree n + r in one factor. Errors: `limit_exceeded`.
-PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,
-                        const Limits& limits = {});
-
 /// The same polynomial with its variables grouped otherwise: from a total degree to one degree a variable and
 /// back. Errors: `degree_too_low` if a term has a degree above that of its factor; `wrong_arity` unless the
 /// dimensions have the same sum; `limit_exceeded`.

@@ -3,6 +3,7 @@
 #include <blossom/core/blossom/blossom.hpp>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,17 +22,22 @@ Coordinates projected(const Coordinates& homogeneous);
 /// `zero_weight`.
 Coordinates homogeneous_point(const Coordinates& point, const Rational& weight);
 
-/// The derivative of order k of the projected map at t, from those of numerators A and weight w by the
-/// quotient rule C^(k) = (A^(k) - sum_{i=1..k} C(k, i) w^(i) C^(k-i)) / w.
+/// The mixed derivative of the projected map A / w, m_i times in direction i, from those of the polynomial
+/// map (A, w): C_m = (A_m - sum over 0 < k <= m of prod C(m_i, k_i) w_k C_(m-k)) / w.
+///
+/// `derivative(k)` gives that of the polynomial map k_i times in direction i, with the weight last. Cost:
+/// prod (m_i + 1) calls and prod C(m_i + 2, 2) products of points. Errors: `zero_weight` where the weight
+/// vanishes.
+Coordinates quotient_rule(std::span<const std::size_t> orders,
+                          const std::function<Coordinates(std::span<const std::size_t>)>& derivative);
+
+/// The derivative of order k of the projected map at t, by the quotient rule: C^(k) = (A^(k) - sum_{i=1..k}
+/// C(k, i) w^(i) C^(k-i)) / w.
 ///
 /// `map` has d + 1 coordinates, the result d. Cost: k + 1 blossom values and k^2 / 2 products.
 /// Errors: `zero_weight` where the weight vanishes; `limit_exceeded`.
 Coordinates rational_derivative(const PolynomialMap& map, std::size_t order, const Parameter& t,
                                 const Limits& limits = {});
-
-/// The same from the derivatives of orders 0, ..., k of the homogeneous map at one parameter, k + 1 of them.
-/// Errors: `zero_weight`; `wrong_arity` for none.
-Coordinates quotient_rule(std::span<const Coordinates> homogeneous_derivatives);
 
 /// The derivative of order k of the projected map as a rational map again: N_k / w^(k+1) with N_0 = A and
 /// N_(k+1) = N_k' w - (k + 1) N_k w', of formal degree n (k + 1), in the representation of `map`.

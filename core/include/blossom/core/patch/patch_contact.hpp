@@ -1,11 +1,11 @@
 #pragma once
 
+#include <blossom/core/blossom/contact.hpp>
 #include <blossom/core/maps/barycentric_frame.hpp>
 #include <blossom/core/maps/bezier_patch.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,27 +18,9 @@ struct PlacedPatch {
     std::vector<BarycentricFrame> frames;
 };
 
-/// Arguments, vertices of the left patch, at which two blossoms have different values.
-struct PatchDifference {
-    PatchArguments arguments;
-    Coordinates left;
-    Coordinates right;
-
-    friend bool operator==(const PatchDifference&, const PatchDifference&) = default;
-};
-
-/// How smoothly two patches meet along a face.
-struct PatchContact {
-    /// The greatest k such that all derivatives of order at most k are equal on the face, -1 if the values
-    /// are not; none if the maps are the same.
-    std::optional<std::ptrdiff_t> order;
-    /// The first blossom value that differs: at k + 1 vertices off the face, and vertices of the face.
-    std::optional<PatchDifference> first_difference;
-
-    bool is_infinite() const { return !order; }
-
-    friend bool operator==(const PatchContact&, const PatchContact&) = default;
-};
+/// First difference at k + 1 vertices off the face, and vertices of the face, of the left patch.
+using PatchContact = ContactAt<PatchArguments>;
+using PatchDifference = DifferenceAt<PatchArguments>;
 
 /// A face of a product of simplices: for each factor which of the vertices span it.
 using Face = std::vector<std::vector<std::size_t>>;

@@ -1,44 +1,26 @@
 #pragma once
 
 #include <blossom/core/blossom/blossom.hpp>
+#include <blossom/core/blossom/contact.hpp>
 #include <blossom/core/maps/bspline_curve.hpp>
 
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace blossom {
 
-/// Arguments at which two blossoms have different values.
-struct BlossomDifference {
-    std::vector<Argument> arguments;
-    Coordinates left;
-    Coordinates right;
-
-    friend bool operator==(const BlossomDifference&, const BlossomDifference&) = default;
-};
-
-/// How smoothly two polynomial maps meet at a parameter.
-struct Contact {
-    /// The greatest k such that the derivatives of orders 0..k are equal, -1 if the values are not; none if
-    /// the maps are the same.
-    std::optional<std::ptrdiff_t> order;
-    /// The first blossom value that differs: at (s^(n-k-1), (s + 1)^(k+1)) for order k.
-    std::optional<BlossomDifference> first_difference;
-
-    bool is_infinite() const { return !order; }
-
-    friend bool operator==(const Contact&, const Contact&) = default;
-};
+/// First difference at (s^(n-k-1), (s + 1)^(k+1)) for order k.
+using Contact = ContactAt<std::vector<Argument>>;
+using BlossomDifference = DifferenceAt<std::vector<Argument>>;
 
 /// The contact of two maps at s, decided by their blossoms over the greater of the two formal degrees: order
 /// k exactly when f(x_1, ..., x_k, s, ..., s) = g(x_1, ..., x_k, s, ..., s) for all x_i. Since blossoms are
 /// affine in each argument, the values with x_i = s or s + 1 decide, and beyond what order k - 1 says only
 /// that with all x_i = s + 1.
 ///
-/// Cost: at most n + 1 blossom values of each map. Errors: `mismatched_dimensions`, `limit_exceeded`.
+/// Cost: O(n^2) multiply-adds. Errors: `mismatched_dimensions`, `limit_exceeded`.
 /// Source: DeRose, theorem 2 and equations (5) to (7). Statements: derose-thm2, derose-eq6, derose-ck-def.
 Contact contact(const PolynomialMap& left, const PolynomialMap& right, const Rational& s,
                 const Limits& limits = {});

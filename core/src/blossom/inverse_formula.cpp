@@ -1,4 +1,4 @@
-#include <blossom/core/patch/patch_inverse_formula.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
 
@@ -7,9 +7,8 @@
 #include <map>
 #include <string>
 
-#include "blossom/polarization.hpp"
-#include "blossom/run_construction.hpp"
 #include "maps/patch_kernel.hpp"
+#include "polarization.hpp"
 
 namespace blossom {
 
@@ -35,28 +34,37 @@ Integer signed_power(std::size_t count, std::size_t degree) {
 }
 
 /// `values` with one point a node of one factor taken to one point a control point of it.
-std::vector<Coordinates> applied(const SimplexInverseFormula& formula, const std::vector<Coordinates>& values,
-                                 std::size_t behind) {
+PointArray applied(const SimplexInverseFormula& formula, const PointArray& values, std::size_t behind) {
     const std::size_t nodes = formula.nodes.size();
-    std::vector<Coordinates> result;
-    for (std::size_t block = 0; block < values.size(); block += nodes * behind) {
-        for (const auto& row : formula.weights) {
-            for (std::size_t k = 0; k < behind; ++k) {
-                Coordinates& point = result.emplace_back(values.front().size());
-                for (std::size_t j = 0; j < nodes; ++j) {
-                    if (row[j].is_zero()) continue;
-                    const Coordinates& value = values[block + j * behind + k];
-                    for (std::size_t i = 0; i < point.size(); ++i) point[i] += row[j] * value[i];
+    std::vector<Rational> all;
+    for (const auto& row : formula.weights) all.insert(all.end(), row.begin(), row.end());
+    const RationalVector weights(all);
+    const std::span<const Integer> numerators = weights.numerators();
+    const auto rows = each_row(values, [&](std::span<const Integer> row) {
+        std::vector<Integer> points;
+        for (std::size_t block = 0; block < row.size(); block += nodes * behind) {
+            for (std::size_t i = 0; i < numerators.size(); i += nodes) {
+                for (std::size_t k = 0; k < behind; ++k) {
+                    Integer& point = points.emplace_back();
+                    for (std::size_t j = 0; j < nodes; ++j)
+                        point.add_product(numerators[i + j], row[block + j * behind + k]);
                 }
             }
         }
-    }
-    return result;
+        return points;
+    });
+    return canonical_points(rows, values.denominator() * weights.denominator());
+}
+
+/// What the vertices 0 and 1 of a segment are mapped to.
+Rational on_line(const Interval& interval, const Coordinates& barycentric) {
+    return interval.a() + barycentric[1] * (interval.b() - interval.a());
 }
 
 }  // namespace
 
-SimplexInverseFormula inverse_formula(std::size_t dimension, std::size_t degree, const Limits& limits) {
+SimplexInverseFormula inverse_formula(const SimplexFactor& factor, const Limits& limits) {
+    const auto [dimension, degree] = factor;
     const NetShape shape = NetShape::simplex(dimension, degree, limits);
     const std::size_t means = multi_index_count(dimension + 1, degree, limits);
     require_within(means, limits.expansion_work / shape.size(), "expansion_work",
@@ -87,7 +95,7 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
     std::vector<SimplexInverseFormula> formulas;
     std::vector<PatchPoint> points{{}};
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        formulas.push_back(inverse_formula(shape[f].dimension, shape[f].degree, limits));
+        formulas.push_back(inverse_formula(shape[f], limits));
         const auto& nodes = formulas.back().nodes;
         require_within(nodes.size(), limits.numbers / points.size(), "numbers",
                        "the number of nodes of one factor");
@@ -103,25 +111,22 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
     std::vector<Coordinates> values;
     values.reserve(points.size());
     for (const PatchPoint& point : points) values.push_back(map(point));
-    const PointArray of_one_dimension(values);
-    for (std::size_t f = shape.factors(); f-- > 0;) values = applied(formulas[f], values, shape.behind(f));
-    return {shape, values};
+    PointArray net(values);
+    for (std::size_t f = shape.factors(); f-- > 0;) net = applied(formulas[f], net, shape.behind(f));
+    return {shape, std::move(net)};
 }
 
 Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
                                 const PatchArguments& arguments, const Limits& limits) {
     require_arguments(shape, arguments);
-    within(Part::arguments, [&] { require_masses(arguments, 1, "an argument"); });
+    within(Part::arguments, [&] { require_masses(arguments, 1, "an argument", require_mass); });
     std::vector<constructions::Groups<Tuple<Rational>>> groups;
-    std::vector<std::size_t> multiplicities;
     Integer divisor = 1;
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         groups.push_back(constructions::grouped(std::span<const Coordinates>(arguments[f])));
-        for (const auto& group : groups.back()) multiplicities.push_back(group.second);
         divisor *= factorial(shape[f].degree);
     }
-    require_within(polarization_terms(multiplicities, limits.polarization_terms), limits.polarization_terms,
-                   "polarization_terms", "the number of terms of polarization, at least", Part::arguments);
+    require_terms_of_polarization(multiplicities(arguments), limits);
 
     const auto scaled_value_at_mean = [&](const std::vector<Coordinates>& sums,
                                           const std::vector<std::size_t>& sizes) -> Coordinates {
@@ -143,6 +148,36 @@ Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
     Coordinates value = constructions::polarized<Rational>(shape, groups, scaled_value_at_mean);
     for (Rational& coordinate : value) coordinate /= divisor;
     return value;
+}
+
+InverseFormula inverse_formula(std::size_t n, const Interval& interval, const Limits& limits) {
+    SimplexInverseFormula of_segment = inverse_formula({1, n}, limits);
+    InverseFormula formula{{}, std::move(of_segment.weights)};
+    for (const Coordinates& node : of_segment.nodes) formula.nodes.push_back(on_line(interval, node));
+    return formula;
+}
+
+BezierCurve control_points_from_values(std::size_t n, const Interval& interval,
+                                       const std::function<Coordinates(const Rational&)>& map,
+                                       const Limits& limits) {
+    const auto on_segment = [&](const PatchPoint& point) { return map(on_line(interval, point.front())); };
+    return {control_net_from_values(NetShape::simplex(1, n, limits), on_segment, limits).control_net(),
+            interval};
+}
+
+BezierCurve control_points_from_samples(std::size_t n, const Interval& interval,
+                                        const std::map<Rational, Coordinates>& values, const Limits& limits) {
+    const auto look_up = [&](const Rational& node) {
+        const auto known = values.find(node);
+        if (known == values.end()) {
+            throw Error(ErrorCode::missing_sample,
+                        "the inverse formula of degree " + std::to_string(n) + " needs the value at " +
+                            to_string(node) + ", and none is given",
+                        Part::values);
+        }
+        return known->second;
+    };
+    return control_points_from_values(n, interval, look_up, limits);
 }
 
 }  // namespace blossom

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/core/maps/bezier_patch.hpp>
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <vector>
 
 namespace blossom {
@@ -16,14 +18,14 @@ struct SimplexInverseFormula {
     std::vector<std::vector<Rational>> weights;  ///< one row a control point, in the order of the net
 };
 
-/// The inverse formula of degree n on a simplex of dimension s: the polarization formula at i_k copies of
-/// vertex k. The nodes are the means J / N of N vertices, J_k copies of vertex k, with the weights (-1)^(n-N)
-/// N^n / n! prod_k C(i_k, J_k); equal nodes are taken together.
+/// The inverse formula of degree n on a simplex of dimension s, {s, n}: the polarization formula at i_k
+/// copies of vertex k. The nodes are the means J / N of N vertices, J_k copies of vertex k, with the weights
+/// (-1)^(n-N) N^n / n! prod_k C(i_k, J_k); equal nodes are taken together.
 ///
 /// Exact for polynomials of degree at most n. Cost: C(n + s + 1, s + 1) nodes times C(n + s, s) control
 /// points, at most. Errors: `limit_exceeded`. Source: Fernandez-Jambrina, corollary 3, equation (23).
 /// Statements: fj-eq23, fj-eq23-binom.
-SimplexInverseFormula inverse_formula(std::size_t dimension, std::size_t degree, const Limits& limits = {});
+SimplexInverseFormula inverse_formula(const SimplexFactor& factor, const Limits& limits = {});
 
 /// A map that can be evaluated, at one barycentric point a factor.
 using PatchValues = std::function<Coordinates(const PatchPoint&)>;
@@ -44,5 +46,32 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
 /// fj-eq21, fj-tensor-inverse.
 Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
                                 const PatchArguments& arguments, const Limits& limits = {});
+
+/// Control points from values of a map alone: P_i = sum_j weights[i][j] * map(nodes[j]).
+struct InverseFormula {
+    std::vector<Rational> nodes;                 ///< in order from a to b
+    std::vector<std::vector<Rational>> weights;  ///< one row a control point, n + 1 of them
+};
+
+/// The inverse formula of degree n on [a, b]: the polarization formula at (a^(n-i), b^i), whose nodes are the
+/// means
+/// ((N - I) a + I b) / N, with equal nodes taken together.
+///
+/// Exact for polynomials of degree at most n; the first and last control points are always the values at the
+/// ends. For n >= 3 there are more nodes than control points, and other maps are approximated, not
+/// interpolated at inner nodes. Cost: O(n^3) products. Errors: `limit_exceeded`. Source: Fernandez-Jambrina,
+/// corollary 2, equation (22). Statements: fj-eq22, fj-reduction-is-lagrange.
+InverseFormula inverse_formula(std::size_t n, const Interval& interval, const Limits& limits = {});
+
+/// The control polygon that the inverse formula gives for known values of a map; all its nodes must be among
+/// them. Errors: `missing_sample`, naming the first node without a value; `limit_exceeded`.
+BezierCurve control_points_from_samples(std::size_t n, const Interval& interval,
+                                        const std::map<Rational, Coordinates>& values,
+                                        const Limits& limits = {});
+
+/// The same for a map that can be evaluated; it is called once a node.
+BezierCurve control_points_from_values(std::size_t n, const Interval& interval,
+                                       const std::function<Coordinates(const Rational&)>& map,
+                                       const Limits& limits = {});
 
 }  // namespace blossom

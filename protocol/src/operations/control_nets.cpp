@@ -1,14 +1,12 @@
-// Control nets of patches over simplices and boxes, and their conversion to other forms.
+#include "control_nets.hpp"
 
 #include <fmt/format.h>
+#include <blossom/core/blossom/patch_subdivision.hpp>
+#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
-#include <blossom/core/patch/patch_elevation.hpp>
-#include <blossom/core/patch/patch_subdivision.hpp>
-#include <blossom/core/patch/tensor_bspline_change.hpp>
 
 #include <algorithm>
-
-#include "patch_answers.hpp"
+#include <numeric>
 
 namespace blossom::protocol {
 
@@ -22,12 +20,8 @@ struct WantedDomain {
 
 /// The degrees of the map as simplex or tensor form asks for: kept, or turned into each other.
 std::vector<std::size_t> default_degrees(const NetShape& shape, bool tensor) {
-    std::vector<std::size_t> degrees;
-    std::size_t total = 0;
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
-        degrees.push_back(shape[f].degree);
-        total += shape[f].degree;
-    }
+    std::vector<std::size_t> degrees = degrees_of(shape);
+    const std::size_t total = std::accumulate(degrees.begin(), degrees.end(), std::size_t{0});
     if (!tensor) return {total};
     if (shape.factors() == 1) degrees.assign(shape.dimension(), total);
     return degrees;
@@ -43,12 +37,10 @@ std::vector<std::size_t> read_degrees(Fields& request, const NetShape& shape, bo
         return degree ? std::vector<std::size_t>{*degree} : usual;
     }
     const auto degrees = request.optional("degrees", [&](const Json& value) {
-        return read_list(value, [&](const Json& degree) { return read_count(degree, limits); });
+        return read_each_direction(value, usual.size(), "degrees",
+                                   [&](const Json& degree) { return read_count(degree, limits); });
     });
-    if (!degrees) return usual;
-    if (degrees->size() == usual.size()) return *degrees;
-    throw Error(ErrorCode::wrong_arity,
-                fmt::format("{} degrees for {} directions", degrees->size(), usual.size()), Place{"degrees"});
+    return degrees.value_or(usual);
 }
 
 /// By monomial coefficients in a shape that may group the variables otherwise.
@@ -72,10 +64,7 @@ WantedDomain read_domain(Fields& request, const Patch& patch, const Limits& limi
     };
     const auto over = request.optional("vertices", vertices);
     const auto boxes = request.optional("intervals", [&](const Json& value) {
-        std::vector<BarycentricFrame> frames = read_intervals(value, limits);
-        if (frames.size() == patch.shape().dimension()) return frames;
-        throw Error(ErrorCode::wrong_arity,
-                    fmt::format("{} intervals for {} directions", frames.size(), patch.shape().dimension()));
+        return read_intervals(value, patch.shape().dimension(), limits);
     });
     if (over && boxes) {
         throw Error(ErrorCode::wrong_kind,
@@ -143,47 +132,15 @@ std::vector<BarycentricFrame> other_domain(const Patch& patch) {
     return {BarycentricFrame(std::move(vertices))};
 }
 
-/// x, y, z for a simplex, u, v, w for a tensor product, x1, x2, ... where there are more.
-std::vector<std::string> usual_variables(std::size_t count, bool tensor) {
-    const std::string_view letters = tensor ? "uvw" : "xyz";
-    std::vector<std::string> names;
-    names.reserve(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        names.push_back(count <= letters.size() ? std::string(1, letters[i]) : fmt::format("x{}", i + 1));
-    }
-    return names;
+}  // namespace
+
+Patch as_net(const Patch& patch, const Limits& limits) {
+    if (!patch.is_polynomial()) return patch;
+    const std::vector<std::size_t> degrees = default_degrees(patch.shape(), patch.tensor);
+    return over_domain(patch, {patch.tensor, {}}, degrees, limits);
 }
 
-Patch as_polynomial(const Patch& patch, const Limits& limits) {
-    if (patch.is_polynomial()) return patch;
-    if (patch.is_barycentric()) {
-        throw Error(ErrorCode::wrong_kind,
-                    R"(a simplex without "vertices" is no polynomial in coordinates of its points)",
-                    Place{"map"});
-    }
-    return {monomial_form(std::get<BezierPatch>(patch.map), patch.frames, limits),
-            patch.tensor,
-            {},
-            usual_variables(patch.shape().dimension(), patch.tensor)};
-}
-
-TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
-    if (!patch.tensor) {
-        throw Error(ErrorCode::wrong_kind,
-                    "B-splines in several directions are over a box; convert the simplex map to tensor first",
-                    Place{"map"});
-    }
-    Patch net = as_net(patch, limits);
-    return bspline_of({std::get<BezierPatch>(net.map), std::move(net.frames)}, limits);
-}
-
-enum class PatchForm { monomial, bernstein, bspline, tensor, simplex };
-constexpr std::string_view form_names[] = {"monomial", "bernstein", "bspline", "tensor", "simplex"};
-
-/// The control points of the map over what the request says; in simplex or tensor form where `form` says
-/// which, by default that of the map.
-Answer net_over(Fields& request, const Map& map, std::optional<bool> tensor, const Limits& limits) {
-    const Patch& patch = *patch_of(map);
+Patch net_over(Fields& request, const Patch& patch, std::optional<bool> tensor, const Limits& limits) {
     WantedDomain wanted = read_domain(request, patch, limits);
     if (tensor && *tensor != wanted.tensor) {
         if (!wanted.frames.empty()) {
@@ -195,44 +152,10 @@ Answer net_over(Fields& request, const Map& map, std::optional<bool> tensor, con
     }
     const std::vector<std::size_t> degrees = read_degrees(request, patch.shape(), wanted.tensor, limits);
     request.finish();
-    if (patch.is_barycentric() && wanted.tensor) {
-        throw Error(ErrorCode::wrong_kind, R"(a simplex without "vertices" has no box of parameters)",
-                    wanted.frames.empty() ? Place{"map"} : Place{"intervals"});
-    }
-    return answer_of(like(map, patch.is_barycentric() ? over_sub_simplex(patch, wanted, degrees, limits)
-                                                      : over_domain(patch, wanted, degrees, limits)));
-}
-
-}  // namespace
-
-Patch as_net(const Patch& patch, const Limits& limits) {
-    if (!patch.is_polynomial()) return patch;
-    const std::vector<std::size_t> degrees = default_degrees(patch.shape(), patch.tensor);
-    return over_domain(patch, {patch.tensor, {}}, degrees, limits);
-}
-
-Answer control_net_of_patch(Fields& request, const Map& map, const Limits& limits) {
-    return net_over(request, map, {}, limits);
-}
-
-Answer convert_patch(Fields& request, const Map& map, const Limits& limits) {
-    const auto to = static_cast<PatchForm>(request.required(
-        "to", [](const Json& value) { return read_alternative(value, form_names, "a form of a patch"); }));
-    const Patch& patch = *patch_of(map);
-    switch (to) {
-        case PatchForm::monomial:
-            request.finish();
-            return answer_of(like(map, as_polynomial(patch, limits)));
-        case PatchForm::bspline:
-            request.finish();
-            return answer_of(like(map, as_bspline(patch, limits)));
-        case PatchForm::bernstein:
-            return net_over(request, map, {}, limits);
-        case PatchForm::tensor:
-        case PatchForm::simplex:
-            break;
-    }
-    return net_over(request, map, to == PatchForm::tensor, limits);
+    if (!patch.is_barycentric()) return over_domain(patch, wanted, degrees, limits);
+    if (!wanted.tensor) return over_sub_simplex(patch, wanted, degrees, limits);
+    throw Error(ErrorCode::wrong_kind, R"(a simplex without "vertices" has no box of parameters)",
+                wanted.frames.empty() ? Place{"map"} : Place{"intervals"});
 }
 
 }  // namespace blossom::protocol

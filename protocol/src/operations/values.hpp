@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "maps/parameters.hpp"
+
+namespace blossom::protocol {
+
+/// What the parameters are mapped to, in the coordinates of the engine; prepared if there are many of them.
+/// Errors: `wrong_kind`; `limit_exceeded` for too many; those of the values, below the field "at".
+std::vector<Coordinates> values_at(const Map& map, const Parameters& parameters, const Limits& limits);
+
+}  // namespace blossom::protocol
