@@ -11,7 +11,7 @@ namespace blossom::protocol {
 /// One limit of a request: its flag is --max- and the name, with '-' for '_'.
 struct LimitEntry {
     std::string_view name;
-    std::size_t Limits::* member;
+    std::size_t Limits::*member;
     std::string_view help;
     std::size_t greatest;  ///< what the flag may ask for
 };

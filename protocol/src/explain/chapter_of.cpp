@@ -239,17 +239,22 @@ constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
 
 }  // namespace
 
+std::vector<std::string_view> chapter_names() {
+    std::vector<std::string_view> names;
+    for (const Chapter& chapter : chapters) names.push_back(chapter.operation);
+    names.push_back(prove_operation().name);
+    return names;
+}
+
 bool has_chapter(std::string_view operation) {
-    return operation == prove_operation().name ||
-           std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
+    const std::vector<std::string_view> names = chapter_names();
+    return std::ranges::find(names, operation) != names.end();
 }
 
 std::string no_chapter(std::string_view operation) {
     std::string known;
-    for (const Chapter& chapter : chapters) {
-        known += std::string(chapter.operation) + ", ";
-    }
-    known += prove_operation().name;
+    for (const std::string_view name : chapter_names())
+        known += (known.empty() ? "" : ", ") + std::string(name);
     return "there is no chapter for the operation " + quoted(operation) + "; there is for " + known;
 }
 

@@ -266,10 +266,14 @@ BSplineCurve textbook(const BSplineCurve& curve) {
 
 }  // namespace
 
-const ForeignFormat& read_format(const Json& name) {
+std::vector<std::string_view> format_names() {
     std::vector<std::string_view> names;
     for (const ForeignFormat& format : formats) names.push_back(format.name);
-    return formats[read_alternative(name, names, "a format")];
+    return names;
+}
+
+const ForeignFormat& read_format(const Json& name) {
+    return formats[read_alternative(name, format_names(), "a format")];
 }
 
 Place place_in_document(const ForeignFormat& format, const Place& of_map) {

@@ -154,6 +154,11 @@ void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const 
     if (form.homogeneous) map["homogeneous"] = true;
 }
 
+Field homogeneous_field() {
+    return optional("homogeneous", ValueKind::flag,
+                    "points have their weight as their last coordinate: see [rational maps](#rational-maps)");
+}
+
 bool read_homogeneous(Fields& fields) { return fields.optional("homogeneous", read_boolean).value_or(false); }
 
 PointForm homogeneous_form(const Points& points) {

@@ -12,6 +12,7 @@
 #include "map_options.hpp"
 #include "maps/points.hpp"
 #include "rounding.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -64,6 +65,14 @@ std::pair<Json, Json> compare(const Json& exact, const Json& computed, Errors& e
 /// The members that hold the numbers of a map, in the order of the answer.
 constexpr std::string_view audited[] = {"knots",        "control_points", "weights",
                                         "coefficients", "denominator",    "values"};
+
+/// An object with some of these members.
+Shape audited_numbers(ValueKind kind) {
+    Members members{.fields = {}, .some = true};
+    for (const std::string_view field : audited)
+        members.fields.push_back(optional(field, kind, "the numbers of this member of the map"));
+    return Shape::object(std::move(members));
+}
 
 /// The numbers that the request gives as computed, by field.
 struct Computed {
@@ -175,6 +184,20 @@ Operation audit_operation() {
         .name = "audit",
         .summary =
             "Measure the error of doubles computed by another program, against the exact numbers of a map",
+        .documentation = "Each double counts as the exact number that it represents.",
+        .request =
+            {{map_field(), optional("at", numbers_shape(), "the parameters of `values`")},
+             {{{required("computed", audited_numbers(ValueKind::doubles),
+                         "the numbers of the other program, by members of the map, or the `values` at `at`")},
+               {format_field(), document_field()}}}},
+        .result = {{required("errors", audited_numbers(ValueKind::nested_points),
+                             "the computed minus the exact values"),
+                    required("ulps", audited_numbers(ValueKind::nested_points),
+                             "their sizes in units in the last place of the exact values"),
+                    required("greatest_ulps", ValueKind::number, "the greatest of these"),
+                    required("numbers", ValueKind::count, "how many numbers were compared"),
+                    required("not_nearest", ValueKind::count,
+                             "how many of them are not the nearest double")}},
         .example = {"audit", "--control-points", "0; 1/3; 1/10", "--computed",
                     R"({"control_points": [0, 0.333, 0.1]})"},
         .options = with_map_options({
@@ -184,7 +207,7 @@ Operation audit_operation() {
              R"(the numbers of the other program: "control_points", "weights", "knots", "coefficients", )"
              R"(or the "values" at the parameters --at)",
              apply_computed},
-            field_option("--at", "at", "T1,T2,...", R"(the parameters of "values")", number_list),
+            field_option("--at", "at", "T1,T2,...", number_list),
             format_option(),
             document_option(
                 R"(instead of --computed: a file of another library, "@NAME" or "-", or its text)"),

@@ -17,15 +17,26 @@ std::vector<Argument> read_arguments(const Json& value, const PointForm& form, c
     });
 }
 
-Construction read_construction(const Json& value) {
+std::vector<std::string_view> construction_names() {
     std::vector<std::string_view> names;
     for (const Construction construction : all_constructions)
         names.push_back(construction_name(construction));
-    return all_constructions[read_alternative(value, names, "a construction")];
+    return names;
+}
+
+Construction read_construction(const Json& value) {
+    return all_constructions[read_alternative(value, construction_names(), "a construction")];
+}
+
+Field arguments_field(Presence presence, std::string documentation) {
+    const Shape of_curve = Shape::list(ValueKind::argument);
+    return {"arguments",
+            Shape::one_of({of_curve, Shape::list(ValueKind::point_argument), Shape::list(of_curve)}),
+            presence, std::move(documentation)};
 }
 
 Option arguments_option(std::string help) {
-    return field_option("--at", "arguments", "U1,U2,...", std::move(help), argument_list, patch_arguments);
+    return field_option("--at", "arguments", "U1,U2,...", argument_list, patch_arguments, std::move(help));
 }
 
 }  // namespace blossom::protocol

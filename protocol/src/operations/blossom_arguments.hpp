@@ -18,10 +18,15 @@ inline constexpr Construction all_constructions[] = {Construction::symmetric, Co
 /// weight: the blossom of a rational map has no point there.
 std::vector<Argument> read_arguments(const Json& value, const PointForm& form, const Limits& limits);
 
-/// "symmetric", "polarization", "regrouped-polarization" or "casteljau". Errors: `wrong_kind`.
+std::vector<std::string_view> construction_names();
+inline Shape construction_shape() { return Shape::words(construction_names()); }
+
+/// The construction of that name. Errors: `wrong_kind`.
 Construction read_construction(const Json& value);
 
-/// --at, for field "arguments".
+/// Field "arguments": numbers, vectors or pairs; of a patch points, or one list a direction.
+Field arguments_field(Presence presence, std::string documentation);
+/// --at, for this field.
 Option arguments_option(std::string help);
 
 }  // namespace blossom::protocol

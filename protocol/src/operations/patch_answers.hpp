@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -36,6 +38,13 @@ template <auto of_curve, auto of_patch, auto of_tensor_bspline>
 Answer answer_by_shape(Request& request, const Limits& limits) {
     return answer_about<of_curve, of_patch, of_tensor_bspline>(request, request.map(limits), limits);
 }
+
+/// What patches are converted to.
+enum class PatchForm { monomial, bspline, bernstein, tensor, simplex };
+inline constexpr std::string_view patch_form_names[] = {"monomial", "bspline", "bernstein", "tensor",
+                                                        "simplex"};
+/// Those that are control nets.
+inline constexpr std::span net_form_names = std::span(patch_form_names).last<3>();
 
 /// The patch as a control net with its domain, a polynomial over the unit box or simplex.
 Patch as_net(const Patch& patch, const Limits& limits);

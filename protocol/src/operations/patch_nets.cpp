@@ -177,9 +177,6 @@ TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
     return bspline_of({std::get<BezierPatch>(net.map), std::move(net.frames)}, limits);
 }
 
-enum class PatchForm { monomial, bernstein, bspline, tensor, simplex };
-constexpr std::string_view form_names[] = {"monomial", "bernstein", "bspline", "tensor", "simplex"};
-
 /// The control points of the map over what the request says; in simplex or tensor form where `form` says
 /// which, by default that of the map.
 Answer net_over(Fields& request, const Map& map, std::optional<bool> tensor, const Limits& limits) {
@@ -216,8 +213,9 @@ Answer control_net_of_patch(Fields& request, const Map& map, const Limits& limit
 }
 
 Answer convert_patch(Fields& request, const Map& map, const Limits& limits) {
-    const auto to = static_cast<PatchForm>(request.required(
-        "to", [](const Json& value) { return read_alternative(value, form_names, "a form of a patch"); }));
+    const auto to = static_cast<PatchForm>(request.required("to", [](const Json& value) {
+        return read_alternative(value, patch_form_names, "a form of a patch");
+    }));
     const Patch& patch = *patch_of(map);
     switch (to) {
         case PatchForm::monomial:

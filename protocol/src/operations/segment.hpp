@@ -18,7 +18,9 @@ std::optional<std::size_t> read_span(Fields& request, const Map& map, const Limi
 /// Errors: `outside_domain` if there is no such span, or if none is named and there are several.
 std::size_t chosen_span(const BSplineCurve& curve, std::optional<std::size_t> span);
 
-/// --segment, for field "segment".
+/// Field "segment".
+Field segment_field();
+/// --segment, for this field.
 Option segment_option();
 
 }  // namespace blossom::protocol

@@ -3,17 +3,14 @@
 namespace blossom::protocol {
 
 const std::vector<Operation>& operations() {
-    static const std::vector<Operation> table{
-        agree_operation(),       blossom_operation(),         evaluate_operation(),
-        derivative_operation(),  control_points_operation(),  convert_operation(),
-        graph_operation(),       subdivide_operation(),       elevate_operation(),
-        reduce_operation(),      inverse_formula_operation(), insert_knots_operation(),
-        remove_knot_operation(), segments_operation(),        join_operation(),
-        continuity_operation(),  basis_functions_operation(), roots_operation(),
-        prove_operation(),       audit_operation(),           import_operation(),
-        export_operation(),      certify_operation(),         explain_operation(),
-        exercise_operation(),    barycentric_operation(),
-    };
+    static const std::vector<Operation> table = [] {
+#define BLOSSOM_ENTRY(name) name##_operation(),
+        std::vector<Operation> all{BLOSSOM_OPERATIONS(BLOSSOM_ENTRY)};
+#undef BLOSSOM_ENTRY
+        for (Operation& operation : all)
+            operation.options = completed(std::move(operation.options), operation.request);
+        return all;
+    }();
     return table;
 }
 

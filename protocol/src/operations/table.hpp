@@ -2,33 +2,18 @@
 
 #include "operation.hpp"
 
+/// The only list of the operations, in the order of the help: each file NAME.cpp defines NAME_operation().
+#define BLOSSOM_OPERATIONS(entry)                                                                         \
+    entry(agree) entry(blossom) entry(evaluate) entry(derivative) entry(control_points) entry(convert)    \
+        entry(graph) entry(subdivide) entry(elevate) entry(reduce) entry(inverse_formula)                 \
+            entry(insert_knots) entry(remove_knot) entry(segments) entry(join) entry(continuity)          \
+                entry(basis_functions) entry(roots) entry(prove) entry(audit) entry(import) entry(export) \
+                    entry(certify) entry(explain) entry(exercise) entry(barycentric)
+
 namespace blossom::protocol {
 
-Operation agree_operation();
-Operation audit_operation();
-Operation barycentric_operation();
-Operation basis_functions_operation();
-Operation blossom_operation();
-Operation certify_operation();
-Operation continuity_operation();
-Operation control_points_operation();
-Operation convert_operation();
-Operation derivative_operation();
-Operation elevate_operation();
-Operation evaluate_operation();
-Operation exercise_operation();
-Operation explain_operation();
-Operation export_operation();
-Operation graph_operation();
-Operation import_operation();
-Operation insert_knots_operation();
-Operation inverse_formula_operation();
-Operation join_operation();
-Operation prove_operation();
-Operation reduce_operation();
-Operation remove_knot_operation();
-Operation roots_operation();
-Operation segments_operation();
-Operation subdivide_operation();
+#define BLOSSOM_DECLARATION(name) Operation name##_operation();
+BLOSSOM_OPERATIONS(BLOSSOM_DECLARATION)
+#undef BLOSSOM_DECLARATION
 
 }  // namespace blossom::protocol
