@@ -18,6 +18,7 @@
 #include "maps/kind.hpp"
 #include "operations/map_options.hpp"
 #include "protocol_names.hpp"
+#include "responses.hpp"
 
 namespace blossom::cli {
 
@@ -82,7 +83,7 @@ std::string commands_table() {
 std::string generated(std::string_view what) {
     if (what == "commands") return commands_table();
     if (what == "options of a map") return options_table(with_map_options({}));
-    if (what == "fields of a request") return fields_table("field", {common_fields()}, false);
+    if (what == "fields of a request") return fields_table("field", {.fields = common_fields()}, false);
     const std::size_t end = std::min(what.find(' '), what.size());
     const std::string_view name = what.substr(std::min(end + 1, what.size()));
     for (const Operation& operation : operations()) {

@@ -482,6 +482,8 @@ FieldList all_fields(const Members& members) {
             }
         }
     }
+    std::ranges::stable_partition(
+        all, [&](const Field& field) { return presence_text(members, field.name) != "no"; });
     return all;
 }
 

@@ -144,7 +144,8 @@ struct Members {
     bool some = false;  ///< at least one is there, where all are optional
 };
 
-/// All fields, each name once, with every shape that it has in one of the choices.
+/// All fields, each name once, with every shape that it has in one of the choices. Those that may be left out
+/// are last.
 FieldList all_fields(const Members& members);
 /// When a field must be there: "yes", "no", or what it stands together with.
 std::string presence_text(const Members& members, std::string_view name);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "blossom_arguments.hpp"
 #include "map_list.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
