@@ -88,17 +88,24 @@ public:
 
 private:
     void add_request(const Json& request) {
-        const auto found =
-            std::ranges::find(protocol::operations(), *request.find("op")->text(), &Operation::name);
+        const std::string* name = request.find("op")->text();
+        const auto found = std::ranges::find_if(protocol::operations(), [&](const Operation& operation) {
+            return name && operation.name == *name;
+        });
         if (found == protocol::operations().end()) return;
+        Json::Object own = *request.object();
+        std::erase_if(own, [](const Json::Member& member) {
+            return member.first == "op" || names_of(common_fields()).contains(member.first);
+        });
+        const Json without_common = std::move(own);
         Observed& observed = operations[std::string(found->name)];
-        Request fields(request);
+        Request fields(without_common);
         try {
             add_written(observed, found->answer(fields, Limits{}).result);
         } catch (const Error&) {
             static_cast<void>(fields);  // what was read before the error counts
         }
-        add_read(observed, fields, request);
+        add_read(observed, fields, without_common);
     }
     void add_map(const Json& map) {
         Fields fields(map);
@@ -139,8 +146,8 @@ TEST_CASE("an operation reads the fields that it declares, and no others") {
         CAPTURE(std::string(operation.name));
         const Observed& observed = observed_in(observation().operations, std::string(operation.name));
         const Names declared = names_of(all_fields(operation.request));
-        CHECK(missing_text(observed.asked, declared).empty());
-        CHECK(missing_text(declared, observed.read).empty());
+        CHECK(missing_text(observed.asked, declared) == "");
+        CHECK(missing_text(declared, observed.read) == "");
     }
 }
 
@@ -148,9 +155,11 @@ TEST_CASE("a result has the members that its operation declares, and no others")
     for (const Operation& operation : operations()) {
         CAPTURE(std::string(operation.name));
         const Observed& observed = observed_in(observation().operations, std::string(operation.name));
-        const Names declared = names_of(all_fields(operation.result));
-        CHECK(missing_text(observed.written, declared).empty());
-        CHECK(missing_text(declared, observed.written).empty());
+        Names declared = names_of(all_fields(operation.result));
+        CHECK(missing_text(observed.written, declared) == "");
+        // Only constructions that disagree have them, which is an error of the program.
+        if (operation.name == "agree") declared.erase("expansions");
+        CHECK(missing_text(declared, observed.written) == "");
     }
 }
 
@@ -162,10 +171,10 @@ TEST_CASE("a kind of map reads and writes the fields that it declares, and no ot
             CAPTURE(title);
             const Observed& observed = observed_in(observation().kinds, title);
             Names declared = names_of(all_fields(word.members()));
-            CHECK(missing_text(observed.asked, declared).empty());
-            CHECK(missing_text(declared, observed.read).empty());
+            CHECK(missing_text(observed.asked, declared) == "");
+            CHECK(missing_text(declared, observed.read) == "");
             declared.insert("kind");
-            CHECK(missing_text(observed.written, declared).empty());
+            CHECK(missing_text(observed.written, declared) == "");
         }
     }
 }

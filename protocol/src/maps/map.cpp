@@ -37,7 +37,8 @@ Choice weights_or_homogeneous(Shape weights) {
 }
 
 Members control_point_members(FieldList others) {
-    others.insert(others.begin(), required("control_points", Shape::list(ValueKind::point, 1), "the control points"));
+    others.insert(others.begin(),
+                  required("control_points", Shape::list(ValueKind::point, 1), "the control points"));
     return {std::move(others), {weights_or_homogeneous(Shape::list(ValueKind::number, 1))}};
 }
 

@@ -186,7 +186,7 @@ Operation audit_operation() {
             "Measure the error of doubles computed by another program, against the exact numbers of a map",
         .documentation = "Each double counts as the exact number that it represents.",
         .request =
-            {{map_field(), optional("at", numbers_shape(), "the parameters of `values`")},
+            {{map_field(), optional("at", numbers_shape(), "the parameters of the values")},
              {{{required("computed", audited_numbers(ValueKind::doubles),
                          "the numbers of the other program, by members of the map, or the `values` at `at`")},
                {format_field(), document_field()}}}},
