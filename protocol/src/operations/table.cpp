@@ -3,15 +3,16 @@
 namespace blossom::protocol {
 
 const std::vector<Operation>& operations() {
-    static const std::vector<Operation> table = [] {
-#define BLOSSOM_ENTRY(name) name##_operation(),
-        std::vector<Operation> all{BLOSSOM_OPERATIONS(BLOSSOM_ENTRY)};
-#undef BLOSSOM_ENTRY
-        for (Operation& operation : all)
-            operation.options = completed(std::move(operation.options), operation.request);
-        return all;
+    static const std::vector<Operation> all = [] {
+        std::vector<Operation> described;
+        for (const auto describe : operation_table) {
+            described.push_back(describe());
+            described.back().options =
+                completed(std::move(described.back().options), described.back().request);
+        }
+        return described;
     }();
-    return table;
+    return all;
 }
 
 }  // namespace blossom::protocol
