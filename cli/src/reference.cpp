@@ -14,7 +14,6 @@
 #include <sstream>
 
 #include <blossom/protocol/description.hpp>
-#include "json/json_text.hpp"
 #include "maps/kind.hpp"
 #include "operations/map_options.hpp"
 #include "protocol_names.hpp"
@@ -152,7 +151,7 @@ int main(int count, char** arguments) {
         std::cerr << "usage: blossom_reference FILE\n";
         return 2;
     }
-    std::cout << (name.ends_with(".json") ? blossom::protocol::indented_text(blossom::protocol::schema())
+    std::cout << (name.ends_with(".json") ? blossom::to_text(blossom::protocol::schema(), 2) + "\n"
                                           : blossom::cli::renewed(page));
     return 0;
 }

@@ -3,7 +3,7 @@
 #include <blossom/proofs/prover.hpp>
 
 #include <blossom/protocol/json.hpp>
-#include "description/shape.hpp"
+#include "description/members.hpp"
 
 /// Decisions of the prover for machines.
 

@@ -141,7 +141,7 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     }
     const std::string json_help = "print the response as JSON";
     const CLI::Option* as_json = command->add_flag("--json", json_help);
-    const CLI::Option* numbers = add_value(*command, "--numbers", CLI::detail::join(rounding_names(), "|"),
+    const CLI::Option* numbers = add_value(*command, "--numbers", joined(rounding_names(), {}, "|"),
                                            "also give every number correctly rounded");
     const CLI::Option* picture =
         operation.plot ? add_value(*command, "--svg", "FILE", "also write a picture of the curves or patches")
@@ -301,7 +301,7 @@ Subcommand add_schema(CLI::App& app) {
         app.add_subcommand("schema", "Print the JSON Schema of the requests and responses of batch");
     command->footer("Example:\n  $ blossom schema > protocol.schema.json");
     return {command, [](const Streams& streams) {
-                streams.output(indented_text(schema()));
+                streams.output(to_text(schema(), 2) + "\n");
                 return Outcome::success;
             }};
 }

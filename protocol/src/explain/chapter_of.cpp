@@ -1,5 +1,6 @@
 #include "chapter_of.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/proof_chapter.hpp>
@@ -240,8 +241,7 @@ constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
 }  // namespace
 
 std::vector<std::string_view> chapter_names() {
-    std::vector<std::string_view> names;
-    for (const Chapter& chapter : chapters) names.push_back(chapter.operation);
+    std::vector<std::string_view> names = mapped(chapters, &Chapter::operation);
     names.push_back(prove_operation().name);
     return names;
 }
@@ -252,10 +252,8 @@ bool has_chapter(std::string_view operation) {
 }
 
 std::string no_chapter(std::string_view operation) {
-    std::string known;
-    for (const std::string_view name : chapter_names())
-        known += (known.empty() ? "" : ", ") + std::string(name);
-    return "there is no chapter for the operation " + quoted(operation) + "; there is for " + known;
+    return "there is no chapter for the operation " + quoted(operation) + "; there is for " +
+           joined(chapter_names());
 }
 
 std::vector<Document> chapters_of(const Json& request, const Limits& limits) {

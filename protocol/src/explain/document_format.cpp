@@ -74,11 +74,7 @@ constexpr std::array<Format, 6> formats{
           return json_text(documents, notation);
       }}}};
 
-std::vector<std::string_view> names_of_formats() {
-    std::vector<std::string_view> names;
-    for (const Format& format : formats) names.push_back(format.name);
-    return names;
-}
+std::vector<std::string_view> names_of_formats() { return mapped(formats, &Format::name); }
 
 std::string read_format(const Json& value) {
     return std::string(formats[read_alternative(value, names_of_formats(), "a format")].name);

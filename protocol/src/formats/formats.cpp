@@ -2,6 +2,7 @@
 
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/spline/spline_join.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include "doubles.hpp"
 #include "maps/dispatch_on_kind.hpp"
@@ -266,11 +267,7 @@ BSplineCurve textbook(const BSplineCurve& curve) {
 
 }  // namespace
 
-std::vector<std::string_view> format_names() {
-    std::vector<std::string_view> names;
-    for (const ForeignFormat& format : formats) names.push_back(format.name);
-    return names;
-}
+std::vector<std::string_view> format_names() { return mapped(formats, &ForeignFormat::name); }
 
 const ForeignFormat& read_format(const Json& name) {
     return formats[read_alternative(name, format_names(), "a format")];

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "description/shape.hpp"
+#include "description/members.hpp"
 #include "map.hpp"
 
 /// What each kind of map says of itself: how it is read, written, shown to a person, and made of other

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <blossom/protocol/json.hpp>
-#include "description/shape.hpp"
+#include "description/members.hpp"
 #include "json/fields.hpp"
 
 /// Points as they stand in requests and responses.

@@ -1,5 +1,7 @@
 #include "blossom_arguments.hpp"
 
+#include <blossom/rational/lists.hpp>
+
 #include "map_options.hpp"
 
 namespace blossom::protocol {
@@ -17,12 +19,7 @@ std::vector<Argument> read_arguments(const Json& value, const PointForm& form, c
     });
 }
 
-std::vector<std::string_view> construction_names() {
-    std::vector<std::string_view> names;
-    for (const Construction construction : all_constructions)
-        names.push_back(construction_name(construction));
-    return names;
-}
+std::vector<std::string_view> construction_names() { return mapped(all_constructions, construction_name); }
 
 Construction read_construction(const Json& value) {
     return all_constructions[read_alternative(value, construction_names(), "a construction")];

@@ -3,6 +3,7 @@
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 
@@ -171,11 +172,7 @@ constexpr Certified certified[] = {
     {"derivative", certify_derivative},
 };
 
-std::vector<std::string_view> certified_names() {
-    std::vector<std::string_view> names;
-    for (const Certified& entry : certified) names.push_back(entry.operation);
-    return names;
-}
+std::vector<std::string_view> certified_names() { return mapped(certified, &Certified::operation); }
 
 const Certified& read_operation(const Json& value) {
     return certified[read_alternative(value, certified_names(), "an operation with certificates")];

@@ -1,4 +1,5 @@
 #include <blossom/core/spline/de_boor.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -27,9 +28,7 @@ std::vector<const Kind*> target_kinds() {
 }
 
 std::vector<std::string_view> target_words() {
-    std::vector<std::string_view> words;
-    for (const Kind* kind : target_kinds()) words.push_back(kind->target.word);
-    return words;
+    return mapped(target_kinds(), [](const Kind* kind) { return kind->target.word; });
 }
 
 const Kind& read_target(const Json& value) {

@@ -1,5 +1,7 @@
 #include "map_options.hpp"
 
+#include <blossom/rational/lists.hpp>
+
 #include <algorithm>
 
 #include "json/json_text.hpp"
@@ -212,9 +214,7 @@ std::vector<Option> completed(std::vector<Option> options, const Members& reques
             fields, [&](const Field& one) { return option.field == Place{std::string(one.name)}; });
         if (field == fields.end()) continue;
         if (option.help.empty()) option.help = field->documentation;
-        if (!option.value.empty()) continue;
-        for (const std::string_view word : field->shape.alternatives())
-            option.value += (option.value.empty() ? "" : "|") + std::string(word);
+        if (option.value.empty()) option.value = joined(field->shape.alternatives(), {}, "|");
     }
     return options;
 }

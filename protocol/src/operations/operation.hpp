@@ -9,7 +9,7 @@
 
 #include <blossom/protocol/json.hpp>
 #include "answer.hpp"
-#include "description/shape.hpp"
+#include "description/members.hpp"
 #include "json/fields.hpp"
 #include "maps/map.hpp"
 #include "text/readable.hpp"

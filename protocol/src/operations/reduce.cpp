@@ -2,6 +2,7 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/spline/spline_reduction.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include "listing.hpp"
 #include "map_options.hpp"
@@ -18,11 +19,7 @@ constexpr ReductionMethod all_methods[] = {ReductionMethod::inverse_formula, Red
                                            ReductionMethod::least_squares_endpoints,
                                            ReductionMethod::uniform};
 
-std::vector<std::string_view> method_names() {
-    std::vector<std::string_view> names;
-    for (const ReductionMethod method : all_methods) names.push_back(reduction_method_name(method));
-    return names;
-}
+std::vector<std::string_view> method_names() { return mapped(all_methods, reduction_method_name); }
 
 ReductionMethod read_method(const Json& value) {
     return all_methods[read_alternative(value, method_names(), "a method")];

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "description/shape.hpp"
+#include "description/members.hpp"
 
 /// Fields that several operations have.
 
