@@ -64,6 +64,12 @@ Json answered(const Json& request, const Answering& answer) {
 
 }  // namespace
 
+FieldList common_fields() {
+    return {{"id", ValueKind::any, Presence::optional, "is returned unchanged in the response"},
+            {"numbers", Shape::words(rounding_names()), Presence::optional,
+             "adds each exact number correctly rounded"}};
+}
+
 const Operation& find_operation(std::string_view name) {
     std::vector<std::string_view> names;
     std::string list;

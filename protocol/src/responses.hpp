@@ -12,6 +12,9 @@
 
 namespace blossom::protocol {
 
+/// The fields that every request may have besides "op".
+FieldList common_fields();
+
 /// The operation of that name. Errors: `unknown_op`.
 const Operation& find_operation(std::string_view name);
 

@@ -59,11 +59,11 @@ void add_twins(Json& value, Rounding rounding) {
 
 }  // namespace
 
+std::vector<std::string_view> rounding_names() { return {"double", "hexfloat"}; }
+
 Rounding read_rounding(const Json& value) {
-    const std::string& name = read_text(value);
-    if (name == "double") return Rounding::binary64;
-    if (name == "hexfloat") return Rounding::hexadecimal;
-    throw Error(ErrorCode::wrong_kind, quoted(name) + R"( is not "double" or "hexfloat")");
+    constexpr Rounding roundings[] = {Rounding::binary64, Rounding::hexadecimal};
+    return roundings[read_alternative(value, rounding_names(), "a way to round")];
 }
 
 std::string_view rounding_suffix(Rounding rounding) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include <blossom/protocol/json.hpp>
 
@@ -9,7 +10,10 @@ namespace blossom::protocol {
 /// How numbers are given beside the exact ones.
 enum class Rounding { none, binary64, hexadecimal };
 
-/// The rounding that "numbers" asks for: "double" or "hexfloat". Errors: `wrong_kind`.
+/// "double" and "hexfloat".
+std::vector<std::string_view> rounding_names();
+
+/// The rounding that "numbers" asks for. Errors: `wrong_kind`.
 Rounding read_rounding(const Json& value);
 
 /// What is appended to the name of a member for its rounded twin: "_double" or "_hex".

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include <blossom/protocol/description.hpp>
+#include "json/json_text.hpp"
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
 #include "run.hpp"
@@ -250,12 +252,20 @@ TEST_CASE("every command has a summary and an example with its output") {
         CHECK(contains(help, std::string(operation.summary)));
         const Run own = run({std::string(operation.name), "--help"});
         CHECK(own.status == 0);
+        CHECK(contains(own.output, std::string(operation.documentation) + "\n"));
         CHECK(contains(own.output, "Example:\n  $ blossom " + std::string(operation.name) + " "));
         const Run example = run(operation.example);
         CHECK(example.status == 0);
         CHECK(contains(own.output, "\n  " + example.output.substr(0, example.output.find('\n'))));
     }
     CHECK(contains(run({"batch", "--help"}).output, "{\"ok\": true, \"result\": {\"values\": [\"1/4\"]}}"));
+}
+
+TEST_CASE("schema prints the JSON Schema of the protocol") {
+    const Run printed = run({"schema"});
+    CHECK(printed.status == 0);
+    CHECK(parse_json(printed.output, Limits{}) == schema());
+    CHECK(contains(printed.output, "\n    \"evaluate_request\": {\n"));
 }
 
 TEST_CASE("the version is that of the project") {

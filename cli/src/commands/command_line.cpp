@@ -10,13 +10,16 @@
 #include <filesystem>
 #include <system_error>
 
+#include <blossom/protocol/description.hpp>
 #include "completion.hpp"
 #include "explain/chapter_of.hpp"
 #include "explain_options.hpp"
+#include "json/json_text.hpp"
 #include "limit_table.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
 #include "prove_command.hpp"
+#include "rounding.hpp"
 #include "run_command.hpp"
 
 namespace blossom::cli {
@@ -108,7 +111,7 @@ std::string shell_text(const std::string& argument) {
 
 /// The example of an operation with what it prints, by running it.
 std::string example_text(const Operation& operation) {
-    std::string text = "Example:\n  $ blossom";
+    std::string text = std::string(operation.documentation) + "\n\nExample:\n  $ blossom";
     for (const std::string& argument : operation.example) text += " " + shell_text(argument);
     std::string output;
     const auto collect = [&](std::string_view part) {
@@ -136,8 +139,8 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     }
     const std::string json_help = "print the response as JSON";
     const CLI::Option* as_json = command->add_flag("--json", json_help);
-    const CLI::Option* numbers =
-        add_value(*command, "--numbers", "double|hexfloat", "also give every number correctly rounded");
+    const CLI::Option* numbers = add_value(*command, "--numbers", joined(rounding_names(), {}, "|"),
+                                           "also give every number correctly rounded");
     const CLI::Option* picture =
         operation.plot ? add_value(*command, "--svg", "FILE", "also write a picture of the curves or patches")
                        : nullptr;
@@ -287,6 +290,16 @@ Subcommand add_batch(CLI::App& app) {
     return {command, action};
 }
 
+Subcommand add_schema(CLI::App& app) {
+    CLI::App* command =
+        app.add_subcommand("schema", "Print the JSON Schema of the requests and responses of batch");
+    command->footer("Example:\n  $ blossom schema > protocol.schema.json");
+    return {command, [](const Streams& streams) {
+                streams.output(to_text(schema(), 2) + "\n");
+                return Outcome::success;
+            }};
+}
+
 Subcommand add_completion(CLI::App& app) {
     CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
     const CLI::Option* shell =
@@ -333,6 +346,7 @@ Outcome run(std::span<const std::string> arguments, const Streams& given) {
     });
     commands.push_back(add_check_certificate(app));
     commands.push_back(add_batch(app));
+    commands.push_back(add_schema(app));
     commands.push_back(add_completion(app));
 
     std::vector<std::string> reversed;

@@ -65,6 +65,9 @@ Operation explained(const Operation& operation) {
     const Operation explain = explain_operation();
     Operation command{.name = operation.name,
                       .summary = operation.summary,
+                      .documentation = explain.documentation,
+                      .request = {},
+                      .result = {},
                       .example = {},
                       .options = {},
                       .answer = explain.answer,

@@ -1,5 +1,6 @@
 #include "chapter_of.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/worked/chapters.hpp>
 #include <blossom/worked/proof_chapter.hpp>
@@ -239,18 +240,20 @@ constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
 
 }  // namespace
 
+std::vector<std::string_view> chapter_names() {
+    std::vector<std::string_view> names = mapped(chapters, &Chapter::operation);
+    names.push_back(prove_operation().name);
+    return names;
+}
+
 bool has_chapter(std::string_view operation) {
-    return operation == prove_operation().name ||
-           std::ranges::find(chapters, operation, &Chapter::operation) != chapters.end();
+    const std::vector<std::string_view> names = chapter_names();
+    return std::ranges::find(names, operation) != names.end();
 }
 
 std::string no_chapter(std::string_view operation) {
-    std::string known;
-    for (const Chapter& chapter : chapters) {
-        known += std::string(chapter.operation) + ", ";
-    }
-    known += prove_operation().name;
-    return "there is no chapter for the operation " + quoted(operation) + "; there is for " + known;
+    return "there is no chapter for the operation " + quoted(operation) + "; there is for " +
+           joined(chapter_names());
 }
 
 std::vector<Document> chapters_of(const Json& request, const Limits& limits) {

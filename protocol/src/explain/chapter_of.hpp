@@ -16,6 +16,8 @@ namespace blossom::protocol {
 /// one without chapter.
 std::vector<worked::Document> chapters_of(const Json& request, const Limits& limits);
 
+/// The operations for which there is one.
+std::vector<std::string_view> chapter_names();
 /// Whether there is one for the operation of this name.
 bool has_chapter(std::string_view operation);
 

@@ -1,7 +1,6 @@
 #include "document_format.hpp"
 
 #include <blossom/rational/lists.hpp>
-#include <blossom/rational/number_text.hpp>
 #include <blossom/worked/render.hpp>
 
 #include <algorithm>
@@ -17,13 +16,13 @@ constexpr std::size_t default_width = 79;
 /// A degree above which equal arguments are written once, with their multiplicity.
 constexpr std::size_t widest_degree = 5;
 
+constexpr std::string_view style_names[] = {"parentheses", "brackets", "multiplicative"};
+
 worked::BlossomStyle read_style(const Json& value) {
-    const std::string& name = read_text(value);
-    if (name == "parentheses") return worked::BlossomStyle::parentheses;
-    if (name == "brackets") return worked::BlossomStyle::brackets;
-    if (name == "multiplicative") return worked::BlossomStyle::multiplicative;
-    throw Error(ErrorCode::wrong_kind,
-                "the notation is parentheses, brackets or multiplicative, not " + quoted(name));
+    constexpr worked::BlossomStyle styles[] = {worked::BlossomStyle::parentheses,
+                                               worked::BlossomStyle::brackets,
+                                               worked::BlossomStyle::multiplicative};
+    return styles[read_alternative(value, style_names, "a notation")];
 }
 
 using Documents = std::vector<worked::Document>;
@@ -75,11 +74,10 @@ constexpr std::array<Format, 6> formats{
           return json_text(documents, notation);
       }}}};
 
+std::vector<std::string_view> names_of_formats() { return mapped(formats, &Format::name); }
+
 std::string read_format(const Json& value) {
-    const std::string& name = read_text(value);
-    if (std::ranges::find(formats, name, &Format::name) != formats.end()) return name;
-    throw Error(ErrorCode::wrong_kind,
-                "the format is text, markdown, latex, latex-fragment, html or json, not " + quoted(name));
+    return std::string(formats[read_alternative(value, names_of_formats(), "a format")].name);
 }
 
 }  // namespace
@@ -103,16 +101,26 @@ Json DocumentFormat::written(const std::vector<worked::Document>& documents) con
     return Json::Object{{"format", format_}, {"document", format->write(documents, notation, columns_)}};
 }
 
-std::vector<Option> document_options() {
+FieldList document_fields() {
     return {
-        field_option("--format", "format", "text|markdown|latex|latex-fragment|html|json",
-                     "the format of the document; by default text", plain_text),
-        field_option("--notation", "notation", "parentheses|brackets|multiplicative",
-                     "p(u,v,w), p[u,v,w] or uvw; by default parentheses, for statements brackets",
-                     plain_text),
-        flag_option("--multiplicities", "multiplicities", "write equal arguments once, as t^<3>"),
-        field_option("--columns", "columns", "N", "the columns of a text; by default 79", count),
+        optional("format", Shape::words(names_of_formats()), "the format of the document; by default text"),
+        optional("notation", Shape::words(style_names),
+                 "p(u,v,w), p[u,v,w] or uvw; by default parentheses, for statements brackets"),
+        optional("multiplicities", ValueKind::boolean, "write equal arguments once, as t^<3>"),
+        optional("columns", ValueKind::count, "the columns of a text; by default 79"),
     };
+}
+
+Members document_members() {
+    return {{required("format", Shape::words(names_of_formats()), "the format of the document"),
+             required("document", ValueKind::text, "the document")}};
+}
+
+std::vector<Option> document_options() {
+    return completed(
+        {word_option("--format", "format"), word_option("--notation", "notation"),
+         flag_option("--multiplicities", "multiplicities"), field_option("--columns", "columns", "N", count)},
+        {document_fields()});
 }
 
 std::string document_text(const Answered& answered) { return *answered.result().find("document")->text(); }

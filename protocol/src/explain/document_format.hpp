@@ -29,6 +29,10 @@ private:
     std::size_t columns_ = 0;
 };
 
+/// These fields, and the members of the result.
+FieldList document_fields();
+Members document_members();
+
 /// The options that write these fields.
 std::vector<Option> document_options();
 

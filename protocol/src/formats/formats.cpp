@@ -3,6 +3,7 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/spline/spline_join.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include "doubles.hpp"
 #include "maps/dispatch_on_kind.hpp"
@@ -280,10 +281,10 @@ BSplineCurve textbook(const BSplineCurve& curve) {
 
 }  // namespace
 
+std::vector<std::string_view> format_names() { return mapped(formats, &ForeignFormat::name); }
+
 const ForeignFormat& read_format(const Json& name) {
-    std::vector<std::string_view> names;
-    for (const ForeignFormat& format : formats) names.push_back(format.name);
-    return formats[read_alternative(name, names, "a format")];
+    return formats[read_alternative(name, format_names(), "a format")];
 }
 
 Place place_in_document(const ForeignFormat& format, const Place& of_map) {

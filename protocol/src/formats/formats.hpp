@@ -33,6 +33,7 @@ struct ForeignFormat {
 /// Where a document of one curve has what lies at `of_map` in the map that is read from it.
 Place place_in_document(const ForeignFormat& format, const Place& of_map);
 
+std::vector<std::string_view> format_names();
 /// The format of that name. Errors: `wrong_kind`.
 const ForeignFormat& read_format(const Json& name);
 

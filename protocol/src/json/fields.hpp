@@ -69,6 +69,9 @@ public:
     /// Errors: `unknown_field` for the first member that was not asked for.
     void finish() const;
 
+    /// The names that were asked for, in this order.
+    const std::vector<std::string_view>& asked() const { return asked_; }
+
 private:
     const Json* ask(std::string_view name);
     bool is_asked(std::string_view name) const;

@@ -42,14 +42,22 @@ std::string bezier_degree(const Map& map) {
     return ", degree " + std::to_string(std::get<BezierCurve>(map.value).degree());
 }
 
+Members members() {
+    return control_point_members(
+        {defaulted(
+             "interval", ValueKind::interval,
+             "the interval `[a, b]` of the parameter, by default `[0, 1]`; a > b is allowed, a = b is not"),
+         defaulted("degree", ValueKind::count, "one less than the number of control points")});
+}
+
 }  // namespace
 
 constinit const Kind bezier_kind{
     .name = "bezier",
-    .words = {{{"bezier", read_bezier}}},
+    .words = {{{"bezier", read_bezier, members, "A polynomial curve, given by its control points."}}},
     .write = write_value<BezierCurve, write>,
     .formula = formula_of_value<BezierCurve, formula>,
-    .target = {"bernstein", read_bernstein_target},
+    .target = {"bernstein", read_bernstein_target, true},
     .degree_text = bezier_degree,
 };
 

@@ -44,14 +44,21 @@ Target::Convert read_bspline_target(Fields& request, const Limits& limits) {
     };
 }
 
+Members members() {
+    return control_point_members({required("degree", ValueKind::count, "the degree n"),
+                                  required("knots", Shape::list(ValueKind::number),
+                                           "a non-decreasing list of numbers, each at most n + 1 times")});
+}
+
 }  // namespace
 
 constinit const Kind bspline_kind{
     .name = "bspline",
-    .words = {{{"bspline", read_bspline}}},
+    .words = {{{"bspline", read_bspline, members,
+                "A B-spline curve; with weights, a rational one (NURBS)."}}},
     .write = write_value<BSplineCurve, write>,
     .formula = formula_of_value<BSplineCurve, formula>,
-    .target = {"bspline", read_bspline_target},
+    .target = {"bspline", read_bspline_target, true},
 };
 
 }  // namespace blossom::protocol

@@ -191,13 +191,38 @@ std::string patch_degree(const Map& map) {
     return patch.is_polynomial() ? ", " + degree_text(patch) : "";
 }
 
+Members tensor_members() {
+    return {
+        {required("degrees", Shape::list(ValueKind::count), "one degree per direction"),
+         required("control_net", ValueKind::nested_points,
+                  "one level of lists per direction; a list on level d has one element more than the degree "
+                  "in direction d"),
+         defaulted("intervals", Shape::list(ValueKind::interval),
+                   "one interval per direction; by default all `[0, 1]`")},
+        {weights_or_homogeneous(ValueKind::nested_points)}};
+}
+
+Members simplex_members() {
+    const Shape index = Shape::list(ValueKind::count);
+    return {
+        {required("degree", ValueKind::count, "the degree n"),
+         required("control_net", Shape::list(Shape::pair(index, ValueKind::point), 1),
+                  "pairs of an index (i_0, ..., i_s) with the sum n and its point, each once, in any order; "
+                  "results list them from (n, 0, ..., 0) down"),
+         optional("vertices", Shape::list(Shape::list(ValueKind::number)),
+                  "the s + 1 vertices, each a list of s numbers; without them, parameters are barycentric "
+                  "coordinates, s + 1 numbers with sum 1")},
+        {weights_or_homogeneous(Shape::list(Shape::pair(index, ValueKind::number), 1))}};
+}
+
 }  // namespace
 
 constinit const Kind patch_kind{
     .name = "patch",
-    .words = {{{"tensor", read_tensor},
-               {"simplex", read_simplex},
-               {"polynomial", read_several_variables, "variables"}}},
+    .words = {{{"tensor", read_tensor, tensor_members, "A control net over a box."},
+               {"simplex", read_simplex, simplex_members, "A control net over a simplex of dimension s."},
+               {"polynomial", read_several_variables, members_in_several_variables,
+                "A polynomial in several variables.", "variables"}}},
     .write = write_value<Patch, write>,
     .formula = formula_of_value<Patch, formula>,
     .degree_text = patch_degree,

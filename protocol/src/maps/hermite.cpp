@@ -166,15 +166,32 @@ Target::Convert read_hermite_target(Fields& request, const Limits& limits) {
     };
 }
 
+Members members() {
+    const Shape numbers = Shape::list(ValueKind::number);
+    const Shape points = Shape::list(ValueKind::point);
+    return {{required("left", points,
+                      "the value at a and the derivatives of order 1, 2, ... there; the list may be empty"),
+             required("right", points, "the same at b"),
+             defaulted("interval", ValueKind::interval, "the interval `[a, b]`, by default `[0, 1]`"),
+             defaulted("degree", ValueKind::count, "one less than the number of points in both lists"),
+             optional("denominator",
+                      Shape::object({{required("left", numbers, "its value and derivatives at a"),
+                                      required("right", numbers, "the same at b")}}),
+                      "the value and the derivatives of a denominator, as many as of the map"),
+             homogeneous_field()}};
+}
+
 }  // namespace
 
 constinit const Kind hermite_kind{
     .name = "hermite",
-    .words = {{{"hermite", read_hermite}}},
+    .words = {{{"hermite", read_hermite, members,
+                "A polynomial curve by its value and derivatives at two ends."}}},
     .write = write_value<HermiteCurve, write>,
     .formula = formula_of_value<HermiteCurve, formula>,
     .target = {"hermite",
                read_hermite_target,
+               true,
                {.name = "counts",
                 .value = "L,R",
                 .help = "for hermite: how many derivatives at each end, the value included",

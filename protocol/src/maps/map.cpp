@@ -7,39 +7,46 @@
 
 namespace blossom::protocol {
 
-namespace {
-
-using ReadMap = Map (*)(Fields& fields, const Limits& limits);
-
-/// Of several kinds with the word in question, the one whose field is there counts. Errors: `wrong_kind`.
-ReadMap reader(const Fields& fields, const Json& value) {
-    const std::string& written = read_text(value);
+const KindWord& word_of(const Fields& fields, const Json& word) {
+    const std::string& written = read_text(word);
     std::vector<std::string_view> names;
     std::string list;
-    ReadMap found = nullptr;
+    const KindWord* found = nullptr;
     for (const Kind* kind : Kinds::all) {
-        for (const auto& [word, read, field] : kind->words) {
-            if (word == written && (field.empty() ? !found : fields.has(field))) found = read;
-            if (word.empty() || !field.empty()) continue;
-            names.push_back(word);
-            list += (list.empty() ? "" : ", ") + std::string(word);
+        for (const KindWord& one : kind->words) {
+            if (one.word == written && (one.field.empty() ? !found : fields.has(one.field))) found = &one;
+            if (one.word.empty() || !one.field.empty()) continue;
+            names.push_back(one.word);
+            list += (list.empty() ? "" : ", ") + std::string(one.word);
         }
     }
-    if (found) return found;
+    if (found) return *found;
     throw Error(ErrorCode::wrong_kind, "the kind of map " + quoted(written) + " is not known" +
                                            suggestion(written, names) + "; known are: " + list);
 }
-
-}  // namespace
 
 std::size_t dimension_of(const Map& map) {
     return std::visit([](const auto& value) { return value.dimension(); }, map.value);
 }
 
+Choice weights_or_homogeneous(Shape weights) {
+    return {{homogeneous_field()},
+            {optional("weights", std::move(weights),
+                      "one number per control point, none of them 0: the map is rational"),
+             optional("homogeneous", ValueKind::no, "")}};
+}
+
+Members control_point_members(FieldList others) {
+    others.insert(others.begin(),
+                  required("control_points", Shape::list(ValueKind::point, 1), "the control points"));
+    return {std::move(others), {weights_or_homogeneous(Shape::list(ValueKind::number, 1))}};
+}
+
 Map read_map(const Json& value, const Limits& limits) {
     Fields fields(value);
-    const ReadMap read = fields.required("kind", [&](const Json& word) { return reader(fields, word); });
-    Map map = read(fields, limits);
+    const KindWord& word =
+        fields.required("kind", [&](const Json& kind) -> const KindWord& { return word_of(fields, kind); });
+    Map map = word.read(fields, limits);
     fields.finish();
     return map;
 }

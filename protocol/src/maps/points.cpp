@@ -138,6 +138,11 @@ void refuse_weights(const Fields& fields) {
                 Place{"weights"});
 }
 
+Field homogeneous_field() {
+    return optional("homogeneous", ValueKind::flag,
+                    "points have their weight as their last coordinate: see [rational maps](#rational-maps)");
+}
+
 bool read_homogeneous(Fields& fields) { return fields.optional("homogeneous", read_boolean).value_or(false); }
 
 PointForm homogeneous_form(const Points& points) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <blossom/protocol/json.hpp>
+#include "description/members.hpp"
 #include "json/fields.hpp"
 
 /// Points as they stand in requests and responses.
@@ -101,6 +102,8 @@ void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const 
 bool read_homogeneous(Fields& fields);
 /// Errors: `wrong_kind` for "weights" beside "homogeneous".
 void refuse_weights(const Fields& fields);
+/// That field.
+Field homogeneous_field();
 /// The form of points that carry their weight. Errors: `mismatched_dimensions` when there is nothing but a
 /// weight.
 PointForm homogeneous_form(const Points& points);

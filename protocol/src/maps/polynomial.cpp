@@ -108,11 +108,27 @@ std::string polynomial_degree(const Map& map) {
     return ", formal degree " + std::to_string(std::get<PolynomialCurve>(map.value).degree());
 }
 
+Members members() {
+    return {
+        {defaulted("degree", ValueKind::count,
+                   "the formal degree; at least the actual degree of all coordinates, which is the default"),
+         optional("denominator",
+                  Shape::one_of({ValueKind::polynomial_text, Shape::list(ValueKind::number, 1)}),
+                  "a polynomial, or the list of its coefficients, by which the map is divided"),
+         homogeneous_field()},
+        {{{required("coefficients", Shape::list(ValueKind::point, 1), "lowest power first")},
+          {required(
+              "text", Shape::one_of({ValueKind::polynomial_text, Shape::list(ValueKind::polynomial_text, 1)}),
+              "a polynomial such as `\"1 + 2t - t^3/4\"`, or one per coordinate; the variable may have any "
+              "name")}}}};
+}
+
 }  // namespace
 
 constinit const Kind polynomial_kind{
     .name = "polynomial",
-    .words = {{{"polynomial", read_polynomial}}},
+    .words = {{{"polynomial", read_polynomial, members,
+                "A polynomial in one variable for each coordinate."}}},
     .write = write_value<PolynomialCurve, write>,
     .formula = formula_of_value<PolynomialCurve, formula>,
     .target = {"monomial", read_monomial_target},

@@ -30,11 +30,20 @@ std::string formula(const ProgressiveCurve& curve, const Map& map, std::string_v
                        curve.degree(), numbers_text(*written.find("knots")), control_points_text(written));
 }
 
+Members members() {
+    return control_point_members(
+        {required("knots", Shape::list(ValueKind::number),
+                  "2n numbers in any order; control point j is the value of the blossom at the knots j, ..., "
+                  "j + n - 1"),
+         defaulted("degree", ValueKind::count, "the degree n, one less than the number of control points")});
+}
+
 }  // namespace
 
 constinit const Kind progressive_kind{
     .name = "progressive",
-    .words = {{{"progressive", read_progressive}}},
+    .words = {{{"progressive", read_progressive, members,
+                "One polynomial by control points that are blossom values at consecutive knots."}}},
     .write = write_value<ProgressiveCurve, write>,
     .formula = formula_of_value<ProgressiveCurve, formula>,
 };

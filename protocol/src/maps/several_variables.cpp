@@ -153,6 +153,28 @@ std::map<std::vector<std::size_t>, Coordinates> terms_of(const PolynomialPatch& 
 
 }  // namespace
 
+Members members_in_several_variables() {
+    const Shape terms = Shape::list(Shape::pair(Shape::list(ValueKind::count), ValueKind::point), 1);
+    return {
+        {required("variables", Shape::list(ValueKind::text, 1), "the names of the variables, in order"),
+         optional("denominator", Shape::one_of({ValueKind::polynomial_text, terms}),
+                  "a polynomial, or its terms: the map is rational"),
+         homogeneous_field()},
+        {{{required("text",
+                    Shape::one_of({ValueKind::polynomial_text, Shape::list(ValueKind::polynomial_text, 1)}),
+                    "a polynomial in these variables, or one per coordinate")},
+          {required(
+              "terms", terms,
+              "pairs of exponents and a point; for x^2 + 3xy this is `[[[2, 0], \"1\"], [[1, 1], \"3\"]]`")}},
+         {{optional(
+              "degree", ValueKind::count,
+              "the formal total degree, by default the actual one; the blossom takes this many points")},
+          {optional(
+              "degrees", Shape::list(ValueKind::count),
+              "instead of `degree`: one formal degree per variable. The map is then a tensor product, and "
+              "its blossom takes this many numbers per variable")}}}};
+}
+
 Map read_several_variables(Fields& fields, const Limits& limits) {
     Names names =
         fields.required("variables", [&](const Json& value) { return read_variables(value, limits); });

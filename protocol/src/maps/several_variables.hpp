@@ -8,6 +8,7 @@ namespace blossom::protocol {
 
 /// {"kind": "polynomial", "variables", "text" or "terms", "degree" or "degrees"?, "denominator"?, ...}
 Map read_several_variables(Fields& fields, const Limits& limits);
+Members members_in_several_variables();
 Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form);
 std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name);
 /// "formal degree 2", or "formal degrees 2, 1".

@@ -70,15 +70,27 @@ Target::Convert read_taylor_target(Fields& request, const Limits& limits) {
     };
 }
 
+Members members() {
+    return {{required("center", ValueKind::number, "the number a"),
+             required("coefficients", Shape::list(ValueKind::point, 1),
+                      "the coefficients of the powers of t - a, lowest power first"),
+             defaulted("degree", ValueKind::count,
+                       "the formal degree; by default one less than the number of coefficients"),
+             optional("denominator", Shape::list(ValueKind::number, 1),
+                      "the coefficients of a polynomial by which the map is divided"),
+             homogeneous_field()}};
+}
+
 }  // namespace
 
 constinit const Kind taylor_kind{
     .name = "taylor",
-    .words = {{{"taylor", read_taylor}}},
+    .words = {{{"taylor", read_taylor, members, "A polynomial by its expansion at a number."}}},
     .write = write_value<TaylorCurve, write>,
     .formula = formula_of_value<TaylorCurve, formula>,
     .target = {"taylor",
                read_taylor_target,
+               false,
                {"center", "A", "the centre of the powers for taylor; by default 0"}},
 };
 

@@ -84,11 +84,20 @@ std::string formula(const TensorBSpline& spline, const Map&, std::string_view na
                        spline.directions() == 1 ? "" : "s", degrees, domain, counts);
 }
 
+Members members() {
+    return {
+        {required("degrees", Shape::list(ValueKind::count), "one degree per direction"),
+         required("knots", Shape::list(Shape::list(ValueKind::number)),
+                  "one list of knots per direction, each in one of the conventions of [bspline](#bspline)"),
+         required("control_net", ValueKind::nested_points, "one level of lists per direction")},
+        {weights_or_homogeneous(ValueKind::nested_points)}};
+}
+
 }  // namespace
 
 constinit const Kind tensor_bspline_kind{
     .name = "bspline in several directions",
-    .words = {{{"bspline", read_tensor_bspline, "degrees"}}},
+    .words = {{{"bspline", read_tensor_bspline, members, "A tensor product of B-splines.", "degrees"}}},
     .write = write_value<TensorBSpline, write>,
     .formula = formula_of_value<TensorBSpline, formula>,
 };

@@ -5,6 +5,7 @@
 #include "blossom_arguments.hpp"
 #include "construction_results.hpp"
 #include "map_options.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -178,12 +179,42 @@ std::string render(const Answered& answered) {
         verdict(answered));
 }
 
+Members result() {
+    const Shape texts = Shape::one_of({ValueKind::text, Shape::list(ValueKind::text, 1)});
+    FieldList values;
+    for (const std::string_view name : construction_names())
+        values.push_back(optional(name, ValueKind::point, "the value by this construction"));
+    const Field skipped = required(
+        "skipped",
+        Shape::list(Shape::object({{required("construction", construction_shape(), "the construction"),
+                                    required("reason", ValueKind::text, "why it did not run")}})),
+        "the constructions that did not run");
+    return {
+        {required("agree", ValueKind::boolean,
+                  "whether at least two constructions ran and all that ran gave the same result"),
+         degree_member(), degrees_member(), skipped},
+        {{{required("values", Shape::object({values}), "with `arguments`: the value by each construction")},
+          {required("for_all_arguments", ValueKind::boolean,
+                    "without `arguments`: whether the constructions agree as polynomials"),
+           required("expansion", texts,
+                    "this polynomial in the symbols for the arguments, one per coordinate"),
+           optional("elementary", texts, "the same in the elementary symmetric functions, of a curve"),
+           optional("expansions", Shape::names(texts),
+                    "where they do not agree: the polynomial by each construction")}}}};
+}
+
 }  // namespace
 
 Operation agree_operation() {
     return {
         .name = "agree",
         .summary = "Build the blossom by three constructions and check that they agree exactly",
+        .documentation =
+            "Without arguments the constructions are compared as polynomials in symbols for them.",
+        .request = {{map_field(),
+                     arguments_field(Presence::optional,
+                                     "the arguments; without them agreement is decided for all")}},
+        .result = result(),
         .example = {"agree", "1 + 2t + 4t^2 - t^3", "--at", "1,2,3"},
         .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; by "
                                                       "default agreement is proved for all arguments")}),

@@ -11,6 +11,7 @@
 #include "map_options.hpp"
 #include "maps/points.hpp"
 #include "rounding.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 #include "values.hpp"
 
@@ -22,6 +23,14 @@ namespace {
 constexpr std::string_view audited[] = {"knots",          "interval",    "intervals",   "vertices", "center",
                                         "control_points", "control_net", "weights",     "left",     "right",
                                         "coefficients",   "terms",       "denominator", "values"};
+
+/// An object with some of these members.
+Shape audited_numbers(ValueKind kind) {
+    Members members{.fields = {}, .some = true};
+    for (const std::string_view field : audited)
+        members.fields.push_back(optional(field, kind, "the numbers of this member of the map"));
+    return Shape::object(std::move(members));
+}
 
 /// Those that are multiplied by weights, or divided by a denominator.
 constexpr std::string_view divided[] = {"control_points", "control_net",  "left",
@@ -216,16 +225,31 @@ Operation audit_operation() {
         .name = "audit",
         .summary =
             "Measure the error of doubles computed by another program, against the exact numbers of a map",
+        .documentation = "Each double counts as the exact number that it represents.",
+        .request =
+            {{map_field(), optional("at", parameters_shape(), "the parameters of the values")},
+             {{{required("computed", audited_numbers(ValueKind::doubles),
+                         "the numbers of the other program, by members of the map, or the `values` at `at`")},
+               {format_field(), document_field()}}}},
+        .result = {{required("errors", audited_numbers(ValueKind::nested_points),
+                             "the computed minus the exact values"),
+                    required("ulps", audited_numbers(ValueKind::nested_points),
+                             "their sizes in units in the last place of the exact values"),
+                    required("greatest_ulps", ValueKind::number, "the greatest of these"),
+                    required("numbers", ValueKind::count, "how many numbers were compared"),
+                    required("not_nearest", ValueKind::count,
+                             "how many of them are not the nearest double"),
+                    optional("without_weights", Shape::words({"document", "map"}),
+                             "the side that has no weights, which count as 1")}},
         .example = {"audit", "--control-points", "0; 1/3; 1/10", "--computed",
                     R"({"control_points": [0, 0.333, 0.1]})"},
         .options = with_map_options({
             {"--computed",
              {"computed"},
              "JSON",
-             R"(the numbers of the other program: "control_points", "weights", "knots", "coefficients", )"
-             R"(or the "values" at the parameters --at)",
+             R"(the numbers of the other program, by members of the map, or the "values" at the parameters --at)",
              apply_computed},
-            field_option("--at", "at", "T1,T2,...", R"(the parameters of "values")", number_list),
+            field_option("--at", "at", "T1,T2,...", number_list, patch_parameters),
             format_option(),
             document_option(
                 R"(instead of --computed: a file of another library, "@NAME" or "-", or its text)"),

@@ -2,6 +2,7 @@
 
 #include "map_options.hpp"
 #include "maps/patch.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -37,10 +38,16 @@ Operation barycentric_operation() {
     return {
         .name = "barycentric",
         .summary = "Compute the barycentric coordinates of points with respect to a simplex",
+        .documentation =
+            "The points lie in the affine hull of the vertices, which may be fewer than span the space.",
+        .request = {{required("vertices", tuples_shape(), "the vertices of the simplex"),
+                     required("at", tuples_shape(), "the points")}},
+        .result = {{required("coordinates", tuples_shape(),
+                             "for each point one number per vertex, with the sum 1")}},
         .example = {"barycentric", "--vertices", "0,0; 1,0; 0,1", "--at", "1/4,1/2"},
-        .options = {field_option("--vertices", "vertices", "P0;P1;...",
-                                 "the vertices of the simplex, \"0,0; 1,0; 0,1\"", tuple_list),
-                    field_option("--at", "at", "P;Q;...", "the points", tuple_list)},
+        .options = {field_option("--vertices", "vertices", "P0;P1;...", tuple_list,
+                                 "the vertices of the simplex, \"0,0; 1,0; 0,1\""),
+                    field_option("--at", "at", "P;Q;...", tuple_list)},
         .answer = answer,
         .render = render,
     };

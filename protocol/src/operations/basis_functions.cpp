@@ -4,6 +4,7 @@
 #include <blossom/core/spline/greville.hpp>
 
 #include "map_options.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -125,6 +126,22 @@ std::string render(const Answered& answered) {
     return text;
 }
 
+Members result() {
+    const Shape piece = Shape::object(
+        {{required("segment", ValueKind::count, "the index of the knot at which the segment begins"),
+          required("interval", ValueKind::interval, "the ends of the segment"),
+          required("coefficients", numbers_shape(), "the polynomial there, lowest power first")}});
+    const Shape values = Shape::object(
+        {{required("first_function", ValueKind::count, "the first function that is not zero there"),
+          required("values", numbers_shape(), "the values of this and the next functions")}});
+    return {{},
+            {{{required("functions", Shape::list(Shape::list(piece)),
+                        "for each function its polynomials on the segments where it is not zero"),
+               optional("greville", numbers_shape(), "the Greville abscissa of each function")},
+              {required("basis_values", Shape::list(values),
+                        "with `at`: the values that are not zero, for each parameter")}}}};
+}
+
 }  // namespace
 
 Operation basis_functions_operation() {
@@ -132,15 +149,19 @@ Operation basis_functions_operation() {
         .name = "basis-functions",
         .summary =
             "Compute the B-spline basis functions over knots, as polynomials or as values at parameters",
+        .documentation = "Each function is given within the domain of the knots.",
+        .request = {{required("degree", ValueKind::count, "the degree"),
+                     required("knots", numbers_shape(), "the knots"),
+                     optional("convention", Shape::words(convention_names),
+                              "textbook (the default): with the first and last knot, on which no point "
+                              "depends; polar: without them"),
+                     optional("at", numbers_shape(),
+                              "the parameters; by default the result is polynomials")}},
+        .result = result(),
         .example = {"basis-functions", "--knots", "0,0,0,1,2,2,2", "--degree", "2"},
-        .options = {field_option("--knots", "knots", "T0,T1,...", "the knots", number_list),
-                    field_option("--degree", "degree", "N", "the degree", count),
-                    field_option("--convention", "convention", "textbook|polar",
-                                 "textbook (the default): with the first and last knot, on which no point "
-                                 "depends; polar: without them",
-                                 plain_text),
-                    field_option("--at", "at", "T1,T2,...",
-                                 "the parameters; by default the polynomials are printed", number_list)},
+        .options = {field_option("--knots", "knots", "T0,T1,...", number_list),
+                    field_option("--degree", "degree", "N", count), word_option("--convention", "convention"),
+                    field_option("--at", "at", "T1,T2,...", number_list)},
         .answer = answer,
         .render = render,
     };

@@ -9,6 +9,7 @@
 #include "blossom_arguments.hpp"
 #include "map_options.hpp"
 #include "segment.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -74,12 +75,17 @@ Operation blossom_operation() {
     return {
         .name = "blossom",
         .summary = "Compute the value of the blossom at points, vectors, or pairs with any mass",
+        .documentation = "A B-spline has one blossom per segment.",
+        .request = {{map_field(),
+                     arguments_field(Presence::required, "the arguments, as many as the formal degree"),
+                     optional("construction", construction_shape(),
+                              "the construction to use; by default the one that suits the map"),
+                     segment_field()}},
+        .result = {{required("value", ValueKind::point, "the value")}},
         .example = {"blossom", "1 + 2t + 4t^2 - t^3", "--at", "delta,2,pair:3:2"},
         .options = with_map_options({
             arguments_option("the arguments, as many as the formal degree: T, vector:V, delta, pair:U:MASS"),
-            field_option("--construction", "construction",
-                         "symmetric|polarization|regrouped-polarization|casteljau",
-                         "the construction to use; by default the one that suits the map", plain_text),
+            word_option("--construction", "construction"),
             segment_option(),
         }),
         .answer = answer,

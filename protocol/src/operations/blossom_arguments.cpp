@@ -1,5 +1,7 @@
 #include "blossom_arguments.hpp"
 
+#include <blossom/rational/lists.hpp>
+
 #include <numeric>
 
 #include "map_options.hpp"
@@ -64,15 +66,21 @@ PatchArguments read_arguments(const Json& value, const Patch& patch, const Point
     });
 }
 
+std::vector<std::string_view> construction_names() { return mapped(all_constructions, construction_name); }
+
 Construction read_construction(const Json& value) {
-    std::vector<std::string_view> names;
-    for (const Construction construction : all_constructions)
-        names.push_back(construction_name(construction));
-    return all_constructions[read_alternative(value, names, "a construction")];
+    return all_constructions[read_alternative(value, construction_names(), "a construction")];
+}
+
+Field arguments_field(Presence presence, std::string documentation) {
+    const Shape of_curve = Shape::list(ValueKind::argument);
+    return {"arguments",
+            Shape::one_of({of_curve, Shape::list(ValueKind::point_argument), Shape::list(of_curve)}),
+            presence, std::move(documentation)};
 }
 
 Option arguments_option(std::string help) {
-    return field_option("--at", "arguments", "U1,U2,...", std::move(help), argument_list, patch_arguments);
+    return field_option("--at", "arguments", "U1,U2,...", argument_list, patch_arguments, std::move(help));
 }
 
 }  // namespace blossom::protocol

@@ -43,10 +43,15 @@ auto at_arguments(const OnePolynomial auto&, const Action& action) {
     return action();
 }
 
-/// "symmetric", "polarization", "regrouped-polarization" or "casteljau". Errors: `wrong_kind`.
+std::vector<std::string_view> construction_names();
+inline Shape construction_shape() { return Shape::words(construction_names()); }
+
+/// The construction of that name. Errors: `wrong_kind`.
 Construction read_construction(const Json& value);
 
-/// --at, for field "arguments".
+/// Field "arguments": numbers, vectors or pairs; of a patch points, or one list a direction.
+Field arguments_field(Presence presence, std::string documentation);
+/// --at, for this field.
 Option arguments_option(std::string help);
 
 }  // namespace blossom::protocol

@@ -3,6 +3,7 @@
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 
@@ -171,10 +172,10 @@ constexpr Certified certified[] = {
     {"derivative", certify_derivative},
 };
 
+std::vector<std::string_view> certified_names() { return mapped(certified, &Certified::operation); }
+
 const Certified& read_operation(const Json& value) {
-    std::vector<std::string_view> names;
-    for (const Certified& entry : certified) names.push_back(entry.operation);
-    return certified[read_alternative(value, names, "an operation with certificates")];
+    return certified[read_alternative(value, certified_names(), "an operation with certificates")];
 }
 
 Certificate certificate_of(const Json& request, const Limits& limits) {
@@ -218,6 +219,11 @@ Operation certify_operation() {
     return {
         .name = "certify",
         .summary = "Answer requests as a file in which Coq checks every number",
+        .documentation =
+            "Coq computes each number again, from the definition of the blossom in the theorems.",
+        .request = {{required("requests", Shape::list(Shape::request_of(certified_names())),
+                              "the requests; their maps are curves")}},
+        .result = {{required("document", ValueKind::text, "the file for Coq")}},
         .example = {"certify",
                     R"({"op":"blossom","map":{"kind":"polynomial","text":"1 + 2t"},"arguments":["1/2"]})"},
         .options = {{"REQUEST",

@@ -8,10 +8,12 @@
 
 #include <algorithm>
 
+#include "blossom_arguments.hpp"
 #include "map_list.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "maps/parameters.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -210,6 +212,28 @@ std::string render(const Answered& answered) {
                               *answered.result().find("reason")->text());
 }
 
+Members request() {
+    return {{},
+            {{{map_field(),
+               required("at", Shape::one_of({ValueKind::number, cut_shape()}),
+                        "the parameter; in several directions a number in one and null in the others")},
+              {maps_field("two curves, left and right, or two patches with a common face"),
+               optional("at", ValueKind::number, "the parameter at which two curves meet")}}}};
+}
+
+Members result() {
+    const Field left = required("left", ValueKind::point, "the value on the left");
+    const Field right = required("right", ValueKind::point, "the value on the right");
+    const Members difference{
+        {left, right},
+        {{{arguments_field(Presence::required, "the arguments at which the blossoms differ")},
+          {required("derivative", ValueKind::count, "the order of the derivatives that differ")}}}};
+    return {{required("order", Shape::one_of({ValueKind::integer, Shape::words({"infinite"})}),
+                      "the order of contact; -1 where the sides do not meet, infinite for one map"),
+             optional("first_difference", Shape::object(difference), "the first values that differ"),
+             required("reason", ValueKind::text, "the same as a sentence")}};
+}
+
 }  // namespace
 
 Operation continuity_operation() {
@@ -218,15 +242,17 @@ Operation continuity_operation() {
         .summary =
             "Find the order of continuity of a spline at a knot, or of two curves or patches, with the "
             "reason",
+        .documentation = "The order is the greatest k for which the derivatives of orders 0 to k agree.",
+        .request = request(),
+        .result = result(),
         .example = {"continuity", "--control-points", "0; 1; 4; 5; 9", "--knots", "0,0,0,1,2,3,3,3",
                     "--degree", "2", "--at", "1"},
         .options = with_map_options({
             maps_option("--maps",
                         "instead of a spline: a list of two curves, left and right, as maps of the protocol, "
                         "or the output of 'subdivide --json'"),
-            field_option("--at", "at", "T",
-                         "the parameter; in several directions a number for one and - for the others",
-                         plain_text, place_of_division),
+            field_option("--at", "at", "T", plain_text, place_of_division,
+                         "the parameter; in several directions a number for one and - for the others"),
         }),
         .answer = answer,
         .render = render,

@@ -12,6 +12,7 @@
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "segment.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -136,14 +137,24 @@ Operation control_points_operation() {
     return {
         .name = "control-points",
         .summary = "Compute the control points of a map over any interval, simplex or box",
+        .documentation =
+            "A spline becomes its part over the interval, a Bezier curve where this is one polynomial.",
+        .request =
+            {{map_field()},
+             {{{optional("interval", ValueKind::interval,
+                         "for a curve: the interval; by default that of the map, [0, 1] for a polynomial")},
+               {vertices_field()},
+               {intervals_field()}},
+              {{optional("degree", ValueKind::count, "the new formal degree; by default that of the map")},
+               {degrees_field()}}}},
+        .result = {{map_member("the map with its control points")}},
         .example = {"control-points", "1 + 2t + 4t^2 - t^3", "--interval", "2,-1"},
         .options = with_map_options({
             own_interval_option(
                 "the interval of the given control points, or else of the new ones; by default 0,1"),
-            field_option("--over", "interval", "A,B", "the interval of the new control points", number_list),
-            field_option("--vertices", "vertices", "P0;P1;...",
-                         "for a patch: the vertices of the new simplex", tuple_list),
-            field_option("--intervals", "intervals", "A,B;C,D;...", "for a patch: the new box", tuple_list),
+            field_option("--over", "interval", "A,B", number_list, "the interval of the new control points"),
+            field_option("--vertices", "vertices", "P0;P1;...", tuple_list),
+            field_option("--intervals", "intervals", "A,B;C,D;...", tuple_list),
             {"--degree",
              {"degree"},
              "N",

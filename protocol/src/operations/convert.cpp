@@ -2,6 +2,7 @@
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/de_boor.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -15,6 +16,7 @@
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "segment.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -29,11 +31,12 @@ std::vector<const Kind*> target_kinds() {
     return targets;
 }
 
+std::vector<std::string_view> target_words() {
+    return mapped(target_kinds(), [](const Kind* kind) { return kind->target.word; });
+}
+
 const Kind& read_target(const Json& value) {
-    const std::vector<const Kind*> targets = target_kinds();
-    std::vector<std::string_view> words;
-    for (const Kind* kind : targets) words.push_back(kind->target.word);
-    return *targets[read_alternative(value, words, "a basis")];
+    return *target_kinds()[read_alternative(value, target_words(), "a basis")];
 }
 
 struct CurveConversion {
@@ -89,8 +92,10 @@ TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
     return bspline_of({std::get<BezierPatch>(net.map), std::move(net.frames)}, limits);
 }
 
-enum class PatchForm { monomial, bernstein, bspline, tensor, simplex };
-constexpr std::string_view form_names[] = {"monomial", "bernstein", "bspline", "tensor", "simplex"};
+enum class PatchForm { monomial, bspline, bernstein, tensor, simplex };
+constexpr std::string_view patch_form_names[] = {"monomial", "bspline", "bernstein", "tensor", "simplex"};
+/// Those that are control nets.
+constexpr std::span net_form_names = std::span(patch_form_names).last<3>();
 
 /// Reads the target and what else belongs to it.
 struct Conversion {
@@ -111,7 +116,7 @@ struct Conversion {
     }
     AnyMap operator()(const Patch& patch) const {
         const auto to = static_cast<PatchForm>(request.required("to", [](const Json& value) {
-            return read_alternative(value, form_names, "a form of a patch");
+            return read_alternative(value, patch_form_names, "a form of a patch");
         }));
         switch (to) {
             case PatchForm::monomial:
@@ -144,30 +149,46 @@ Answer answer(Request& request, const Limits& limits) {
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, Conversion{request, map, limits})));
 }
 
-std::string words_of_targets() {
-    std::string words;
-    for (const Kind* kind : target_kinds()) words += std::string(kind->target.word) + "|";
-    return words + "tensor|simplex";
+/// Of each target its own fields.
+Members request() {
+    const std::string basis = "the new basis; tensor and simplex are forms of patches";
+    Choice targets;
+    for (const Kind* kind : target_kinds()) {
+        const Target& target = kind->target;
+        FieldList fields{required("to", Shape::words({target.word}), basis)};
+        if (target.over_interval) {
+            fields.push_back(optional("interval", ValueKind::interval,
+                                      "for a curve: the interval; by default that of the map"));
+        }
+        if (!target.field.name.empty()) {
+            fields.push_back(
+                optional(target.field.name,
+                         target.field.is_list ? Shape::list(ValueKind::count, 2, 2) : ValueKind::number,
+                         std::string(target.field.help)));
+        }
+        targets.push_back(std::move(fields));
+    }
+    targets.push_back(
+        {required("to", Shape::words(net_form_names), basis), vertices_field(), intervals_field(),
+         optional("degree", ValueKind::count, "for a simplex: the new formal degree"), degrees_field()});
+    return {{map_field(), segment_field()}, {std::move(targets)}};
 }
 
 std::vector<Option> options() {
     std::vector<Option> all{
-        field_option("--to", "to", words_of_targets(),
-                     "the new basis; tensor and simplex are forms of patches", plain_text),
+        word_option("--to", "to"),
         own_interval_option(
             "the interval of the given control points, or else of the new ones; by default 0,1"),
-        field_option("--over", "interval", "A,B", "the interval of the new control points", number_list)};
+        field_option("--over", "interval", "A,B", number_list, "the interval of the new control points")};
     for (const Kind* kind : target_kinds()) {
         const TargetField& field = kind->target.field;
         if (field.name.empty()) continue;
         const std::string name(field.name);
-        all.push_back(field_option("--" + name, name, std::string(field.value), std::string(field.help),
+        all.push_back(field_option("--" + name, name, std::string(field.value),
                                    field.is_list ? number_list : plain_text));
     }
-    std::ranges::move(std::vector{field_option("--vertices", "vertices", "P0;P1;...",
-                                               "for a patch: the vertices of the new simplex", tuple_list),
-                                  field_option("--intervals", "intervals", "A,B;C,D;...",
-                                               "for a patch: the new box", tuple_list),
+    std::ranges::move(std::vector{field_option("--vertices", "vertices", "P0;P1;...", tuple_list),
+                                  field_option("--intervals", "intervals", "A,B;C,D;...", tuple_list),
                                   wanted_degrees_option(), segment_option()},
                       std::back_inserter(all));
     return with_map_options(std::move(all));
@@ -179,6 +200,9 @@ Operation convert_operation() {
     return {
         .name = "convert",
         .summary = "Convert a map to another basis or form",
+        .documentation = "A spline is converted segment by segment.",
+        .request = request(),
+        .result = {{map_member("the same map in the new basis")}},
         .example = {"convert", "--control-points", "1; 5/3; 11/3; 6", "--to", "monomial"},
         .options = options(),
         .answer = answer,

@@ -17,6 +17,7 @@
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "segment.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -210,16 +211,21 @@ Operation derivative_operation() {
     return {
         .name = "derivative",
         .summary = "Differentiate a map: values at parameters, or the derivative as a map",
+        .documentation = "Rational maps are differentiated by the quotient rule.",
+        .request = {{map_field(), optional("at", parameters_shape(),
+                                           "the parameters; by default the derivative is returned as a map")},
+                    {{{optional("order", ValueKind::count, "the order of the derivative; by default 1"),
+                       optional("direction", numbers_shape(),
+                                "for a patch: the direction, used as often as the order says")},
+                      {optional("directions", tuples_shape(),
+                                "for a patch: one direction per order of a mixed derivative")}}}},
+        .result = {{}, {{{values_member()}, {map_member("without `at`: the derivative")}}}},
         .example = {"derivative", "1 + 2t + 4t^2 - t^3", "--order", "2", "--at", "1/2"},
         .options = with_map_options({
-            field_option("--order", "order", "K", "the order of the derivative; by default 1", count),
-            field_option("--at", "at", "T1,T2,...",
-                         "the parameters; by default the derivative is returned as a map", number_list,
-                         patch_parameters),
-            field_option("--direction", "direction", "X,Y,...",
-                         "for a patch: the direction, used as often as the order says", number_list),
-            field_option("--directions", "directions", "D1;D2;...",
-                         "for a patch: one direction per order of a mixed derivative", tuple_list),
+            field_option("--order", "order", "K", count),
+            field_option("--at", "at", "T1,T2,...", number_list, patch_parameters),
+            field_option("--direction", "direction", "X,Y,...", number_list),
+            field_option("--directions", "directions", "D1;D2;...", tuple_list),
         }),
         .answer = answer,
         .render = render,

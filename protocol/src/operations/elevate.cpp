@@ -12,6 +12,7 @@
 #include "maps/parameters.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -69,11 +70,14 @@ Operation elevate_operation() {
     return {
         .name = "elevate",
         .summary = "Raise the degree of a map without changing it",
+        .documentation =
+            "The kind of the map stays, except that a progressive or hermite map becomes a bezier map.",
+        .request = {{map_field(), required("by", Shape::one_of({ValueKind::count, counts_shape()}),
+                                           "by how much to raise the degree; for a tensor product it may be "
+                                           "one number per direction")}},
+        .result = {{map_member("the same map with its degree raised")}},
         .example = {"elevate", "--control-points", "0; 3; 0", "--by", "2"},
-        .options = with_map_options(
-            {field_option("--by", "by", "R",
-                          "by how much to raise the degree; for a tensor product one number per direction",
-                          count, degrees_to_raise_by)}),
+        .options = with_map_options({field_option("--by", "by", "R", count, degrees_to_raise_by)}),
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,

@@ -5,6 +5,7 @@
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "pyramid.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 #include "values.hpp"
 
@@ -40,12 +41,22 @@ Operation evaluate_operation() {
     return {
         .name = "evaluate",
         .summary = "Compute the exact values of a map at parameters",
+        .documentation = "A spline can be evaluated in its domain, every other curve anywhere.",
+        .request = {{map_field(), required("at", parameters_shape(), "the parameters"),
+                     optional("pyramid", ValueKind::boolean,
+                              "of a curve: show every point of de Casteljau's or de Boor's algorithm")}},
+        .result =
+            {{values_member(),
+              optional(
+                  "pyramids", Shape::list(Shape::list(Shape::list(ValueKind::point))),
+                  "for each parameter the levels of the algorithm, from the control points to the value"),
+              optional("pyramid_weights", Shape::list(Shape::list(numbers_shape())),
+                       "the weights of these points, where the map has weights")}},
         .example = {"evaluate", "1 + 1/2t^2; t - 3t^2", "--at", "0,1/3,-0.25"},
         .options = with_map_options({
-            field_option("--at", "at", "T1,T2,...",
-                         "the parameters, any rational numbers; for a patch points, separated by ';'",
-                         number_list, patch_parameters),
-            flag_option("--pyramid", "pyramid", "show every point of de Casteljau's or de Boor's algorithm"),
+            field_option("--at", "at", "T1,T2,...", number_list, patch_parameters,
+                         "the parameters, any rational numbers; for a patch points, separated by ';'"),
+            flag_option("--pyramid", "pyramid"),
         }),
         .answer = answer,
         .render = render,

@@ -10,13 +10,6 @@ namespace blossom::protocol {
 
 namespace {
 
-std::string topics_text() {
-    std::string text;
-    for (const std::string_view topic : worked::exercise_topics())
-        text += (text.empty() ? "" : "|") + std::string(topic);
-    return text;
-}
-
 Answer answer(Request& request, const Limits& limits) {
     worked::SheetRequest sheet;
     const auto number = [&](std::string_view name, std::size_t otherwise) {
@@ -38,16 +31,27 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation exercise_operation() {
     std::vector<Option> options{
-        field_option("TOPIC", "topic", topics_text(), "the topic of the problems", plain_text),
-        field_option("--seed", "seed", "N", "the number of the sheet; by default 1", count),
-        field_option("--count", "count", "N", "the number of problems; by default 5", count),
-        field_option("--level", "level", "1|2|3", "the difficulty; by default 1", count),
-        flag_option("--solutions", "solutions", "print the worked solutions instead of the problems"),
+        word_option("TOPIC", "topic"),
+        field_option("--seed", "seed", "N", count),
+        field_option("--count", "count", "N", count),
+        field_option("--level", "level", "1|2|3", count),
+        flag_option("--solutions", "solutions"),
     };
     std::ranges::move(document_options(), std::back_inserter(options));
+    FieldList fields{
+        required("topic", Shape::words(worked::exercise_topics()), "the topic of the problems"),
+        optional("seed", ValueKind::count, "the number of the sheet; by default 1"),
+        optional("count", ValueKind::count, "the number of problems; by default 5, at most 40"),
+        optional("level", ValueKind::count, "the difficulty, from 1 to 3; by default 1"),
+        optional("solutions", ValueKind::boolean, "give the worked solutions instead of the problems"),
+    };
+    std::ranges::move(document_fields(), std::back_inserter(fields));
     return {
         .name = "exercise",
         .summary = "Print a sheet of problems, or its worked solutions; the same seed gives the same sheet",
+        .documentation = "The numbers are small enough to compute by hand.",
+        .request = {std::move(fields)},
+        .result = document_members(),
         .example = {"exercise", "subdivision", "--count", "2"},
         .options = std::move(options),
         .answer = answer,

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <iterator>
+
 #include "explain/chapter_of.hpp"
 #include "explain/document_format.hpp"
 #include "table.hpp"
@@ -17,9 +20,15 @@ Answer answer(Request& request, const Limits& limits) {
 }  // namespace
 
 Operation explain_operation() {
+    FieldList fields{
+        required("request", Shape::request_of(chapter_names()), "the request that is worked out")};
+    std::ranges::move(document_fields(), std::back_inserter(fields));
     return {
         .name = "explain",
         .summary = "Work out a computation step by step, as text, Markdown, LaTeX, HTML or JSON",
+        .documentation = "A page has every step, with formulas, pyramids, tables and pictures.",
+        .request = {std::move(fields)},
+        .result = document_members(),
         .example = {"explain", "evaluate", "t^2", "--at", "3"},
         .options = {},
         .answer = answer,

@@ -2,6 +2,7 @@
 #include "formats/formats.hpp"
 #include "map_list.hpp"
 #include "map_options.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -31,6 +32,9 @@ Operation export_operation() {
     return {
         .name = "export",
         .summary = "Write curves as a file of tinyspline, geomdl or splinepy, each number correctly rounded",
+        .documentation = "A curve that is one polynomial becomes a B-spline of one segment.",
+        .request = {{format_field()}, {{{map_field()}, {maps_field("several curves")}}}},
+        .result = {{required("document", ValueKind::document, "the file, as the other library reads it")}},
         .example = {"export", "--format", "tinyspline", "--control-points", "0,0; 1/3,2; 3,0"},
         .options = with_map_options({
             format_option(),

@@ -1,14 +1,20 @@
 #include "foreign_options.hpp"
 
+#include "formats/formats.hpp"
 #include "json/json_text.hpp"
 #include "map_options.hpp"
 
 namespace blossom::protocol {
 
-Option format_option() {
-    return field_option("--format", "format", "tinyspline|geomdl|splinepy",
-                        "the library whose file format is used", plain_text);
+Field format_field() {
+    return required("format", Shape::words(format_names()), "the library whose file format is used");
 }
+
+Field document_field() {
+    return required("document", ValueKind::document, "what this library wrote, as JSON");
+}
+
+Option format_option() { return word_option("--format", "format"); }
 
 Option document_option(std::string help) {
     const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits& limits) {

@@ -6,6 +6,10 @@
 
 namespace blossom::protocol {
 
+/// The library that wrote a file, and what it wrote.
+Field format_field();
+Field document_field();
+
 /// --format, for field "format".
 Option format_option();
 /// --document, for field "document".

@@ -2,6 +2,7 @@
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -20,6 +21,9 @@ Operation graph_operation() {
     return {
         .name = "graph",
         .summary = "Compute the curve (t, P(t)) of a map P",
+        .documentation = "The parameter is added as the first coordinate.",
+        .request = {{map_field()}},
+        .result = {{map_member("the graph")}},
         .example = {"graph", "--control-points", "0; 3; 1"},
         .options = with_map_options({}),
         .answer = answer,

@@ -4,6 +4,7 @@
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -26,6 +27,9 @@ Operation import_operation() {
         .summary =
             "Read the curves in a file of tinyspline, geomdl or splinepy, with the exact values of its "
             "doubles",
+        .documentation = "The files are those of ts_bspline_save, export_json and splinepy.io.json.export.",
+        .request = {{format_field(), document_field()}},
+        .result = {{maps_member("the curves, as maps of the kind bspline")}},
         .example = {"import", "--format", "tinyspline", "--document",
                     R"({"degree": 1, "dimension": 1, "control_points": [0.1, 2], "knots": [0, 0, 1, 1]})"},
         .options = {format_option(), document_option(R"(the file, "@NAME" or "-", or its text)")},

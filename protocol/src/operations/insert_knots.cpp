@@ -6,6 +6,7 @@
 #include "maps/dispatch_on_kind.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -67,14 +68,21 @@ Operation insert_knots_operation() {
     return {
         .name = "insert-knots",
         .summary = "Insert knots into a B-spline without changing the curve",
+        .documentation = "The curve stays the same.",
+        .request = {{map_field(),
+                     required("knots", parameters_shape(),
+                              "the knots to insert, in any order, each as often as it is listed; in several "
+                              "directions one list each"),
+                     optional("method", Shape::words(method_names),
+                              "of a curve: the algorithm; by default boehm")}},
+        .result = {{map_member("the same B-spline with the knots")}},
         .example = {"insert-knots", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,1,2,3,4,5",
                     "--degree", "3", "--insert", "5/2"},
         .options = with_map_options({
-            field_option("--insert", "knots", "X1,X2,...",
+            field_option("--insert", "knots", "X1,X2,...", number_list, lists_of_knots,
                          "the knots to insert, in any order, repeated for a higher multiplicity; in several "
-                         "directions one list each, separated by ';'",
-                         number_list, lists_of_knots),
-            field_option("--method", "method", "boehm|oslo", "the algorithm; by default boehm", plain_text),
+                         "directions one list each, separated by ';'"),
+            word_option("--method", "method"),
         }),
         .answer = answer,
         .render = described_listing,

@@ -3,6 +3,7 @@
 
 #include "map_options.hpp"
 #include "maps/patch.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -59,12 +60,22 @@ Operation inverse_formula_operation() {
     return {
         .name = "inverse-formula",
         .summary = "Compute the weights that turn values of a map into control points",
+        .documentation = "The formula is exact for maps up to its degree.",
+        .request = {{required("degree", ValueKind::count, "the degree"),
+                     optional("interval", ValueKind::interval, "the interval; by default [0, 1]"),
+                     optional("vertices", tuples_shape(),
+                              "instead of an interval: the vertices of a simplex")}},
+        .result = {{required("nodes", Shape::list(ValueKind::point),
+                             "where the values of the map are needed"),
+                    required("weights", tuples_shape(),
+                             "for each control point the weight of the value at each node"),
+                    optional("indices", Shape::list(counts_shape()),
+                             "of a simplex: the index of the control point of each row of weights")}},
         .example = {"inverse-formula", "--degree", "3"},
-        .options = {field_option("--degree", "degree", "N", "the degree", count),
-                    field_option("--interval", "interval", "A,B", "the interval; by default 0,1",
-                                 number_list),
-                    field_option("--vertices", "vertices", "P0;P1;...",
-                                 "instead of an interval: the vertices of a simplex", tuple_list)},
+        .options = {field_option("--degree", "degree", "N", count),
+                    field_option("--interval", "interval", "A,B", number_list,
+                                 "the interval; by default 0,1"),
+                    field_option("--vertices", "vertices", "P0;P1;...", tuple_list)},
         .answer = answer,
         .render = render,
     };

@@ -8,6 +8,7 @@
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -72,17 +73,20 @@ Operation join_operation() {
     return {
         .name = "join",
         .summary = "Join Bezier curves on adjacent intervals to a B-spline",
+        .documentation = "Given knots must fit the curves, which must be as smooth as the knots say.",
+        .request = {{maps_field("the Bezier curves"),
+                     optional("knots", numbers_shape(),
+                              "the knots of the spline; by default as few as the curves allow"),
+                     optional("degree", ValueKind::count,
+                              "the degree of the spline; by default the greatest degree of the curves")}},
+        .result = {{map_member("the B-spline")}},
         .example = {"join", R"({"kind": "bezier", "control_points": [0, 1, 4], "interval": [0, 1]})",
                     R"({"kind": "bezier", "control_points": [4, 7, 9], "interval": [1, 2]})"},
         .options = {maps_option("MAP",
                                 "the Bezier curves, as maps of the protocol, lists of them, or the output of "
                                 "'segments --json'"),
-                    field_option("--knots", "knots", "T0,T1,...",
-                                 "the knots of the spline; by default as few as the curves allow",
-                                 number_list),
-                    field_option("--degree", "degree", "N",
-                                 "the degree of the spline; by default the greatest degree of the curves",
-                                 count)},
+                    field_option("--knots", "knots", "T0,T1,...", number_list),
+                    field_option("--degree", "degree", "N", count)},
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_result,

@@ -8,7 +8,11 @@
 
 namespace blossom::protocol {
 
-/// Field "maps". Errors: those of `read_map`, below the index of the map.
+/// Field "maps".
+inline Field maps_field(std::string documentation) {
+    return required("maps", Shape::list(ValueKind::map), std::move(documentation));
+}
+/// What it holds. Errors: those of `read_map`, below the index of the map.
 std::vector<Map> read_maps_field(Fields& request, const Limits& limits);
 
 /// The maps in one form of points: where some are rational and others are not, these get the weight 1.

@@ -1,5 +1,7 @@
 #include "map_options.hpp"
 
+#include <blossom/rational/lists.hpp>
+
 #include <algorithm>
 
 #include "json/json_text.hpp"
@@ -175,17 +177,17 @@ Json count(std::string_view text) {
 
 Json plain_text(std::string_view text) { return text; }
 
-Option field_option(std::string name, const std::string& field, std::string value, std::string help,
-                    Json (*read)(std::string_view text)) {
+Option field_option(std::string name, const std::string& field, std::string value,
+                    Json (*read)(std::string_view text), std::string help) {
     const auto apply = [field, read](Json& request, const std::vector<std::string>& values, const Limits&) {
         request[field] = read(values.front());
     };
     return {std::move(name), Place{field}, std::move(value), std::move(help), apply};
 }
 
-Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+Option field_option(std::string name, const std::string& field, std::string value,
                     Json (*read)(std::string_view text),
-                    Json (*read_patch)(std::string_view text, const Json& map)) {
+                    Json (*read_patch)(std::string_view text, const Json& map), std::string help) {
     const auto apply = [field, read, read_patch](Json& request, const std::vector<std::string>& values,
                                                  const Limits&) {
         request[field] =
@@ -194,11 +196,27 @@ Option field_option(std::string name, const std::string& field, std::string valu
     return {std::move(name), Place{field}, std::move(value), std::move(help), apply};
 }
 
-Option flag_option(std::string name, const std::string& field, std::string help) {
+Option word_option(std::string name, const std::string& field) {
+    return field_option(std::move(name), field, "", plain_text);
+}
+
+Option flag_option(std::string name, const std::string& field) {
     const auto apply = [field](Json& request, const std::vector<std::string>&, const Limits&) {
         request[field] = true;
     };
-    return {std::move(name), Place{field}, "", std::move(help), apply};
+    return {std::move(name), Place{field}, "", "", apply};
+}
+
+std::vector<Option> completed(std::vector<Option> options, const Members& request) {
+    const FieldList fields = all_fields(request);
+    for (Option& option : options) {
+        const auto field = std::ranges::find_if(
+            fields, [&](const Field& one) { return option.field == Place{std::string(one.name)}; });
+        if (field == fields.end()) continue;
+        if (option.help.empty()) option.help = field->documentation;
+        if (option.value.empty()) option.value = joined(field->shape.alternatives(), {}, "|");
+    }
+    return options;
 }
 
 std::vector<Option> with_map_options(std::vector<Option> others) {

@@ -32,17 +32,20 @@ Json count(std::string_view text);
 Json tuple_list(std::string_view text);
 Json plain_text(std::string_view text);
 
-/// An option that writes one field of the request.
-Option field_option(std::string name, const std::string& field, std::string value, std::string help,
-                    Json (*read)(std::string_view text));
+/// An option that writes one field of the request. It says what the field does unless it has a `help`.
+Option field_option(std::string name, const std::string& field, std::string value,
+                    Json (*read)(std::string_view text), std::string help = "");
 
 /// The same with another reading for a request about a patch; `read_patch` may look at the map.
-Option field_option(std::string name, const std::string& field, std::string value, std::string help,
+Option field_option(std::string name, const std::string& field, std::string value,
                     Json (*read)(std::string_view text),
-                    Json (*read_patch)(std::string_view text, const Json& map));
+                    Json (*read_patch)(std::string_view text, const Json& map), std::string help = "");
+
+/// An option whose value is one of the words of the field.
+Option word_option(std::string name, const std::string& field);
 
 /// An option without value that makes one field of the request true.
-Option flag_option(std::string name, const std::string& field, std::string help);
+Option flag_option(std::string name, const std::string& field);
 
 /// The options that describe a map, and then `others`; of two of one name the one in `others` counts.
 std::vector<Option> with_map_options(std::vector<Option> others);

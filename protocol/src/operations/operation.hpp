@@ -9,6 +9,7 @@
 
 #include <blossom/protocol/json.hpp>
 #include "answer.hpp"
+#include "description/members.hpp"
 #include "json/fields.hpp"
 #include "maps/map.hpp"
 #include "text/readable.hpp"
@@ -17,10 +18,12 @@ namespace blossom::protocol {
 
 /// One option of a command: what it writes into the request.
 struct Option {
-    std::string name;   ///< "--at", or in capitals the name of a positional argument, which may be repeated
-    Place field;        ///< what it writes
-    std::string value;  ///< what to call its value in the help; alternatives as "a|b"; empty for a flag
-    std::string help;
+    std::string name;  ///< "--at", or in capitals the name of a positional argument, which may be repeated
+    Place field;       ///< what it writes
+    /// What to call its value in the help; empty for a flag. For a word without it these are its
+    /// alternatives, "a|b".
+    std::string value;
+    std::string help;  ///< where it is empty, the documentation of the field counts
     std::function<void(Json& request, const std::vector<std::string>& values, const Limits& limits)> apply;
     bool repeated = false;  ///< it may be given several times
     bool files = false;  ///< its values name files, or folders of statements: the texts in them are applied
@@ -43,6 +46,9 @@ struct Answered {
 struct Operation {
     std::string_view name;
     std::string_view summary;
+    std::string_view documentation;  ///< one sentence
+    Members request;                 ///< its fields besides those of every request
+    Members result;
     std::vector<std::string> example;  ///< the arguments of an example for the help, which runs it
     std::vector<Option> options;
     Answer (*answer)(Request& request, const Limits& limits);
@@ -52,6 +58,9 @@ struct Operation {
     std::string (*mesh)(const Answered& answered) = nullptr;  ///< of a patch: a mesh as an OBJ file
     bool explains = false;  ///< a command behind `explain`: its options write the request that is explained
 };
+
+/// The options of fields with what their fields say: the alternatives of a word, and the help.
+std::vector<Option> completed(std::vector<Option> options, const Members& request);
 
 /// All of them, in the order of the help.
 const std::vector<Operation>& operations();

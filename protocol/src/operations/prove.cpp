@@ -77,6 +77,10 @@ Operation prove_operation() {
     return {
         .name = "prove",
         .summary = "Decide statements of the identity language, exactly and for all values",
+        .documentation = "A claim is proved for all maps and all values, or refuted with a counterexample.",
+        .request = {{required("statement", Shape::one_of({ValueKind::text, Shape::list(ValueKind::text, 1)}),
+                              "a text of the identity language, or several")}},
+        .result = decision_members(),
         .example = {"prove", "-e", "b[s,t] == (4*b((s+t)/2) - b(s) - b(t))/2", "--degree", "b=2"},
         .options = {},
         .answer = answer,

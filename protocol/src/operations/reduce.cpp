@@ -2,11 +2,13 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/spline/spline_reduction.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -17,10 +19,10 @@ constexpr ReductionMethod all_methods[] = {ReductionMethod::inverse_formula, Red
                                            ReductionMethod::least_squares_endpoints,
                                            ReductionMethod::uniform};
 
+std::vector<std::string_view> method_names() { return mapped(all_methods, reduction_method_name); }
+
 ReductionMethod read_method(const Json& value) {
-    std::vector<std::string_view> names;
-    for (const ReductionMethod method : all_methods) names.push_back(reduction_method_name(method));
-    return all_methods[read_alternative(value, names, "a method")];
+    return all_methods[read_alternative(value, method_names(), "a method")];
 }
 
 struct Reduced {
@@ -88,15 +90,27 @@ Operation reduce_operation() {
     return {
         .name = "reduce",
         .summary = "Approximate a curve by one of lower degree, with the exact error",
+        .documentation = "The segments of a spline are reduced one by one.",
+        .request = {{map_field(), required("to", ValueKind::count, "the new degree"),
+                     optional("method", Shape::words(method_names()), "the method; by default least-squares"),
+                     optional("interval", ValueKind::interval,
+                              "where the error is measured; by default the interval of the map, or [0, 1]")}},
+        .result = {{map_member("the curve of lower degree"),
+                    required("exact", ValueKind::boolean, "whether it is the same map"),
+                    required(
+                        "error",
+                        Shape::object({{required("l2_squared", ValueKind::number,
+                                                 "the integral of the squared distance"),
+                                        optional("maximum", ValueKind::point,
+                                                 "for uniform: the greatest distance in each coordinate")}}),
+                        "the distance of the two, with weights as coordinates")}},
         .example = {"reduce", "t^3", "--to", "2", "--method", "uniform"},
         .options = with_map_options({
-            field_option("--to", "to", "M", "the new degree", count),
-            field_option("--method", "method",
-                         "inverse-formula|least-squares|least-squares-endpoints|uniform",
-                         "the method; by default least-squares", plain_text),
+            field_option("--to", "to", "M", count),
+            word_option("--method", "method"),
             own_interval_option(
                 "the interval of the given control points, or else that of the error; by default 0,1"),
-            field_option("--over", "interval", "A,B", "the interval of the error", number_list),
+            field_option("--over", "interval", "A,B", number_list, "the interval of the error"),
         }),
         .answer = answer,
         .render = render,

@@ -5,6 +5,7 @@
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -50,6 +51,12 @@ std::string render(const Answered& answered) {
                       answered.style.bold(member_text(result, "residual")));
 }
 
+Shape obstruction_shape() {
+    return Shape::object({{required("knots", numbers_shape(), "would be consecutive after the next removal"),
+                           required("from_left", ValueKind::point, "the blossom on the left at these knots"),
+                           required("from_right", ValueKind::point, "the blossom on the right")}});
+}
+
 }  // namespace
 
 Operation remove_knot_operation() {
@@ -57,11 +64,19 @@ Operation remove_knot_operation() {
         .name = "remove-knot",
         .summary =
             "Remove a knot from a B-spline without changing the curve, or say why that is not possible",
+        .documentation = "The curve never changes: a removal that would change it is not made.",
+        .request = {{map_field(), required("knot", ValueKind::number, "the knot to remove"),
+                     optional("times", ValueKind::count, "how often to remove it; by default once")}},
+        .result = {{map_member("the same B-spline without the knot"),
+                    required("removed", ValueKind::count, "how often the knot was removed"),
+                    optional("residual", ValueKind::point,
+                             "by how much the two values of `obstruction` differ"),
+                    optional("obstruction", obstruction_shape(), "why it is not removed once more")}},
         .example = {"remove-knot", "--control-points", "0,0; 5/6,5/3; 2,5/2; 10/3,8/3; 5,1", "--knots",
                     "0,1,2,5/2,3,4,5", "--degree", "3", "--knot", "5/2"},
         .options = with_map_options({
-            field_option("--knot", "knot", "X", "the knot to remove", plain_text),
-            field_option("--times", "times", "N", "how often to remove it; by default once", count),
+            field_option("--knot", "knot", "X", plain_text),
+            field_option("--times", "times", "N", count),
         }),
         .answer = answer,
         .render = render,

@@ -5,6 +5,7 @@
 
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -107,21 +108,33 @@ std::string render(const Answered& answered) {
     return text;
 }
 
+Shape root_shape() {
+    return Shape::object(
+        {{required("multiplicity", ValueKind::count, "the multiplicity of the root")},
+         {{{required("value", ValueKind::number, "a rational root")},
+           {required("interval", ValueKind::interval, "an open interval with this root and no other")}}}});
+}
+
 }  // namespace
 
 Operation roots_operation() {
     return {
         .name = "roots",
         .summary = "Isolate the real roots of a scalar map in an interval, with their multiplicities",
+        .documentation = "A rational root is given exactly, any other by an interval that has no other root.",
+        .request = {{map_field(),
+                     optional("interval", ValueKind::interval,
+                              "the closed interval of the roots; by default that of the map, or [0, 1]"),
+                     optional("width", ValueKind::number,
+                              "the maximal width of the intervals around irrational roots")}},
+        .result = {{required("roots", Shape::list(root_shape()), "the roots in increasing order")}},
         .example = {"roots", "(t^2 - 2)(2t - 1)^2", "--interval", "0,2"},
         .options = with_map_options({
             own_interval_option(
                 "the interval of the given control points, or else that of the roots; by default 0,1"),
-            field_option("--over", "interval", "A,B",
-                         "the interval of the roots; by default that of the map, 0,1 for a polynomial",
-                         number_list),
-            field_option("--width", "width", "W",
-                         "the maximal width of the intervals around irrational roots", plain_text),
+            field_option("--over", "interval", "A,B", number_list,
+                         "the interval of the roots; by default that of the map, 0,1 for a polynomial"),
+            field_option("--width", "width", "W", plain_text),
         }),
         .answer = answer,
         .render = render,

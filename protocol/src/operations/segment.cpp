@@ -4,6 +4,7 @@
 #include <blossom/core/spline/de_boor.hpp>
 
 #include "map_options.hpp"
+#include "shared_fields.hpp"
 
 namespace blossom::protocol {
 
@@ -39,15 +40,19 @@ Patch read_segment(Fields& request, const TensorBSpline& spline, const Limits& l
     return segment(spline, *spans, limits);
 }
 
+Field segment_field() {
+    return optional("segment", Shape::one_of({ValueKind::count, counts_shape()}),
+                    "of a B-spline: the index of the knot at which the segment begins, needed if there are "
+                    "several; in several directions one index each");
+}
+
 Option segment_option() {
-    return field_option("--segment", "segment", "I",
-                        "for a B-spline: the index of the knot at which the segment begins, needed if there "
-                        "are several; in several directions one index each, I,J",
-                        count, [](std::string_view text, const Json&) -> Json {
-                            Json::Array indices;
-                            for (const std::string& index : split(text, ',')) indices.push_back(count(index));
-                            return indices;
-                        });
+    const auto indices_of = [](std::string_view text, const Json&) -> Json {
+        Json::Array indices;
+        for (const std::string& index : split(text, ',')) indices.push_back(count(index));
+        return indices;
+    };
+    return field_option("--segment", "segment", "I", count, indices_of);
 }
 
 }  // namespace blossom::protocol

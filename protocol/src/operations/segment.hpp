@@ -25,7 +25,9 @@ Patch segment(const TensorBSpline& spline, std::span<const std::size_t> spans, c
 /// That of field "segment", one index of a knot a direction; without it the only one. Errors: as above.
 Patch read_segment(Fields& request, const TensorBSpline& spline, const Limits& limits);
 
-/// --segment, for field "segment".
+/// Field "segment".
+Field segment_field();
+/// --segment, for this field.
 Option segment_option();
 
 }  // namespace blossom::protocol

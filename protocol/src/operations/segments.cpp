@@ -7,6 +7,7 @@
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "segment.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -40,6 +41,9 @@ Operation segments_operation() {
     return {
         .name = "segments",
         .summary = "Split a B-spline into its Bezier curves",
+        .documentation = "There is one for each non-empty span of the knots.",
+        .request = {{map_field()}},
+        .result = {{maps_member("the Bezier curves or patches in their order")}},
         .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
                     "--degree", "2"},
         .options = with_map_options({}),

@@ -11,6 +11,7 @@
 #include "maps/parameters.hpp"
 #include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
+#include "shared_fields.hpp"
 #include "table.hpp"
 
 namespace blossom::protocol {
@@ -140,12 +141,19 @@ Operation subdivide_operation() {
     return {
         .name = "subdivide",
         .summary = "Split a curve or patch at a parameter",
+        .documentation =
+            "The parameter may lie outside the interval of a Bezier curve, but in the domain of a B-spline.",
+        .request = {{map_field(),
+                     required(
+                         "at", Shape::one_of({ValueKind::number, Shape::words({"midpoints"}), cut_shape()}),
+                         "the parameter; for a simplex a point or midpoints, for a tensor product a number "
+                         "or null per direction")}},
+        .result = {{maps_member("the parts")}},
         .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
         .options = with_map_options({field_option(
-            "--at", "at", "T",
+            "--at", "at", "T", plain_text, place_of_division,
             "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a point or "
-            "\"midpoints\", for a tensor product a number or - per direction",
-            plain_text, place_of_division)}),
+            "\"midpoints\", for a tensor product a number or - per direction")}),
         .answer = answer,
         .render = described_listing,
         .plot = plot_of_maps,
