@@ -12,7 +12,7 @@ namespace blossom::protocol {
 /// One limit of a request.
 struct LimitEntry {
     std::string_view name;
-    std::size_t Limits::*member;
+    std::size_t Limits::* member;
     std::string_view help;
     std::size_t greatest;  ///< what the flag may ask for
 

@@ -21,7 +21,12 @@ public:
     /// `take` is false when no more jobs are wanted.
     OrderedWork(std::size_t threads, std::function<void(Job&)> work, std::function<bool(Job&)> take)
         : work_(std::move(work)), take_(std::move(take)), most_jobs_(4 * threads) {
-        for (std::size_t i = 0; threads > 1 && i < threads; ++i) threads_.emplace_back([this] { run(); });
+        try {
+            for (std::size_t i = 0; threads > 1 && i < threads; ++i) threads_.emplace_back([this] { run(); });
+        } catch (const std::exception&) {
+            return;  // the system gives no more threads: those that have started, or the caller's, do the
+                     // work
+        }
     }
     OrderedWork(OrderedWork&&) = delete;  // the threads refer to this object
     OrderedWork& operator=(OrderedWork&&) = delete;

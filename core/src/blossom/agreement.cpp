@@ -1,6 +1,5 @@
 #include <blossom/core/blossom/agreement.hpp>
 
-#include <functional>
 #include <string>
 
 #include "patch_constructions.hpp"
@@ -124,25 +123,6 @@ Agreement<std::vector<SparsePolynomial>> symbolic_agreement(const PatchMap& map,
 
 using Symbols = TupleLists<SparsePolynomial>;
 
-Agreement<std::vector<SparsePolynomial>> for_all_arguments(const PolynomialCurve& curve,
-                                                           const Limits& limits) {
-    return symbolic_agreement(as_patch(curve), 0, std::identity(), limits);
-}
-
-/// (1, u) is ((b - u) / (b - a), (u - a) / (b - a)).
-Agreement<std::vector<SparsePolynomial>> for_all_arguments(const BezierCurve& curve, const Limits& limits) {
-    const Rational& a = curve.interval().a();
-    const Rational& b = curve.interval().b();
-    const auto barycentric = [&](Symbols symbols) {
-        for (auto& tuple : symbols.front()) {
-            const SparsePolynomial u = Rational(1) / (b - a) * tuple[1];
-            tuple = {SparsePolynomial(b / (b - a)) - u, u - SparsePolynomial(a / (b - a))};
-        }
-        return symbols;
-    };
-    return symbolic_agreement(as_patch(curve), frame_bits(curve), barycentric, limits);
-}
-
 }  // namespace
 
 Agreement<Coordinates> agreement(const PolynomialMap& map, std::span<const Argument> arguments,
@@ -162,7 +142,19 @@ Agreement<Coordinates> agreement(const PatchMap& map, const PatchArguments& argu
 
 Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PolynomialMap& map,
                                                                      const Limits& limits) {
-    return std::visit([&](const auto& curve) { return for_all_arguments(curve, limits); }, map);
+    const auto points = [&](Symbols symbols) {
+        const auto* bezier = std::get_if<BezierCurve>(&map);
+        if (!bezier) return symbols;
+        const auto& [a, b] = std::pair(bezier->interval().a(), bezier->interval().b());
+        // (1, u) is ((b - u) / (b - a), (u - a) / (b - a)).
+        for (auto& tuple : symbols.front()) {
+            const SparsePolynomial u = Rational(1) / (b - a) * tuple[1];
+            tuple = {SparsePolynomial(b / (b - a)) - u, u - SparsePolynomial(a / (b - a))};
+        }
+        return symbols;
+    };
+    const auto as_one_segment = [](const auto& curve) -> PatchMap { return as_patch(curve); };
+    return symbolic_agreement(std::visit(as_one_segment, map), frame_bits(map), points, limits);
 }
 
 Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const PatchMap& map,

@@ -1,6 +1,7 @@
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <bit>
 #include <string>
 
 #include "maps/patch_kernel.hpp"
@@ -34,6 +35,10 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
     require_within(raised.size(), limits.numbers / patch.dimension(), "numbers",
                    "the number of points of the raised net", Part::by);
     if (r == 0) return patch;
+    // A binomial coefficient of a multi-index of sum n is below (s + 1)^n, above and below the line.
+    const auto bits_per_degree = static_cast<std::size_t>(std::bit_width(dimension + 1));
+    require_result_bits(bits_of(patch.control_net()) + 2 * (degree + r) * bits_per_degree, limits,
+                        raised.size() * patch.dimension());
     const std::size_t steps = multi_index_count(dimension, r, limits);
     require_within(
         shape.size(), limits.expansion_work / steps, "expansion_work",

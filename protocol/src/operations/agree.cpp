@@ -20,8 +20,8 @@ std::string_view readable_name(std::string_view construction) {
     return construction;
 }
 
-Json degree_member(const OnePolynomial auto& curve) { return Json::Object{{"degree", curve.degree()}}; }
-Json degree_member(const Patch& patch) {
+Json degrees_of(const OnePolynomial auto& curve) { return Json::Object{{"degree", curve.degree()}}; }
+Json degrees_of(const Patch& patch) {
     Json member;
     write_degrees(member, patch);
     return member;
@@ -56,7 +56,7 @@ struct Agree {
 
     Json operator()(const OnePolynomial auto& curve) const {
         return answer(curve, polynomial_map(curve, limits), [&](const PolynomialMap& map) {
-            Json::Object members = *degree_member(curve).object();
+            Json::Object members = *degrees_of(curve).object();
             const auto names = numbered_names("e", curve.degree());
             members.emplace_back("elementary",
                                  expansion_texts(elementary_symmetric_form(map, limits), form, names));
@@ -65,7 +65,7 @@ struct Agree {
     }
     Json operator()(const Patch& patch) const {
         return answer(patch, patch.map, [&](const PatchMap&) {
-            return std::pair(*degree_member(patch).object(), symbol_names(patch));
+            return std::pair(*degrees_of(patch).object(), symbol_names(patch));
         });
     }
 
@@ -77,7 +77,7 @@ private:
         request.finish();
         if (arguments) {
             const auto found = at_arguments(value, [&] { return agreement(map, *arguments, limits); });
-            return agreement_at_arguments(found, *degree_member(value).object(), form);
+            return agreement_at_arguments(found, *degrees_of(value).object(), form);
         }
         const auto found = within("map", [&] { return agreement_for_all_arguments(map, limits); });
         auto [members, names] = expanded(map);

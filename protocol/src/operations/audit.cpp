@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <blossom/rational/double_conversion.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -24,12 +25,32 @@ constexpr std::string_view audited[] = {"knots",          "interval",    "interv
                                         "control_points", "control_net", "weights",     "left",     "right",
                                         "coefficients",   "terms",       "denominator", "values"};
 
-/// An object with some of these members.
-Shape audited_numbers(ValueKind kind) {
-    Members members{.fields = {}, .some = true};
-    for (const std::string_view field : audited)
-        members.fields.push_back(optional(field, kind, "the numbers of this member of the map"));
-    return Shape::object(std::move(members));
+/// Numbers of the member of a map: in nested lists, by indices for a net over a simplex and for terms, and at
+/// two ends for the denominator of a hermite map.
+Shape audited_shape(std::string_view field, ValueKind kind) {
+    if (field == "control_net" || field == "terms")
+        return Shape::one_of({kind, Shape::list(Shape::pair(Shape::list(ValueKind::count), kind))});
+    if (field != "denominator") return kind;
+    return Shape::one_of(
+        {kind, Shape::object({{required("left", kind, "at a"), required("right", kind, "at b")}})});
+}
+
+/// The members of an object with some numbers of a map.
+FieldList audited_fields(ValueKind kind) {
+    return mapped(std::span(audited), [&](std::string_view field) {
+        return optional(field, audited_shape(field, kind), "the numbers of this member of the map");
+    });
+}
+
+/// What another program has computed, with or without values at parameters.
+Shape computed_shape(bool with_values) {
+    FieldList fields = audited_fields(ValueKind::doubles);
+    fields.pop_back();
+    if (with_values) fields.push_back(required("values", ValueKind::doubles, "the values at the parameters"));
+    return Shape::object({.fields = std::move(fields), .some = !with_values});
+}
+Shape compared_shape() {
+    return Shape::object({.fields = audited_fields(ValueKind::nested_points), .some = true});
 }
 
 /// Those that are multiplied by weights, or divided by a denominator.
@@ -221,24 +242,24 @@ void apply_computed(Json& request, const std::vector<std::string>& values, const
 }  // namespace
 
 Operation audit_operation() {
+    const std::string computed =
+        "the numbers of the other program, by members of the map, or the `values` at `at`";
     return {
         .name = "audit",
         .summary =
             "Measure the error of doubles computed by another program, against the exact numbers of a map",
         .documentation = "Each double counts as the exact number that it represents.",
-        .request =
-            {{map_field(), optional("at", parameters_shape(), "the parameters of the values")},
-             {{{required("computed", audited_numbers(ValueKind::doubles),
-                         "the numbers of the other program, by members of the map, or the `values` at `at`")},
-               {format_field(), document_field()}}}},
-        .result = {{required("errors", audited_numbers(ValueKind::nested_points),
-                             "the computed minus the exact values"),
-                    required("ulps", audited_numbers(ValueKind::nested_points),
+        .request = {{map_field()},
+                    {{{required("computed", computed_shape(false), computed)},
+                      {required("computed", computed_shape(true), computed),
+                       required("at", parameters_shape(), "the parameters of the values")},
+                      {format_field(), document_field()}}}},
+        .result = {{required("errors", compared_shape(), "the computed minus the exact values"),
+                    required("ulps", compared_shape(),
                              "their sizes in units in the last place of the exact values"),
                     required("greatest_ulps", ValueKind::number, "the greatest of these"),
                     required("numbers", ValueKind::count, "how many numbers were compared"),
-                    required("not_nearest", ValueKind::count,
-                             "how many of them are not the nearest double"),
+                    required("not_nearest", ValueKind::count, "how many of them are not the nearest double"),
                     optional("without_weights", Shape::words({"document", "map"}),
                              "the side that has no weights, which count as 1")}},
         .example = {"audit", "--control-points", "0; 1/3; 1/10", "--computed",
