@@ -2,6 +2,7 @@
 #include <unistd.h>
 #include <blossom/rational/resource_budget.hpp>
 
+#include <csignal>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -32,6 +33,7 @@ int fail(std::string_view message) noexcept {
 int main(int argc, char* argv[]) {
     try {
         reserve_standard_descriptors();
+        std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing
         blossom::allocate_numbers_with_new();
         const std::vector<std::string> arguments(argv + 1, argv + argc);
         return static_cast<int>(blossom::cli::run(arguments, blossom::cli::standard_streams()));

@@ -12,6 +12,7 @@
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
 #include "run.hpp"
+#include "streams/printable.hpp"
 #include "support/catch.hpp"
 
 using namespace blossom;
@@ -307,4 +308,16 @@ TEST_CASE("completion scripts know every command and option") {
             CHECK(contains(script.output, word));
         }
     }
+}
+
+TEST_CASE("a terminal gets whole characters and no control characters but colours") {
+    CHECK(printable("a\tb\nc") == "a\tb\nc");
+    CHECK(printable("\x1b[31mred\x1b[0m") == "\x1b[31mred\x1b[0m");
+    CHECK(printable("\x1b[2J\x1b]0;title\x07\x7f") == "?[2J?]0;title??");
+    CHECK(printable("\x1b[1;31m\x1b[") == "?[1;31m?[");
+    CHECK(printable("\u03b4 \u2264 \U0001D539") == "\u03b4 \u2264 \U0001D539");
+    CHECK(printable("\xff\xfe t \xc3") == "?? t ?");
+    CHECK(printable("\xc0\xaf \xed\xa0\x80 \xe2\x82") == "?? ??? ??");  // too long, a surrogate, cut
+    CHECK(printable("\xc2\x9b"
+                    "2J") == "??2J");  // the one-byte form of ESC [
 }

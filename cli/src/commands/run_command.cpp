@@ -29,7 +29,9 @@ std::string with_caret(std::string_view text, std::size_t offset, const Style& s
     while (first < offset && continues_character(text[first])) ++first;
     std::size_t last = std::min({text.find('\n', offset), text.size(), first + line_width});
     while (last < text.size() && last > offset && continues_character(text[last])) --last;
-    return fmt::format("  {}\n  {}{}\n", text.substr(first, last - first),
+    std::string line(text.substr(first, last - first));
+    std::ranges::replace(line, '\x1b', '?');  // not even a colour is taken from what was typed
+    return fmt::format("  {}\n  {}{}\n", line,
                        std::string(characters(text.substr(first, offset - first)), ' '), style.bad("^"));
 }
 

@@ -12,6 +12,8 @@
 #include <string>
 #include <system_error>
 
+#include "printable.hpp"
+
 namespace blossom::cli {
 
 namespace {
@@ -54,8 +56,13 @@ bool wants_colours(int descriptor) {
 Streams standard_streams() {
     return {
         .input = [](std::span<char> room) { return read_some(STDIN_FILENO, room, "standard input"); },
-        .output = [](std::string_view text) { return write_all(STDOUT_FILENO, text, "standard output"); },
-        .errors = [](std::string_view text) { return write_all(STDERR_FILENO, text, "standard error"); },
+        .output =
+            [terminal = ::isatty(STDOUT_FILENO) == 1](std::string_view text) {
+                return terminal ? write_all(STDOUT_FILENO, printable(text), "standard output")
+                                : write_all(STDOUT_FILENO, text, "standard output");
+            },
+        .errors =
+            [](std::string_view text) { return write_all(STDERR_FILENO, printable(text), "standard error"); },
         .coloured_output = wants_colours(STDOUT_FILENO),
         .coloured_errors = wants_colours(STDERR_FILENO),
         .shows_progress = wants_colours(STDERR_FILENO),

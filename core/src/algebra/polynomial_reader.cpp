@@ -144,7 +144,7 @@ private:
         throw Error(code, "column " + std::to_string(position + 1) + ": " + message, {}, position);
     }
     [[noreturn]] void fail(const std::string& expected) {
-        const std::string found = at_end() ? "the end" : quoted(text_.substr(position_, 1));
+        const std::string found = at_end() ? "the end" : quoted(first_character(text_.substr(position_)));
         fail_at(position_, ErrorCode::syntax, "expected " + expected + ", found " + found);
     }
     /// Runs an operation on what began at `position`, and says so when a limit stops it.

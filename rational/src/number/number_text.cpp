@@ -77,10 +77,27 @@ Rational decimal(std::string_view text, const Limits& limits) {
 
 }  // namespace
 
+namespace {
+
+/// Whether a character goes on at `place`: all its bytes but the first have the form 10xxxxxx.
+bool continues_at(std::string_view text, std::size_t place) {
+    return place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0) == 0x80;
+}
+
+}  // namespace
+
+std::string_view first_character(std::string_view text) {
+    std::size_t length = std::min<std::size_t>(text.size(), 1);
+    while (continues_at(text, length)) ++length;
+    return text.substr(0, length);
+}
+
 std::string quoted(std::string_view text) {
     constexpr std::size_t longest = 40;
+    std::size_t length = std::min(longest, text.size());
+    while (length > 0 && continues_at(text, length)) --length;
     std::string result = "\"";
-    for (const char c : text.substr(0, longest)) {
+    for (const char c : text.substr(0, length)) {
         const auto byte = static_cast<unsigned char>(c);
         if (byte >= 0x20 && byte != 0x7f) {
             result += c;

@@ -27,4 +27,7 @@ std::size_t unsigned_decimal_length(std::string_view text);
 /// At most 40 characters of `text` for an error message, in quotation marks, with unprintable bytes escaped.
 std::string quoted(std::string_view text);
 
+/// The first character of a text of UTF-8, with all its bytes.
+std::string_view first_character(std::string_view text);
+
 }  // namespace blossom

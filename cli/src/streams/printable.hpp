@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace blossom::cli {
+
+/// `text` as a terminal may have it: bytes that are not UTF-8, and control characters except line ends, tabs
+/// and the colours of this program, become '?'.
+std::string printable(std::string_view text);
+
+}  // namespace blossom::cli
