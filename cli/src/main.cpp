@@ -35,6 +35,7 @@ int main(int argc, char* argv[]) {
         reserve_standard_descriptors();
         std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of writing
         blossom::allocate_numbers_with_new();
+        blossom::prepare_thread_for_numbers();
         const std::vector<std::string> arguments(argv + 1, argv + argc);
         return static_cast<int>(blossom::cli::run(arguments, blossom::cli::standard_streams()));
     } catch (const std::bad_alloc&) {

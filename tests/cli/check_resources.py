@@ -143,7 +143,8 @@ def check_little_memory(failures):
                 response = json.loads(line)
                 if not response["ok"] and response["error"]["code"] != "limit_exceeded":
                     failures.append(f"{place}: {request['op']}: {response['error']}")
-                if is_small and not response["ok"]:
+                # With several jobs, the others may have the memory.
+                if is_small and jobs == "1" and not response["ok"]:
                     failures.append(f"{place}: a small request is refused: {response['error']}")
     if started < len(sizes):
         failures.append(f"only {started} processes of {2 * len(sizes)} have started")

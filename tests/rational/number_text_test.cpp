@@ -150,6 +150,10 @@ TEST_CASE("text is quoted short and printable", "[number_text]") {
     CHECK(quoted("abc") == "\"abc\"");
     CHECK(quoted("a\nb\x7f") == "\"a\\x0ab\\x7f\"");
     CHECK(quoted(std::string(40, 'x')) == "\"" + std::string(40, 'x') + "\"");
+    CHECK(quoted(std::string(39, 'x') + "\u03b4") == "\"" + std::string(39, 'x') + "...\"");
+    CHECK(first_character("\u03b4 + 1") == "\u03b4");
+    CHECK(first_character("t") == "t");
+    CHECK(first_character("").empty());
     CHECK(quoted(std::string(41, 'x')) == "\"" + std::string(40, 'x') + "...\"");
 }
 

@@ -13,6 +13,13 @@ struct Request {
     Response response = {};
 };
 
+/// Without more memory than the text has: a long response may have taken the last.
+bool write_line(const Sink& sink, std::string& text) {
+    if (text.size() == text.capacity()) return sink(text) && sink("\n");
+    text += '\n';
+    return sink(text);
+}
+
 bool is_blank(const LineReader::Line& line) {
     return !line.too_long && line.text.find_first_not_of(" \t\r") == std::string::npos;
 }
@@ -29,7 +36,7 @@ Outcome serve_batch(const LineReader::Source& source, const Sink& sink, const Li
             line.too_long ? protocol::refuse_long_line(limits) : protocol::answer(line.text, limits);
     };
     const auto write = [&](Request& request) {
-        const bool taken = sink(request.response.text + "\n");
+        const bool taken = write_line(sink, request.response.text);
         outcome = std::max({outcome, request.response.outcome, taken ? Outcome::success : Outcome::refused});
         return taken;
     };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <blossom/rational/resource_budget.hpp>
+
 #include <condition_variable>
 #include <cstddef>
 #include <deque>
@@ -23,10 +25,11 @@ public:
         : work_(std::move(work)), take_(std::move(take)), most_jobs_(4 * threads) {
         try {
             for (std::size_t i = 0; threads > 1 && i < threads; ++i) threads_.emplace_back([this] { run(); });
-        } catch (const std::exception&) {
-            return;  // the system gives no more threads: those that have started, or the caller's, do the
-                     // work
+        } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
+            // The system gives no more threads: those that have started, or the caller's, do the work.
         }
+        std::unique_lock lock(mutex_);
+        has_room_.wait(lock, [&] { return prepared_ == threads_.size(); });
     }
     OrderedWork(OrderedWork&&) = delete;  // the threads refer to this object
     OrderedWork& operator=(OrderedWork&&) = delete;
@@ -71,7 +74,10 @@ private:
     }
 
     void run() {
+        prepare_thread_for_numbers();
         std::unique_lock lock(mutex_);
+        ++prepared_;
+        has_room_.notify_one();
         while (true) {
             has_work_.wait(lock, [&] { return finished_ || started_ < jobs_.size(); });
             if (started_ == jobs_.size()) return;
@@ -115,6 +121,7 @@ private:
     std::mutex mutex_;
     std::condition_variable has_work_;
     std::condition_variable has_room_;
+    std::size_t prepared_ = 0;  ///< how many threads have begun
     std::deque<Entry> jobs_;   ///< in order, from the first that is not taken
     std::size_t started_ = 0;  ///< how many of them a thread works on, or has done
     bool finished_ = false;

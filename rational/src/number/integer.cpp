@@ -347,6 +347,8 @@ void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint
 
 void allocate_numbers_with_new() { backend::allocate_with_new(); }
 
+void prepare_thread_for_numbers() { free_list_of_thread.start(); }
+
 }  // namespace blossom
 
 std::size_t std::hash<blossom::Integer>::operator()(const blossom::Integer& value) const noexcept {

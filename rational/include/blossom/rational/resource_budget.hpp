@@ -93,4 +93,8 @@ Error resource_error(const std::bad_alloc& problem);
 /// exception. For programs, before they compute: the number library GMP ends the process otherwise.
 void allocate_numbers_with_new();
 
+/// Registers what this thread keeps for large numbers until it ends. Without this call the first large number does it, and
+/// the C library ends the process if memory is lacking then.
+void prepare_thread_for_numbers();
+
 }  // namespace blossom
