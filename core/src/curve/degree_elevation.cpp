@@ -45,31 +45,36 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
         "the number of points, each of which enters " + std::to_string(steps) + " points of the raised net,",
         Part::by);
 
-    const std::vector<MultiIndex> indices = multi_indices(dimension, degree);
-    const std::vector<MultiIndex> added = multi_indices(dimension, r);
+    // On a segment the place of a sum of indices is the sum of their places.
+    const bool segment = dimension == 1;
+    const auto indices = segment ? std::vector<MultiIndex>() : multi_indices(dimension, degree);
+    const auto added = segment ? std::vector<MultiIndex>() : multi_indices(dimension, r);
+    const std::size_t count = shape.count(factor);
     const std::vector<Integer> powers = multinomials(NetShape::simplex(dimension, r, limits));
-    const PointArray form = form_of(patch);
+    const PointArray form(patch.dimension(), patch.control_net().numbers().weighted(multinomials(shape), 1));
     const std::size_t before = shape.before(factor);
     const std::size_t behind = shape.behind(factor);
-    std::vector<std::vector<Integer>> rows(patch.dimension(), std::vector<Integer>(raised.size()));
+    std::vector<Integer> product(patch.dimension() * raised.size());
     MultiIndex sum;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        for (std::size_t j = 0; j < added.size(); ++j) {
-            sum = indices[i];
+    for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t j = 0; j < powers.size(); ++j) {
+            if (!segment) sum = indices[i];
             for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += added[j][k];
-            const std::size_t place = position(sum);
-            for (std::size_t c = 0; c < rows.size(); ++c) {
+            const std::size_t place = segment ? i + j : position(sum);
+            for (std::size_t c = 0; c < patch.dimension(); ++c) {
                 const std::span<const Integer> row = form.coordinate(c);
                 for (std::size_t block = 0; block < before; ++block) {
-                    const std::size_t from = (block * indices.size() + i) * behind;
-                    const std::size_t to = (block * raised.count(factor) + place) * behind;
+                    const std::size_t from = (block * count + i) * behind;
+                    const std::size_t to =
+                        c * raised.size() + (block * raised.count(factor) + place) * behind;
                     for (std::size_t k = 0; k < behind; ++k)
-                        rows[c][to + k].add_product(row[from + k], powers[j]);
+                        product[to + k].add_product(row[from + k], powers[j]);
                 }
             }
         }
     }
-    return {raised, polar_of(raised, canonical_points(rows, form.denominator()))};
+    const PointArray product_form(patch.dimension(), RationalVector(std::move(product), form.denominator()));
+    return {raised, polar_of(raised, product_form)};
 }
 
 PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,

@@ -94,25 +94,19 @@ std::vector<Coordinates> form_values(const NetShape& shape, const PointArray& co
 }
 
 PointArray form_of(const NetShape& shape, const PointArray& polar) {
-    const std::vector<Integer> factors = multinomials(shape);
-    const auto rows = each_row(polar, [&](std::span<const Integer> row) {
-        std::vector<Integer> product(row.begin(), row.end());
-        for (std::size_t i = 0; i < product.size(); ++i) product[i] *= factors[i];
-        return product;
-    });
-    return canonical_points(rows, polar.denominator());
+    PointArray form(polar.dimension(), polar.numbers().weighted(multinomials(shape), 1));
+    form.make_canonical();
+    return form;
 }
 
 PointArray polar_of(const NetShape& shape, const PointArray& form) {
-    const std::vector<Integer> factors = multinomials(shape);
+    std::vector<Integer> weights = multinomials(shape);
     Integer common = 1;
-    for (const Integer& factor : factors) common = lcm(common, factor);
-    const auto rows = each_row(form, [&](std::span<const Integer> row) {
-        std::vector<Integer> quotient(row.begin(), row.end());
-        for (std::size_t i = 0; i < quotient.size(); ++i) quotient[i] *= divide_exactly(common, factors[i]);
-        return quotient;
-    });
-    return canonical_points(rows, form.denominator() * common);
+    for (const Integer& factor : weights) common = lcm(common, factor);
+    for (Integer& factor : weights) factor = divide_exactly(common, factor);
+    PointArray polar(form.dimension(), form.numbers().weighted(weights, common));
+    polar.make_canonical();
+    return polar;
 }
 
 Coordinates polar_derivative_at(const NetShape& shape, const PointArray& polar,
