@@ -56,6 +56,7 @@ Quotients<R> by_symmetric_functions(const PatchMap& map, const TupleLists<R>& ar
     const NetShape& shape = shape_of(map);
     const auto [points, tuples] = source(map, false, arguments, limits);
     std::vector<std::vector<R>> functions;
+    functions.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f)
         functions.push_back(constructions::times_linear_forms<R>(shape[f].dimension, 0, {R(1)}, tuples[f]));
     return {weighted_sum(points, functions), points.denominator()};
@@ -68,6 +69,7 @@ Quotients<R> by_polarization(const PatchMap& map, const TupleLists<R>& arguments
     const PointArray form = form_of(shape, points);
     const auto value_at = [&](const std::vector<Tuple<R>>& tuples, const std::vector<std::size_t>&) {
         std::vector<std::vector<R>> monomials;
+        monomials.reserve(shape.factors());
         for (std::size_t f = 0; f < shape.factors(); ++f)
             monomials.push_back(constructions::monomials(tuples[f], shape[f].degree));
         return weighted_sum(form, monomials);

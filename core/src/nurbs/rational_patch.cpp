@@ -17,6 +17,7 @@ namespace {
 template <class Map>
 Form full_derivative(const Map& map, const PatchPoint& direction, const Limits& limits) {
     std::vector<std::size_t> degrees;
+    degrees.reserve(map.shape().factors());
     for (std::size_t f = 0; f < map.shape().factors(); ++f) degrees.push_back(map.shape()[f].degree);
     return form_rows(
         elevated_to(directional_derivative_patch(map, std::span(&direction, 1), limits), degrees, limits));

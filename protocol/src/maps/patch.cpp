@@ -53,6 +53,7 @@ PatchPoint engine_arguments(const Patch& patch, std::span<const Rational> number
 
 std::vector<std::size_t> degrees_of(const NetShape& shape) {
     std::vector<std::size_t> degrees;
+    degrees.reserve(shape.factors());
     for (std::size_t f = 0; f < shape.factors(); ++f) degrees.push_back(shape[f].degree);
     return degrees;
 }

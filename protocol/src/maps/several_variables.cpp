@@ -227,6 +227,7 @@ std::string degree_text(const Patch& patch) {
 std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name) {
     const auto& names = std::get<Patch>(map.value).variables;
     std::vector<std::string> texts;
+    texts.reserve(polynomial.dimension());
     for (std::size_t j = 0; j < polynomial.dimension(); ++j)
         texts.push_back(to_text(polynomial.coordinate(j), names));
     return fmt::format("{}({}) = {}", name, fmt::join(names, ", "),

@@ -91,11 +91,6 @@ Patch over_sub_simplex(const Patch& patch, const WantedDomain& wanted,
     return {within("degree", [&] { return elevated_to(result, degrees, limits); }), false, {}, {}};
 }
 
-Place degree_place(const Error& error, bool tensor) {
-    return error.code() == ErrorCode::degree_too_low ? (tensor ? Place{"degrees"} : Place{"degree"})
-                                                     : error.place();
-}
-
 Patch over_domain(const Patch& patch, const WantedDomain& wanted, const std::vector<std::size_t>& degrees,
                   const Limits& limits) {
     const std::size_t dimension = patch.shape().dimension();
@@ -108,7 +103,8 @@ Patch over_domain(const Patch& patch, const WantedDomain& wanted, const std::vec
         BezierPatch net = control_net(monomials_in(patch, shape, limits), frames, limits);
         return {std::move(net), wanted.tensor, std::move(frames), {}};
     } catch (const Error& error) {
-        throw Error(error.code(), error.message(), degree_place(error, wanted.tensor));
+        if (error.code() != ErrorCode::degree_too_low) throw;
+        throw error.at(Place{wanted.tensor ? "degrees" : "degree"});
     }
 }
 
