@@ -122,8 +122,8 @@ private:
     std::condition_variable has_work_;
     std::condition_variable has_room_;
     std::size_t prepared_ = 0;  ///< how many threads have begun
-    std::deque<Entry> jobs_;   ///< in order, from the first that is not taken
-    std::size_t started_ = 0;  ///< how many of them a thread works on, or has done
+    std::deque<Entry> jobs_;    ///< in order, from the first that is not taken
+    std::size_t started_ = 0;   ///< how many of them a thread works on, or has done
     bool finished_ = false;
     bool wanted_ = true;
     std::exception_ptr problem_;

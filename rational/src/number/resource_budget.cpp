@@ -40,26 +40,28 @@ void set_words(ThreadResources& resources, std::int64_t words) {
 
 constinit thread_local ThreadResources thread_resources;
 
-ResourceBudget::ResourceBudget(const Limits& limits)
-    : outer_(thread_resources),
-      words_(std::min(words_left(outer_), limited(limits.work))),
-      bytes_(std::min(outer_.bytes, limited(limits.memory))) {
-    ThreadResources& inner = thread_resources;
-    set_words(inner, words_);
-    inner.bytes = bytes_;
-    inner.limits = &limits;
-    if (limits.timeout == 0) return;
-    const std::int64_t seconds = std::min(limited(limits.timeout), most_seconds);
-    inner.end = std::min(outer_.end, processor_time() + seconds * nanoseconds_per_second);
+// The time is first read at the first check, so that a short request never reads it.
+ResourceBudget::ResourceBudget(const Limits& limits) : outer_(thread_resources) {
+    set_words(start_, std::min(words_left(outer_), limited(limits.work)));
+    start_.bytes = std::min(outer_.bytes, limited(limits.memory));
+    start_.nanoseconds = outer_.nanoseconds;
+    start_.checked_at = outer_.checked_at;
+    start_.limits = &limits;
+    if (limits.timeout > 0) {
+        const std::int64_t seconds = std::min(limited(limits.timeout), most_seconds);
+        start_.nanoseconds = std::min(outer_.nanoseconds, seconds * nanoseconds_per_second);
+    }
+    thread_resources = start_;
 }
 
 ResourceBudget::~ResourceBudget() {
-    const std::int64_t words = words_ - std::max<std::int64_t>(words_left(thread_resources), 0);
-    const std::int64_t bytes = bytes_ - thread_resources.bytes;
+    const ThreadResources end = thread_resources;
     thread_resources = outer_;
     if (!outer_.limits) return;
-    thread_resources.words_until_check -= words;
-    thread_resources.bytes -= bytes;
+    thread_resources.words_until_check -= words_left(start_) - std::max<std::int64_t>(words_left(end), 0);
+    thread_resources.bytes -= start_.bytes - end.bytes;
+    thread_resources.nanoseconds -= start_.nanoseconds - end.nanoseconds;
+    thread_resources.checked_at = end.checked_at;
 }
 
 namespace {
@@ -77,7 +79,10 @@ std::optional<ResourcesExceeded> checked() {
     }
     const std::int64_t left = std::max<std::int64_t>(words_left(resources), 0);
     set_words(resources, left);
-    const bool in_time = processor_time() < resources.end;
+    const std::int64_t now = processor_time();
+    if (resources.checked_at != 0) resources.nanoseconds -= now - resources.checked_at;
+    resources.checked_at = now;
+    const bool in_time = resources.nanoseconds > 0;
     if (left > 0 && in_time) return std::nullopt;
     resources.words_until_check = words_of_message;
     resources.words_after_check = left - words_of_message;

@@ -20,7 +20,8 @@ struct ThreadResources {
     std::int64_t words_until_check = unlimited;  ///< the time and the whole work are checked at 0
     std::int64_t words_after_check = unlimited;
     std::int64_t bytes = unlimited;
-    std::int64_t end = unlimited;  ///< of the processor time of this thread, in nanoseconds
+    std::int64_t nanoseconds = unlimited;  ///< of processor time
+    std::int64_t checked_at = 0;  ///< the processor time of this thread at the last check; 0 before the first
     const Limits* limits = nullptr;
 };
 extern constinit thread_local ThreadResources thread_resources;
@@ -43,8 +44,7 @@ public:
 
 private:
     ThreadResources outer_;
-    std::int64_t words_;  ///< that this budget had at its start
-    std::int64_t bytes_;
+    ThreadResources start_;  ///< what this budget had at its start
 };
 
 /// Checks the work and the time of this thread. Errors: `limit_exceeded`.
@@ -93,8 +93,8 @@ Error resource_error(const std::bad_alloc& problem);
 /// exception. For programs, before they compute: the number library GMP ends the process otherwise.
 void allocate_numbers_with_new();
 
-/// Registers what this thread keeps for large numbers until it ends. Without this call the first large number does it, and
-/// the C library ends the process if memory is lacking then.
+/// Registers what this thread keeps for large numbers until it ends. Without this call the first large number
+/// does it, and the C library ends the process if memory is lacking then.
 void prepare_thread_for_numbers();
 
 }  // namespace blossom
