@@ -149,27 +149,39 @@ FieldList all_fields(const Members& members) {
 }
 
 std::string presence_text(const Members& members, std::string_view name) {
-    const auto is_yes = [&](const Field* field) { return field && is_required(*field, Side::request); };
-    if (const Field* field = find_in(members.fields, name)) return is_yes(field) ? "yes" : "no";
+    const auto requires_field = [](const FieldList& fields, std::string_view one) {
+        const Field* field = find_in(fields, one);
+        return field && is_required(*field, Side::request);
+    };
+    if (find_in(members.fields, name)) return requires_field(members.fields, name) ? "yes" : "no";
     for (const Choice& choice : members.choices) {
-        const auto having = std::ranges::count_if(
-            choice, [&](const FieldList& fields) { return find_in(fields, name) != nullptr; });
-        if (having == 0) continue;
-        const auto requiring = std::ranges::count_if(
-            choice, [&](const FieldList& fields) { return is_yes(find_in(fields, name)); });
-        if (requiring == 0) return "no";
-        if (requiring == std::ssize(choice)) return "yes";
-        // With the field that says which of the sets is meant, or instead of those of the others.
-        std::vector<std::string> others;
+        FieldList beside;  // the fields required where this one is
+        bool everywhere = true;
         for (const FieldList& fields : choice) {
-            const bool own = find_in(fields, name) != nullptr;
-            const auto sign = std::ranges::find_if(
-                fields, [&](const Field& field) { return is_yes(&field) && field.name != name; });
-            if (having > 1 && is_yes(find_in(fields, name)) && sign != fields.end())
-                return "with `" + std::string(sign->name) + "`";
-            if (!own && sign != fields.end()) others.push_back("`" + std::string(sign->name) + "`");
+            if (!requires_field(fields, name)) {
+                everywhere = false;
+                continue;
+            }
+            std::ranges::copy_if(fields, std::back_inserter(beside), [&](const Field& field) {
+                return field.name != name && requires_field(fields, field.name);
+            });
         }
-        return others.empty() ? "no" : "or " + listed(others);
+        const bool anywhere = std::ranges::any_of(
+            choice, [&](const FieldList& fields) { return requires_field(fields, name); });
+        if (anywhere && everywhere) return "yes";
+        if (!anywhere) continue;
+        std::vector<std::string> instead;
+        for (const FieldList& fields : choice) {
+            if (find_in(fields, name)) continue;
+            const auto sign = std::ranges::find_if(fields, [&](const Field& field) {
+                return requires_field(fields, field.name) && !find_in(beside, field.name);
+            });
+            if (sign == fields.end()) return "no";
+            const std::string text = "`" + std::string(sign->name) + "`";
+            if (std::ranges::find(instead, text) == instead.end()) instead.push_back(text);
+        }
+        if (!instead.empty()) return "or " + listed(instead);
+        return beside.empty() ? "no" : "with `" + std::string(beside.front().name) + "`";
     }
     return "no";
 }
