@@ -211,3 +211,23 @@ TEST_CASE("the alternatives of a field are those of its option") {
     CHECK(std::ranges::count(to->alternatives, std::string_view("hermite")) == 1);
     CHECK(std::ranges::count(to->alternatives, std::string_view("simplex")) == 1);
 }
+
+TEST_CASE("a field says when it must be there") {
+    const auto field = [](std::string_view name) { return required(name, ValueKind::text, ""); };
+    const Members members{
+        {field("always"), optional("never", ValueKind::text, "")},
+        {{{field("map"), field("at")}, {field("maps"), optional("at", ValueKind::text, "")}},
+         {{field("computed")},
+          {field("computed"), field("parameters")},
+          {field("format"), field("document")}}}};
+    for (const auto& [name, presence] :
+         std::vector<std::pair<std::string_view, std::string_view>>{{"always", "yes"},
+                                                                    {"never", "no"},
+                                                                    {"map", "or `maps`"},
+                                                                    {"at", "with `map`"},
+                                                                    {"computed", "or `format`"},
+                                                                    {"parameters", "no"},
+                                                                    {"document", "or `computed`"}}) {
+        CHECK(presence_text(members, name) == presence);
+    }
+}
