@@ -116,7 +116,7 @@ Outcome outcome_of(const Json& result) {
 
 Error unexpected(const std::exception& problem) {
     if (const auto* memory = dynamic_cast<const std::bad_alloc*>(&problem)) return resource_error(*memory);
-    return {ErrorCode::internal, std::string("this should not have happened: ") + problem.what()};
+    return {ErrorCode::internal, std::string("an error of the program: ") + problem.what()};
 }
 
 Json answer_to(const Json& request, const Limits& limits) {

@@ -115,7 +115,7 @@ TEST_CASE("certify: progressive values and the control points of splines are cer
     CHECK(value.find("value = p[1, 3/2] = 13/4 *)") != std::string::npos);
     CHECK(certified(about(spline, R"("op": "blossom", "arguments": ["1", "3/2"])")) == "outside_domain");
 
-    // One polynomial a parameter, and one a span of the derived spline.
+    // One polynomial per parameter, and one per span of the derived spline.
     const std::string values = certified(about(spline, R"("op": "derivative", "at": ["1/2", "3/2"])"));
     CHECK(values.find("derivative 1 at 1/2 = 2 p[1/2, delta] = ") != std::string::npos);
     CHECK(values.find("derivative 1 at 3/2 = 2 p[3/2, delta] = 2 *)") != std::string::npos);

@@ -178,7 +178,8 @@ TEST_CASE("weights of zero are refused unless the points carry their weights") {
 TEST_CASE("curves are refused where they are not taken, with the kinds that are") {
     const Json response = served(R"({"op": "segments", )" + cubic + "}");
     CHECK(*at_pointer(response, "/error/message")->text() ==
-          "a map of kind polynomial is not taken here; taken are: bspline, bspline in several directions");
+          "a map of kind polynomial is not accepted here; accepted are: bspline, bspline in several "
+          "directions");
     for (const std::string op : {R"("agree")", R"("segments")"}) {
         CHECK(refusal_text(R"("op": )" + op +
                            R"(, "map": {"kind": "samples", "degree": 0, "values": [[0, 1]]})") ==

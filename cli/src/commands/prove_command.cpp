@@ -150,7 +150,7 @@ Outcome check_certificate_file(const std::string& path, const Limits& limits, co
         certificates = read_certificates(parse_json(text, limits), limits);
     } catch (const Error& error) {
         const std::string place = error.place().empty() ? "" : " (at " + pointer_of(error.place()) + ")";
-        throw UsageError(path + " is no certificate: " + error.message() + place);
+        throw UsageError(path + " is not a certificate: " + error.message() + place);
     }
     bool complete = !certificates.empty();
     std::size_t confirmed = 0;

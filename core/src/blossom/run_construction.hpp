@@ -36,7 +36,7 @@ public:
         denominator_ *= pow(mass_scale_, bezier->degree());
     }
 
-    /// F times the denominator, one entry a coordinate.
+    /// F times the denominator, one entry per coordinate.
     Row operator()(const Pair& pair) {
         const Integer x = local(pair).u;
         const auto evaluate = [&](const std::vector<Row>& rows) {

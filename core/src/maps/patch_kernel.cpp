@@ -172,7 +172,7 @@ void require_point(const NetShape& shape, const PatchPoint& point) {
 
 namespace {
 
-/// One list a factor, of tuples of its length; `what` is one of these.
+/// One list per factor, of tuples of its length; `what` is one of these.
 void require_lists(const NetShape& shape, const PatchArguments& lists, Part part, const std::string& what) {
     within(part, [&] {
         require_length(lists.size(), shape.factors(), ErrorCode::wrong_arity,

@@ -37,8 +37,8 @@ struct Certificate {
 ///
 /// The integers are those of `proofs/coq/stream.v`: denominators are cleared by the homogeneity of the
 /// blossom, (u, v) = (u', v') / w, so that no division is left to check.
-/// Cost: n numbers a value and coordinate. Errors: `limit_exceeded` for more than `limits.numbers` numbers or
-/// `limits.output_digits` digits.
+/// Cost: n numbers per value and coordinate. Errors: `limit_exceeded` for more than `limits.numbers` numbers
+/// or `limits.output_digits` digits.
 std::string coq_file(std::span<const Certificate> certificates, const Limits& limits);
 
 }  // namespace blossom::protocol

@@ -72,8 +72,9 @@ Rational read_number(const Json& value, const Limits& limits) {
         throw Error(ErrorCode::not_a_number, "expected a number, found " + std::string(type_name(value)));
     }
     if (!is_integer_text(number->text)) {
-        throw Error(ErrorCode::inexact_number, "the JSON number " + quoted(number->text) +
-                                                   " is no integer; write it as a string to have it exact");
+        throw Error(ErrorCode::inexact_number,
+                    "the JSON number " + quoted(number->text) +
+                        " is not an integer; write it as a string to have it exact");
     }
     return parse_integer(number->text, limits);
 }

@@ -45,7 +45,7 @@ Result dispatch_on_kind(const Map& map, const Function& function, const Place& p
             constexpr auto kinds = std::make_index_sequence<std::variant_size_v<AnyMap>>();
             throw Error(ErrorCode::wrong_kind,
                         "a map of kind " + std::string(kind_of(map).name) +
-                            " is not taken here; taken are: " + taken_names<Function>(kinds),
+                            " is not accepted here; accepted are: " + taken_names<Function>(kinds),
                         place);
         }
     };

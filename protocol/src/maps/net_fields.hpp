@@ -55,7 +55,7 @@ void visit_nested(const Json& value, std::span<const std::size_t> counts, const 
     }
 }
 
-/// Field "degrees", one a direction. Errors: `wrong_arity` for none.
+/// Field "degrees", one per direction. Errors: `wrong_arity` for none.
 std::vector<std::size_t> read_degrees_of_directions(Fields& fields, const Limits& limits);
 
 /// The values in order, as nested arrays with counts[d] elements on level d.

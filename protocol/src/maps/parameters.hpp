@@ -7,7 +7,7 @@
 
 #include "map.hpp"
 
-/// Parameters as they stand in requests: by one number for a curve, by one number a direction for a tensor
+/// Parameters as they stand in requests: by one number for a curve, by one number per direction for a tensor
 /// product, by the coordinates of a point for a simplex.
 
 namespace blossom::protocol {

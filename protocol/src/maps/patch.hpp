@@ -16,8 +16,8 @@ namespace blossom::protocol {
 /// "variables".
 struct Patch {
     PatchMap map;
-    bool tensor = false;  ///< one number a direction, and one list of arguments a direction
-    /// The simplices of a control net, one a factor; none where parameters are barycentric.
+    bool tensor = false;  ///< one number per direction, and one list of arguments per direction
+    /// The simplices of a control net, one per factor; none where parameters are barycentric.
     std::vector<BarycentricFrame> frames;
     std::vector<std::string> variables;  ///< of a polynomial
 
@@ -38,7 +38,7 @@ void require_sum(std::span<const Rational> numbers, const Rational& mass);
 /// (u, mass) in one factor as the engine's argument.
 Coordinates engine_argument(const Patch& patch, std::size_t factor, std::span<const Rational> u,
                             const Rational& mass);
-/// Numbers of a parameter as the engine's arguments, one a factor: barycentric for a net, with the mass in
+/// Numbers of a parameter as the engine's arguments, one per factor: barycentric for a net, with the mass in
 /// front for a polynomial. Errors: `not_affine` for barycentric numbers whose sum is not the mass.
 PatchPoint engine_arguments(const Patch& patch, std::span<const Rational> numbers, const Rational& mass);
 

@@ -24,7 +24,7 @@ auto read_polynomials(Fields& fields, std::string_view name, const Texts& texts,
                 Place{std::string(name)});
 }
 
-/// The form of polynomials, one a coordinate and perhaps a denominator; reads "homogeneous". Errors:
+/// The form of polynomials, one per coordinate and perhaps a denominator; reads "homogeneous". Errors:
 /// `mismatched_dimensions` where there is nothing but a weight.
 PointForm read_polynomial_form(Fields& fields, std::size_t coordinates, bool scalar, bool has_denominator);
 

@@ -14,7 +14,7 @@ namespace {
 void require_mass(const Rational& mass, const PointForm& form) {
     if (!mass.is_zero() || !form.separate_weights()) return;
     throw Error(ErrorCode::zero_weight,
-                "the argument has mass 0, and so has the value, which for a rational map is no point; "
+                "the argument has mass 0, and so has the value, which for a rational map is not a point; "
                 "\"homogeneous\": true gives it with its weight");
 }
 

@@ -23,7 +23,7 @@ std::vector<Argument> read_arguments(const Json& value, const OnePolynomial auto
     return read_arguments(value, form, limits);
 }
 /// Those of a patch: for a simplex or a total degree a list of points [..], {"vector": [..]} or
-/// {"homogeneous": [.., mass]}; for a tensor product one list a direction as for a curve.
+/// {"homogeneous": [.., mass]}; for a tensor product one list per direction as for a curve.
 PatchArguments read_arguments(const Json& value, const Patch& patch, const PointForm& form,
                               const Limits& limits);
 
@@ -49,7 +49,7 @@ inline Shape construction_shape() { return Shape::words(construction_names()); }
 /// The construction of that name. Errors: `wrong_kind`.
 Construction read_construction(const Json& value);
 
-/// Field "arguments": numbers, vectors or pairs; of a patch points, or one list a direction.
+/// Field "arguments": numbers, vectors or pairs; of a patch points, or one list per direction.
 Field arguments_field(Presence presence, std::string documentation);
 /// --at, for this field.
 Option arguments_option(std::string help);

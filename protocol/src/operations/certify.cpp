@@ -137,7 +137,7 @@ void certify_derivative(const Question& question) {
     if (question.map().form.separate_weights()) {
         throw Error(
             ErrorCode::wrong_kind,
-            "a derivative of a rational map comes from the quotient rule and is no blossom value; with "
+            "a derivative of a rational map comes from the quotient rule and is not a blossom value; with "
             "\"homogeneous\": true it has a certificate",
             Place{"map"});
     }

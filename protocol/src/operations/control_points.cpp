@@ -53,7 +53,7 @@ struct CurvePoints {
     }
 };
 
-/// The part over intervals, one a direction.
+/// The part over intervals, one per direction.
 TensorBSpline part_of(TensorBSpline spline, std::span<const Interval> intervals, const Limits& limits) {
     within("intervals", [&] {
         for (std::size_t d = 0; d < intervals.size(); ++d) {

@@ -73,7 +73,7 @@ Patch as_polynomial(const Patch& patch, const Limits& limits) {
     if (patch.is_polynomial()) return patch;
     if (patch.is_barycentric()) {
         throw Error(ErrorCode::wrong_kind,
-                    R"(a simplex without "vertices" is no polynomial in coordinates of its points)",
+                    R"(a simplex without "vertices" is not a polynomial in the coordinates of its points)",
                     Place{"map"});
     }
     return {monomial_form(std::get<BezierPatch>(patch.map), patch.frames, limits),

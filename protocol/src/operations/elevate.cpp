@@ -20,7 +20,7 @@ namespace blossom::protocol {
 namespace {
 
 struct Elevate {
-    std::span<const std::size_t> by;  ///< one number a factor
+    std::span<const std::size_t> by;  ///< one number per factor
     const Limits& limits;
 
     AnyMap operator()(const OnePolynomial auto& curve) const {
@@ -44,7 +44,7 @@ struct Elevate {
     }
 };
 
-/// A number, or one a direction.
+/// A number, or one per direction.
 std::vector<std::size_t> read_by(const Json& value, const ParameterForm& form, const Limits& limits) {
     const auto read = [&](const Json& element) { return read_count(element, limits); };
     if (form.scalar || !value.array()) return std::vector(form.factors, read(value));

@@ -19,7 +19,7 @@ using Insertion = BSplineCurve (*)(const BSplineCurve& curve, std::span<const Ra
 constexpr std::string_view method_names[] = {"boehm", "oslo"};
 constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
 
-/// Reads the knots, one list a direction, and inserts them.
+/// Reads the knots, one list per direction, and inserts them.
 struct InsertKnots {
     Fields& request;
     const Limits& limits;
@@ -55,7 +55,7 @@ Answer answer(Request& request, const Limits& limits) {
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, InsertKnots{request, limits})));
 }
 
-/// "1/2; 1,3": one list a direction, which may be empty.
+/// "1/2; 1,3": one list per direction, which may be empty.
 Json lists_of_knots(std::string_view text, const Json&) {
     Json::Array lists;
     for (const std::string& list : split(text, ';')) lists.push_back(number_list(list));

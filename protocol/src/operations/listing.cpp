@@ -35,7 +35,7 @@ std::vector<std::string> bezier_arguments(const std::vector<std::string>& ends, 
 
 std::size_t degree_of(const Json& map) { return std::stoul(map.find("degree")->number()->text); }
 
-/// The points, one a line; `arguments(k)` are those of point k.
+/// The points, one per line; `arguments(k)` are those of point k.
 template <class Arguments>
 std::string lines_of_points(const Json& map, const Style& style, const Arguments& arguments) {
     const std::vector<std::string> points = member_texts(map, "control_points");

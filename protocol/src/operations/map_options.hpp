@@ -66,11 +66,11 @@ Json place_of_division(std::string_view text, const Json& map);
 bool has_control_points(const Json& request);
 /// Whether it is about a map on a product of simplices or in several variables.
 bool has_patch(const Json& request);
-/// Whether the map of such a request is a tensor product, with one list of arguments a direction.
+/// Whether the map of such a request is a tensor product, with one list of arguments per direction.
 bool is_tensor(const Json& map);
 /// The parameters of a patch, "0,0; 1/2,1".
 Json patch_parameters(std::string_view text, const Json& map);
-/// The arguments of its blossom: points "1,2; vector:0,1", of a tensor product a list a direction "1,2; 0".
+/// The arguments of its blossom: points "1,2; vector:0,1", of a tensor product a list per direction "1,2; 0".
 Json patch_arguments(std::string_view text, const Json& map);
 /// Whether its control points are those of a B-spline.
 bool has_knots(const Json& request);

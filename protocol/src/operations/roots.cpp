@@ -94,7 +94,7 @@ Answer answer(Request& request, const Limits& limits) {
 std::string render(const Answered& answered) {
     std::string text = description(answered.given()) + "\n\n";
     const Json::Array& list = *answered.result().find("roots")->array();
-    if (list.empty()) return text + "There is no root there.\n";
+    if (list.empty()) return text + "There is no root in this interval.\n";
     for (const Json& root : list) {
         const std::string multiplicity = point_text(*root.find("multiplicity"));
         const std::string times = multiplicity == "1" ? "" : ", multiplicity " + multiplicity;

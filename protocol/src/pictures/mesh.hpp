@@ -42,9 +42,9 @@ struct Mesh {
 /// place, and no cell. Places that belong to the same point of the domain are one, unless the map jumps
 /// there.
 ///
-/// Cost: 153 or 289 values a face, of a B-spline at least one a Bezier patch. Errors: `wrong_kind` for a map
-/// that is no patch; `mismatched_dimensions` for points of more than three dimensions, and for a graph over
-/// more than two; `limit_exceeded` for a domain with very many faces.
+/// Cost: 153 or 289 values per face, of a B-spline at least one per Bezier patch. Errors: `wrong_kind` for a
+/// map that is no patch; `mismatched_dimensions` for points of more than three dimensions, and for a graph
+/// over more than two; `limit_exceeded` for a domain with very many faces.
 Mesh mesh_of(const Map& map, const Limits& limits);
 
 /// Adds the control net with the edges between points that differ in one argument. A control point of a

@@ -39,7 +39,7 @@ std::optional<PlaneSpline> plane_spline(const BSplineCurve& curve);
 /// The curve with its control polygon, each control point named by its blossom value.
 Picture spline_picture(const PlaneSpline& plane, std::string caption, const Limits& limits);
 
-/// De Boor's triangle of a segment, with one argument a level.
+/// De Boor's triangle of a segment, with one argument per level.
 TrianglePyramid de_boor_triangle(const BSplineCurve& curve, std::size_t span,
                                  std::span<const Argument> arguments, std::string caption,
                                  const Limits& limits);

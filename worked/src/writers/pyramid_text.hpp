@@ -8,7 +8,7 @@
 
 namespace blossom::worked {
 
-/// The pyramid in columns, one a level, with the weights on the arrows; where that is wider than `width`,
+/// The pyramid in columns, one per level, with the weights on the arrows; where that is wider than `width`,
 /// every node as a combination of its two, level by level.
 std::string pyramid_text(const TrianglePyramid& pyramid, const Notation& notation, std::size_t width);
 

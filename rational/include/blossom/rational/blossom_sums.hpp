@@ -72,7 +72,7 @@ public:
     const RationalVector& numbers() const;
 
     /// s_j for the rows j from `first_row` on, as many as there are places in `sums`; n factors.
-    /// Cost: n^2 / 2 multiply-adds, n a row, and one reduction a row.
+    /// Cost: n^2 / 2 multiply-adds, n per row, and one reduction per row.
     void evaluate(std::span<const WordFactor> factors, std::size_t first_row, std::span<Rational> sums) const;
     void evaluate(std::span<const IntegerFactor> factors, std::size_t first_row,
                   std::span<Rational> sums) const;

@@ -42,7 +42,7 @@ public:
     /// p(arguments) by the formula that suits the representation: elementary symmetric functions for monomial
     /// coefficients, the Bernstein sum of DeRose, section 4.2, for a control polygon.
     ///
-    /// Cost: n^2 / 2 multiply-adds on integers, then n and one reduction a coordinate; for n <= 64 words
+    /// Cost: n^2 / 2 multiply-adds on integers, then n and one reduction per coordinate; for n <= 64 words
     /// nothing is allocated but the result. Errors: `wrong_arity` unless there are n arguments;
     /// `limit_exceeded`.
     Coordinates operator()(std::span<const Argument> arguments) const;

@@ -54,7 +54,7 @@ Quotients<R> normalised_coefficients(std::span<const R> coefficients) {
 /// The blossom by elementary symmetric functions: p(u_1..u_n) = sum_k c_k e_k(u) / C(n, k).
 ///
 /// `coefficients`: n + 1 monomial coefficients a coordinate, lowest first; n arguments.
-/// Cost: n^2 / 2 multiply-adds for the e_k, n a coordinate.
+/// Cost: n^2 / 2 multiply-adds for the e_k, n per coordinate.
 /// Source: Goldman, proposition 1; DeRose, equation (3). Statements: goldman-prop1, derose-eq3, goldman-thm2.
 template <class R>
 Quotients<R> by_symmetric_functions(Rows<R> coefficients, std::span<const HomogeneousPair<R>> arguments) {
@@ -139,8 +139,8 @@ std::vector<R> alternating_sum(std::span<const std::pair<Argument, std::size_t>>
 /// (1/n!) sum over subsets S of (-1)^(n-|S|) F(sum of S), where F(u, v) = v^n P(u/v) is the homogeneous
 /// polynomial. For points this is the affine form (1/n!) sum_N (-1)^(n-N) N^n sum P(mean of N arguments).
 ///
-/// `form(pair)` gives F, one entry a coordinate. The empty subset counts only for n = 0, where F is constant.
-/// Cost: prod(m_i + 1) evaluations, m_i the multiplicities of the arguments; 2^n for distinct ones.
+/// `form(pair)` gives F, one entry per coordinate. The empty subset counts only for n = 0, where F is
+/// constant. Cost: prod(m_i + 1) evaluations, m_i the multiplicities of the arguments; 2^n for distinct ones.
 /// Source: Fernandez-Jambrina, theorem 1 and corollary 1, equations (18) and (20). Statements: fj-thm1,
 /// fj-cor1.
 template <class R, class Form>
@@ -210,9 +210,9 @@ Quotients<R> by_regrouped_polarization(Rows<R> coefficients, std::span<const Hom
     return result;
 }
 
-/// The blossom by de Casteljau's algorithm with one argument a level, from control points over [a/q, b/q]: on
-/// the level of (u, v) neighbours are combined with left / (b - a) and right / (b - a), left = b v - q u and
-/// right = q u - a v.
+/// The blossom by de Casteljau's algorithm with one argument per level, from control points over [a/q, b/q]:
+/// on the level of (u, v) neighbours are combined with left / (b - a) and right / (b - a), left = b v - q u
+/// and right = q u - a v.
 ///
 /// Cost: n^2 / 2 multiply-adds a coordinate.
 /// Source: DeRose, figure 6; Goldman, figures 3 and 7. Statements: derose-fig6, goldman-fig3, goldman-fig7.

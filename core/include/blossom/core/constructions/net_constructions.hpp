@@ -19,7 +19,7 @@ namespace blossom {
 template <class R>
 using Tuple = std::vector<R>;
 
-/// One list of arguments a factor.
+/// One list of arguments per factor.
 template <class R>
 using TupleLists = std::vector<std::vector<Tuple<R>>>;
 
@@ -118,7 +118,8 @@ std::vector<R> monomials(const Tuple<R>& x, std::size_t degree) {
 }
 
 /// The sum of the entries of a net, each multiplied by the weight of its index in every factor.
-/// `weights`: one list a factor. Cost: one multiply-add an entry, and fewer for the factors before the last.
+/// `weights`: one list per factor. Cost: one multiply-add per entry, and fewer for the factors before the
+/// last.
 template <class R>
 R contracted(std::vector<R> net, std::span<const std::vector<R>> weights) {
     for (std::size_t factor = weights.size(); factor-- > 0;) {
@@ -138,8 +139,9 @@ R contracted(std::vector<R> net, std::span<const std::vector<R>> weights) {
 /// `form` is a homogeneous polynomial this is n_1! ... n_r! times its blossom, of which it is only evaluated:
 /// the inverse formula applied in one factor after the other.
 ///
-/// `form` gives one entry a coordinate, or none for zero. Cost: prod (m_i + 1) calls, m_i the multiplicities.
-/// Source: Fernandez-Jambrina, theorem 1 and equation (21). Statements: fj-eq21, fj-tensor-inverse.
+/// `form` gives one entry per coordinate, or none for zero. Cost: prod (m_i + 1) calls, m_i the
+/// multiplicities. Source: Fernandez-Jambrina, theorem 1 and equation (21). Statements: fj-eq21,
+/// fj-tensor-inverse.
 template <class R, class Form>
 std::vector<R> polarized(const NetShape& shape, const std::vector<Groups<Tuple<R>>>& factors,
                          const Form& form) {

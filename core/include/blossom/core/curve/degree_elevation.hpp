@@ -30,8 +30,8 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
 PolynomialPatch elevate(const PolynomialPatch& patch, std::size_t factor, std::size_t r,
                         const Limits& limits = {});
 
-/// The same map with these degrees, one a factor. Errors: `degree_too_low` if one is below that of the patch;
-/// `limit_exceeded`.
+/// The same map with these degrees, one per factor. Errors: `degree_too_low` if one is below that of the
+/// patch; `limit_exceeded`.
 template <PatchRepresentation Map>
 Map elevated_to(const Map& patch, std::span<const std::size_t> degrees, const Limits& limits = {});
 

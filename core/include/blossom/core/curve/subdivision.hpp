@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// De Casteljau's pyramid with one argument a level, every node as data.
+/// De Casteljau's pyramid with one argument per level, every node as data.
 ///
 /// Level r has n + 1 - r points, and point i of it is p(a^(n-r-i), b^i, u_1, ..., u_r): level 0 is the
 /// control polygon, the apex p(u_1, ..., u_n). With all arguments equal to t it is the evaluation of the

@@ -13,7 +13,7 @@
 
 namespace blossom::geometry {
 
-/// One list a factor of the domain.
+/// One list per factor of the domain.
 using PointLists = std::vector<std::vector<Point>>;
 using VectorLists = std::vector<std::vector<Vector>>;
 
@@ -30,7 +30,7 @@ public:
     /// BlossomCreateFromBezierNet.
     static Blossom from_bezier_net(const Simplex& domain, std::size_t degree, std::span<const Point> net,
                                    const Limits& limits = {});
-    /// The same over a product of simplices, with one degree a factor.
+    /// The same over a product of simplices, with one degree per factor.
     static Blossom from_bezier_net(std::vector<Simplex> domain, std::span<const std::size_t> degrees,
                                    std::span<const Point> net, const Limits& limits = {});
     /// The blossom of one segment of a B-spline curve: the polynomial on span i of the knots, by its control

@@ -9,11 +9,11 @@
 
 namespace blossom {
 
-/// One argument a factor: s + 1 coordinates with respect to the vertices of the simplex. Their sum is the
+/// One argument per factor: s + 1 coordinates with respect to the vertices of the simplex. Their sum is the
 /// mass, 1 for a point and 0 for a vector; any other sum is a homogeneous argument too.
 using PatchPoint = std::vector<Coordinates>;
 
-/// The arguments of a blossom over a product of simplices: one list a factor, as long as its degree.
+/// The arguments of a blossom over a product of simplices: one list per factor, as long as its degree.
 using PatchArguments = std::vector<std::vector<Coordinates>>;
 
 /// A polynomial map on a product of simplices into Q^d by its control net: the value at barycentric
@@ -42,7 +42,7 @@ private:
     PointArray control_net_;
 };
 
-/// Errors: `wrong_arity` unless there is one list a factor, as long as its degree; `mismatched_dimensions`
+/// Errors: `wrong_arity` unless there is one list per factor, as long as its degree; `mismatched_dimensions`
 /// unless each argument has s + 1 coordinates. The places lie below `Part::arguments`.
 void require_arguments(const NetShape& shape, const PatchArguments& arguments);
 

@@ -18,7 +18,7 @@ public:
     /// Errors: `mismatched_dimensions` unless all points have the same dimension d >= 1; the place is `i`
     /// for the first that differs. `wrong_arity` if there is none.
     explicit PointArray(std::span<const Coordinates> points);
-    /// `numbers` holds `dimension` rows of equal length, one a coordinate.
+    /// `numbers` holds `dimension` rows of equal length, one per coordinate.
     PointArray(std::size_t dimension, RationalVector numbers);
 
     std::size_t size() const { return numbers_.size() / dimension_; }

@@ -45,9 +45,9 @@ Coordinates point_argument(std::span<const Rational> point);
 /// (0, x_1, ..., x_s), a vector as an argument.
 Coordinates vector_argument(std::span<const Rational> vector);
 
-/// The same polynomial with its variables grouped otherwise: from a total degree to one degree a variable and
-/// back. Errors: `degree_too_low` if a term has a degree above that of its factor; `wrong_arity` unless the
-/// dimensions have the same sum; `limit_exceeded`.
+/// The same polynomial with its variables grouped otherwise: from a total degree to one degree per variable
+/// and back. Errors: `degree_too_low` if a term has a degree above that of its factor; `wrong_arity` unless
+/// the dimensions have the same sum; `limit_exceeded`.
 PolynomialPatch regrouped(const PolynomialPatch& patch, const NetShape& shape, const Limits& limits = {});
 
 }  // namespace blossom

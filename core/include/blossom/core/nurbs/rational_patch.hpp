@@ -18,7 +18,7 @@ Coordinates rational_derivative(const PatchMap& map, std::span<const PatchPoint>
 
 /// The mixed derivative of the projected map in directions of the whole domain as a rational map again: N_k /
 /// w^(k+1) with N_0 = A and N_(k+1) = N_k' w - (k + 1) N_k w', of k + 1 times the degrees of the map; one
-/// argument a factor makes up a direction, a vector.
+/// argument per factor makes up a direction, a vector.
 ///
 /// Cost: k products of nets a coordinate. Errors: `zero_weight` if the weight is 0 everywhere;
 /// `limit_exceeded` for the degrees, when a product would have more than `limits.numbers` pairs of

@@ -7,8 +7,8 @@
 
 namespace blossom {
 
-/// The mixed derivative in directions of the whole domain, each a vector with one argument a factor: the sum
-/// of the derivatives in directions of single factors.
+/// The mixed derivative in directions of the whole domain, each a vector with one argument per factor: the
+/// sum of the derivatives in directions of single factors.
 ///
 /// Cost: one blossom value for each choice of a factor a direction, those of equal lists taken together.
 /// Errors: `not_affine`, `wrong_arity`, `mismatched_dimensions`; `limit_exceeded` when there are more than

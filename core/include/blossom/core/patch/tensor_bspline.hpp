@@ -39,10 +39,10 @@ private:
     std::vector<Coordinates> control_points_;
 };
 
-/// The blossom of the polynomial on a box of spans, one a direction, at any arguments, one list a direction:
-/// the values of the rows of the last direction, then of those in the one before, and so on.
+/// The blossom of the polynomial on a box of spans, one per direction, at any arguments, one list per
+/// direction: the values of the rows of the last direction, then of those in the one before, and so on.
 ///
-/// Cost: for degrees n the (n + 1)^d points of the box, n^2 / 2 combinations a row. Errors: `wrong_arity`,
+/// Cost: for degrees n the (n + 1)^d points of the box, n^2 / 2 combinations per row. Errors: `wrong_arity`,
 /// `outside_domain`, `limit_exceeded`. Source: Fernandez-Jambrina, equation (9).
 Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::size_t> spans,
                             std::span<const std::vector<Argument>> arguments, const Limits& limits = {});

@@ -27,12 +27,12 @@ namespace constructions {
 template <class R>
 class ProgressiveTriangle {
 public:
-    /// One row of n + 1 values a coordinate, and 2n knots t_i = knots[i] / q with t_j != t_(n+l) for l <= j <
-    /// n.
+    /// One row of n + 1 values per coordinate, and 2n knots t_i = knots[i] / q with t_j != t_(n+l) for l <= j
+    /// < n.
     ProgressiveTriangle(std::vector<std::vector<R>> rows, std::span<const Integer> knots, Integer q)
         : rows_(std::move(rows)), knots_(knots), q_(std::move(q)) {}
 
-    /// One level more. Cost: n - k combinations a coordinate, and the weights.
+    /// One level more. Cost: n - k combinations per coordinate, and the weights.
     void descend(const HomogeneousPair<R>& argument) {
         const std::size_t n = knots_.size() / 2;
         const std::size_t entries = n - level_;
@@ -72,7 +72,7 @@ private:
 };
 
 /// The blossom from progressive values: the apex of the triangle.
-/// Cost: n^2 / 2 weights, and as many combinations a coordinate.
+/// Cost: n^2 / 2 weights, and as many combinations per coordinate.
 template <class R>
 Quotients<R> by_progressive_values(Rows<R> values, std::span<const Integer> knots, const Integer& q,
                                    std::span<const HomogeneousPair<R>> arguments) {
@@ -109,13 +109,13 @@ private:
     PointArray control_points_;
 };
 
-/// f(arguments) by de Boor's triangle with one argument a level.
+/// f(arguments) by de Boor's triangle with one argument per level.
 /// Cost: n^2 / 2 combinations of points on integers. Errors: `wrong_arity` unless there are n arguments;
 /// `limit_exceeded`. Source: DeRose, figure 10. Statement: derose-fig10.
 Coordinates blossom_value(const ProgressiveCurve& curve, std::span<const Argument> arguments,
                           const Limits& limits = {});
 
-/// De Boor's triangle as data, one argument a level: point l of level k is
+/// De Boor's triangle as data, one argument per level: point l of level k is
 /// f(u_1, ..., u_k, t_(k+l), ..., t_(n+l-1)). Level 0 are the control points, the last level is the value.
 /// Cost: n^2 / 2 combinations of points. Errors: those of `blossom_value`. Source: DeRose, figure 10.
 /// Statement: derose-fig10.

@@ -25,7 +25,7 @@ enum class ExpressionKind {
     value,       ///< b(t), b'(t), D(b, k)(t); name: the map; children: orders or directions; groups[0]: the
                  ///< arguments
     derivative,  ///< D(e, t, k): the derivative of an expression; children: e, t and, if written, k
-    blossom,     ///< b[...]; name: the map; groups: the arguments, one list a direction
+    blossom,     ///< b[...]; name: the map; groups: the arguments, one list per direction
     copies,      ///< t{k} among arguments
     run,         ///< t_1..t_n among arguments
     family,      ///< t_i : i in 1..n, i != k; name: i; children: the member; groups: range, excluded, sets

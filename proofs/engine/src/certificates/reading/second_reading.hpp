@@ -64,7 +64,7 @@ struct MapDeclaration {
     std::uint32_t name = 0;
     std::size_t offset = 0;
     std::size_t line = 0;                  ///< maps are used below the line that declares them
-    std::vector<NodeId> degrees;           ///< one a direction
+    std::vector<NodeId> degrees;           ///< one per direction
     std::optional<NodeId> dimension;       ///< of a simplex
     NodeId body = 0;                       ///< of a polynomial; a point_list for a net
     std::vector<std::uint32_t> variables;  ///< names; they have the slots 0, 1, ...
