@@ -279,7 +279,9 @@ TEST_CASE("limits are flags of every command") {
             CHECK(contains(run({command, "--help"}).output, entry.flag() + " N "));
         }
     }
-    CHECK(contains(run({"evaluate", "t^4", "--at", "1", "--max-degree", "3"}).errors, "degree = 3"));
+    CHECK(contains(run({"evaluate", "t^4", "--at", "1", "--max-degree", "3"}).errors,
+                   "degree = 3 (--max-degree)"));
+    CHECK(contains(run({"evaluate", "t^400", "--at", "3/7", "--max-work", "100"}).errors, "(--max-work)"));
     CHECK(contains(run({"batch", "--max-digits", "3"},
                        R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": [1234]})")
                        .output,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "limit_table.hpp"
 #include "operations/map_options.hpp"
 #include "proof_task.hpp"
 #include "responses.hpp"
@@ -19,6 +20,15 @@ bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0)
 
 std::size_t characters(std::string_view text) {
     return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
+}
+
+/// The flag that raises the limit which the error names, " (--max-degree)"; "" if it names none.
+std::string flag_of(const Error& error) {
+    if (error.code() != ErrorCode::limit_exceeded) return "";
+    const auto named = std::ranges::find_if(limit_table(), [&](const LimitEntry& entry) {
+        return error.message().find(fmt::format("the limit {} =", entry.name)) != std::string::npos;
+    });
+    return named == limit_table().end() ? "" : fmt::format(" ({})", named->flag());
 }
 
 /// The line of `text` around `offset`, cut to what fits, and a caret below the place.
@@ -131,7 +141,7 @@ Outcome answer_and_print(const Command& command, const Json& request, const Stre
 
 std::string readable_error(const Error& error, const Json& request, const Command& command,
                            const Style& style) {
-    std::string message = fmt::format("{} {}\n", style.bad("error:"), error.message());
+    std::string message = fmt::format("{} {}{}\n", style.bad("error:"), error.message(), flag_of(error));
     const Json* place = at_place(request, error.place());
     const std::string* text = place ? place->text() : nullptr;
     if (text && error.offset()) return message + with_caret(*text, *error.offset(), style);
