@@ -31,10 +31,13 @@ struct Batch {
 
 Batch serve(const LineReader::Source& source, std::size_t jobs = 1, const Limits& limits = {}) {
     Batch batch;
-    const auto sink = [&](std::string_view line) {
-        REQUIRE(line.ends_with('\n'));
-        REQUIRE(std::ranges::count(line, '\n') == 1);
-        batch.responses.emplace_back(line.substr(0, line.size() - 1));
+    const auto sink = [&](std::string_view lines) {
+        REQUIRE(lines.ends_with('\n'));
+        while (!lines.empty()) {
+            const std::size_t length = lines.find('\n');
+            batch.responses.emplace_back(lines.substr(0, length));
+            lines.remove_prefix(length + 1);
+        }
         return true;
     };
     batch.outcome = serve_batch(source, sink, limits, jobs);

@@ -1,6 +1,11 @@
 #include "batch.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <new>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "ordered_work.hpp"
 
@@ -8,20 +13,65 @@ namespace blossom::cli {
 
 namespace {
 
-struct Request {
-    LineReader::Line line;
-    Response response = {};
+/// Lines that have arrived together: one thread answers them, and their responses are written at once.
+struct Part {
+    std::vector<LineReader::Line> lines = {};
+    std::vector<Response> responses = {};
 };
+
+/// How many lines make up a part: the more, the shorter their responses are, so that threads and writes wait
+/// less for each other, and what is held stays small.
+class PartSize {
+public:
+    std::size_t lines() const { return lines_.load(std::memory_order_relaxed); }
+    void adapt(const Part& part) {
+        constexpr std::size_t most_lines = 64;
+        constexpr std::size_t long_response = 4096;
+        const bool is_long = std::ranges::any_of(
+            part.responses, [](const Response& response) { return response.text.size() > long_response; });
+        lines_.store(is_long ? 1 : std::min(2 * part.lines.size(), most_lines), std::memory_order_relaxed);
+    }
+
+private:
+    std::atomic<std::size_t> lines_{1};
+};
+
+bool is_blank(const LineReader::Line& line) {
+    return !line.too_long && line.text.find_first_not_of(" \t\r") == std::string::npos;
+}
+
+/// The response where there was no memory even to say so.
+constexpr std::string_view no_memory =
+    R"({"ok": false, "error": {"code": "limit_exceeded", "message": "the memory of this machine does not suffice", "at": ""}})"
+    "\n";
 
 /// Without more memory than the text has: a long response may have taken the last.
 bool write_line(const Sink& sink, std::string& text) {
+    if (text.empty()) return sink(no_memory);
     if (text.size() == text.capacity()) return sink(text) && sink("\n");
     text += '\n';
     return sink(text);
 }
 
-bool is_blank(const LineReader::Line& line) {
-    return !line.too_long && line.text.find_first_not_of(" \t\r") == std::string::npos;
+/// At once where there is memory for it.
+bool write_lines(const Sink& sink, std::vector<Response>& responses) {
+    std::string text;
+    try {
+        text.reserve(std::accumulate(
+            responses.begin(), responses.end(), responses.size(),
+            [](std::size_t sum, const Response& response) { return sum + response.text.size(); }));
+    } catch (const std::bad_alloc&) {
+        return std::ranges::all_of(responses,
+                                   [&](Response& response) { return write_line(sink, response.text); });
+    }
+    for (const Response& response : responses) {
+        if (response.text.empty()) {
+            text += no_memory;
+        } else {
+            (text += response.text) += '\n';
+        }
+    }
+    return sink(text);
 }
 
 }  // namespace
@@ -30,19 +80,33 @@ Outcome serve_batch(const LineReader::Source& source, const Sink& sink, const Li
                     std::size_t jobs) {
     LineReader reader(source, limits.line_bytes);
     Outcome outcome = Outcome::success;
-    const auto answer = [&](Request& request) {
-        const LineReader::Line line = std::move(request.line);
-        request.response =
-            line.too_long ? protocol::refuse_long_line(limits) : protocol::answer(line.text, limits);
+    PartSize size;
+    const auto answer = [&](Part& part) {
+        for (std::size_t i = 0; i < part.lines.size(); ++i) {
+            const LineReader::Line line = std::move(part.lines[i]);
+            try {
+                part.responses[i] =
+                    line.too_long ? protocol::refuse_long_line(limits) : protocol::answer(line.text, limits);
+            } catch (const std::bad_alloc&) {
+                part.responses[i] = {"", Outcome::refused};
+            }
+        }
+        size.adapt(part);
     };
-    const auto write = [&](Request& request) {
-        const bool taken = write_line(sink, request.response.text);
-        outcome = std::max({outcome, request.response.outcome, taken ? Outcome::success : Outcome::refused});
+    const auto write = [&](Part& part) {
+        for (const Response& response : part.responses) outcome = std::max(outcome, response.outcome);
+        const bool taken = part.responses.size() == 1 ? write_line(sink, part.responses.front().text)
+                                                      : write_lines(sink, part.responses);
+        if (!taken) outcome = std::max(outcome, Outcome::refused);
         return taken;
     };
-    OrderedWork<Request> work(jobs, answer, write);
+    OrderedWork<Part> work(jobs, answer, write);
+    Part part;
     while (auto line = reader.next()) {
-        if (!is_blank(*line) && !work.add({std::move(*line)})) break;
+        if (!is_blank(*line)) part.lines.push_back(std::move(*line));
+        if (part.lines.empty() || (reader.has_next() && part.lines.size() < size.lines())) continue;
+        part.responses.resize(part.lines.size());
+        if (!work.add(std::exchange(part, Part()))) break;
     }
     work.finish();
     return outcome;

@@ -25,6 +25,8 @@ public:
 
     /// The next line, as soon as its end has arrived, or nothing at the end. The last line needs no line end.
     std::optional<Line> next();
+    /// Whether the next line has arrived already, so that nothing is waited for.
+    bool has_next() const { return rest_.find('\n') != std::string_view::npos; }
 
 private:
     bool refill();
