@@ -1,6 +1,7 @@
 #include <malloc.h>
 #include <blossom/rational/resource_budget.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
@@ -9,32 +10,46 @@
 
 namespace {
 
-void* counted(void* block) {
-    if (!block) throw std::bad_alloc();
-    try {
-        blossom::take_bytes(malloc_usable_size(block));
-    } catch (...) {
-        std::free(block);
-        throw;
-    }
-    return block;
+/// What the C library takes for a block, with its header.
+constexpr std::size_t chunk_size(std::size_t size) {
+    constexpr std::size_t header = sizeof(std::size_t);
+    constexpr std::size_t step = 2 * sizeof(std::size_t);
+    return std::max(2 * step, (size + header + step - 1) / step * step);
 }
 
-void give_back(void* block) noexcept {
-    if (block) blossom::give_back_bytes(malloc_usable_size(block));
+template <class Allocate>
+void* counted(std::size_t size, const Allocate& allocate) {
+    blossom::take_bytes(chunk_size(size));
+    if (void* block = allocate()) return block;
+    blossom::give_back_bytes(chunk_size(size));
+    throw std::bad_alloc();
+}
+
+void give_back(void* block, std::size_t chunk) noexcept {
+    if (!block) return;
+    blossom::give_back_bytes(chunk);
     std::free(block);
+}
+
+void give_back(void* block) noexcept { give_back(block, chunk_size(malloc_usable_size(block))); }
+
+std::size_t rounded(std::size_t size, std::align_val_t alignment) {
+    const auto step = static_cast<std::size_t>(alignment);
+    return (size + step - 1) / step * step;
 }
 
 }  // namespace
 
-void* operator new(std::size_t size) { return counted(std::malloc(size == 0 ? 1 : size)); }
+void* operator new(std::size_t size) {
+    return counted(size, [&] { return std::malloc(size == 0 ? 1 : size); });
+}
 void* operator new(std::size_t size, std::align_val_t alignment) {
-    const auto step = static_cast<std::size_t>(alignment);
-    return counted(std::aligned_alloc(step, (size + step - 1) / step * step));
+    const std::size_t whole = rounded(size, alignment);
+    return counted(whole, [&] { return std::aligned_alloc(static_cast<std::size_t>(alignment), whole); });
 }
 void operator delete(void* block) noexcept { give_back(block); }
-void operator delete(void* block, std::size_t /*size*/) noexcept { give_back(block); }
+void operator delete(void* block, std::size_t size) noexcept { give_back(block, chunk_size(size)); }
 void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { give_back(block); }
-void operator delete(void* block, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept {
-    give_back(block);
+void operator delete(void* block, std::size_t size, std::align_val_t alignment) noexcept {
+    give_back(block, chunk_size(rounded(size, alignment)));
 }

@@ -1,8 +1,10 @@
 #include "responses.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/resource_budget.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <optional>
@@ -16,10 +18,13 @@ namespace blossom::protocol {
 
 namespace {
 
-Json response_to(const Json& request, bool ok) {
-    Json response;
-    if (const Json* id = request.find("id")) response["id"] = *id;
-    response["ok"] = ok;
+Json response_to(const Json& request, std::string_view name, Json value) {
+    Json::Object response;
+    constexpr std::size_t most_members = 3;
+    response.reserve(most_members);
+    if (const Json* id = request.find("id")) response.emplace_back("id", *id);
+    response.emplace_back("ok", name == "result");
+    response.emplace_back(name, std::move(value));
     return response;
 }
 
@@ -44,9 +49,10 @@ void require_output_digits(const Json& result, const Limits& limits) {
                    "the size of the result in decimal digits, at most");
 }
 
-Response written(const Json& response) {
+Response written(Json response) {
     const Json* result = response.find("result");
-    return {to_text(response), result ? outcome_of(*result) : Outcome::refused};
+    const Outcome outcome = result ? outcome_of(*result) : Outcome::refused;
+    return {to_text(std::move(response)), outcome};
 }
 
 /// What `answer` returns, or the response to the error that it throws, for which the budget of `answer` has
@@ -71,15 +77,11 @@ FieldList common_fields() {
 }
 
 const Operation& find_operation(std::string_view name) {
-    std::vector<std::string_view> names;
-    std::string list;
-    for (const Operation& operation : operations()) {
-        if (operation.name == name) return operation;
-        names.push_back(operation.name);
-        list += (list.empty() ? "" : ", ") + std::string(operation.name);
-    }
+    const auto found = std::ranges::find(operations(), name, &Operation::name);
+    if (found != operations().end()) return *found;
+    const std::vector<std::string_view> names = mapped(operations(), &Operation::name);
     throw Error(ErrorCode::unknown_op, "the operation " + quoted(name) + " is not known" +
-                                           suggestion(name, names) + "; known are: " + list);
+                                           suggestion(name, names) + "; known are: " + joined(names));
 }
 
 Answer find_answer(const Json& request, const Limits& limits) {
@@ -97,16 +99,14 @@ Answer find_answer(const Json& request, const Limits& limits) {
 }
 
 Json success_response(const Json& request, Json result) {
-    Json response = response_to(request, true);
-    response["result"] = std::move(result);
-    return response;
+    return response_to(request, "result", std::move(result));
 }
 
 Json error_response(const Json& request, const Error& error) {
-    Json response = response_to(request, false);
-    response["error"] = Json::Object{
-        {"code", error_name(error.code())}, {"message", error.message()}, {"at", pointer_of(error.place())}};
-    return response;
+    return response_to(request, "error",
+                       Json::Object{{"code", error_name(error.code())},
+                                    {"message", error.message()},
+                                    {"at", pointer_of(error.place())}});
 }
 
 Outcome outcome_of(const Json& result) {
@@ -129,7 +129,7 @@ Json answer_to(const Json& request, const Limits& limits) {
 Response answer(std::string_view text, const Limits& limits) {
     Json request;
     std::optional<Response> response;
-    const Json refusal = answered(request, [&] {
+    Json refusal = answered(request, [&] {
         const ResourceBudget budget(limits);
         auto [value, error] = read_json(text, limits);
         request = std::move(value);
@@ -137,7 +137,7 @@ Response answer(std::string_view text, const Limits& limits) {
         response = written(success_response(request, find_answer(request, limits).result));
         return Json();
     });
-    return response ? *std::move(response) : written(refusal);
+    return response ? *std::move(response) : written(std::move(refusal));
 }
 
 Response refuse_long_line(const Limits& limits) {

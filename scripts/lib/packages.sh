@@ -11,7 +11,7 @@ build header:boost/multiprecision/gmp.hpp libboost-dev        boost-devel       
 build header:gmp.h                        libgmp-dev          gmp-devel           gmp
 build header:CLI/CLI.hpp                  libcli11-dev        cli11-devel         cli11
 build header:fmt/format.h                 libfmt-dev          fmt-devel           fmt
-build header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel          nlohmann-json
+test  header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel          nlohmann-json
 build header:pugixml.hpp                  libpugixml-dev      pugixml-devel       pugixml
 test  header:catch2/*.hpp                 catch2              catch-devel         catch2
 test  command:pkg-config                  pkg-config          pkgconf-pkg-config  pkgconf

@@ -2,17 +2,27 @@
 
 #include <blossom/rational/error.hpp>
 
+#include <nlohmann/json.hpp>
+
+#include <fstream>
 #include <string>
+#include <vector>
 
 #include "json/json_text.hpp"
 #include "support/catch.hpp"
+#include "support/random.hpp"
 
 using namespace blossom;
 using namespace blossom::protocol;
+using blossom::testing::Random;
 
 namespace {
 
 std::string echoed(std::string_view text) { return protocol::to_text(parse_json(text, Limits{})); }
+
+/// Another reader of JSON, whose numbers do not overflow here.
+using OtherJson =
+    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
 Error refusal(std::string_view text, const Limits& limits = {}) {
     const JsonReading reading = read_json(text, limits);
@@ -48,6 +58,45 @@ TEST_CASE("what is no JSON is refused with the place") {
         CHECK(refusal(text).offset());
     }
     CHECK(refusal("[1, x]").offset() == 4);
+}
+
+TEST_CASE("texts are accepted and understood as by another reader of JSON") {
+    std::vector<std::string> texts = {
+        R"({"a": [1, -0.5e+7, 0, -0, 10], "é😀": "\u00e9\ud83d\ude00\n\/", "": {"x": null}})",
+        R"([true, false, null, "", [[]], {}, "\"\\\b\f\n\r\t"])",
+        "\"\xC2\x80\xDF\xBF\xE0\xA0\x80\xED\x9F\xBF\xEE\x80\x80\xF0\x90\x80\x80\xF4\x8F\xBF\xBF\""};
+    std::ifstream golden(BLOSSOM_SOURCE "/tests/golden/protocol-examples.jsonl");
+    for (std::string line; std::getline(golden, line) && texts.size() < 40;)
+        texts.push_back(line.substr(0, 400));
+    REQUIRE(texts.size() == 40);
+    Random random(7);
+    constexpr std::string_view pieces = "{}[]\":,\\ue+-.019tfn \t\x01\x80\xBF\xC0\xC2\xED\xA0\xF4\x90";
+    std::size_t accepted = 0;
+    for (int round = 0; round < 20'000; ++round) {
+        std::string text = texts[random.below(texts.size())];
+        for (std::uint64_t changes = random.below(3); changes > 0; --changes) {
+            const auto place = random.below(text.size());
+            switch (random.below(3)) {
+                case 0:
+                    text[place] = pieces[random.below(pieces.size())];
+                    break;
+                case 1:
+                    text.insert(place, 1, pieces[random.below(pieces.size())]);
+                    break;
+                default:
+                    text.erase(place, 1 + random.below(2));
+            }
+        }
+        CAPTURE(text);
+        const JsonReading reading = read_json(text, Limits{});
+        if (reading.error && reading.error->message().ends_with("occurs twice in one object")) continue;
+        const auto expected = OtherJson::parse(text, nullptr, false);
+        REQUIRE(expected.is_discarded() == reading.error.has_value());
+        if (reading.error) continue;
+        ++accepted;
+        CHECK(OtherJson::parse(protocol::to_text(reading.value)) == expected);
+    }
+    CHECK(accepted > 5'000);
 }
 
 TEST_CASE("a syntax error tells no more of the text than its place") {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <blossom/rational/resource_budget.hpp>
+#include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
 
@@ -15,12 +16,6 @@ namespace blossom::cli {
 namespace {
 
 constexpr std::size_t line_width = 76;
-
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
-std::size_t characters(std::string_view text) {
-    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
-}
 
 /// The flag that raises the limit which the error names, " (--max-degree)"; "" if it names none.
 std::string flag_of(const Error& error) {
@@ -42,7 +37,7 @@ std::string with_caret(std::string_view text, std::size_t offset, const Style& s
     std::string line(text.substr(first, last - first));
     std::ranges::replace(line, '\x1b', '?');  // not even a colour is taken from what was typed
     return fmt::format("  {}\n  {}{}\n", line,
-                       std::string(characters(text.substr(first, offset - first)), ' '), style.bad("^"));
+                       std::string(count_characters(text.substr(first, offset - first)), ' '), style.bad("^"));
 }
 
 /// Whether an option writes what lies at `place`, or around it: at its own field, or at that of the map.

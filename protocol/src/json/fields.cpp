@@ -35,12 +35,14 @@ std::size_t read_whole(const Json& value, const Limits& limits, std::size_t most
 
 Fields::Fields(const Json& value) : object_(value) {
     if (!value.object()) wrong_kind("an object", value);
+    constexpr std::size_t usual_size = 8;
+    asked_.reserve(usual_size);
 }
 
 bool Fields::is_asked(std::string_view name) const { return std::ranges::find(asked_, name) != asked_.end(); }
 
 const Json* Fields::ask(std::string_view name) {
-    if (!is_asked(name)) asked_.push_back(name);
+    asked_.push_back(name);
     return object_.find(name);
 }
 

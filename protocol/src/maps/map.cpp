@@ -1,5 +1,6 @@
 #include "map.hpp"
 
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include "json/nearest_name.hpp"
@@ -9,20 +10,21 @@ namespace blossom::protocol {
 
 const KindWord& word_of(const Fields& fields, const Json& word) {
     const std::string& written = read_text(word);
-    std::vector<std::string_view> names;
-    std::string list;
     const KindWord* found = nullptr;
     for (const Kind* kind : Kinds::all) {
         for (const KindWord& one : kind->words) {
             if (one.word == written && (one.field.empty() ? !found : fields.has(one.field))) found = &one;
-            if (one.word.empty() || !one.field.empty()) continue;
-            names.push_back(one.word);
-            list += (list.empty() ? "" : ", ") + std::string(one.word);
         }
     }
     if (found) return *found;
+    std::vector<std::string_view> names;
+    for (const Kind* kind : Kinds::all) {
+        for (const KindWord& one : kind->words) {
+            if (!one.word.empty() && one.field.empty()) names.push_back(one.word);
+        }
+    }
     throw Error(ErrorCode::wrong_kind, "the kind of map " + quoted(written) + " is not known" +
-                                           suggestion(written, names) + "; known are: " + list);
+                                           suggestion(written, names) + "; known are: " + joined(names));
 }
 
 std::size_t dimension_of(const Map& map) {

@@ -92,7 +92,7 @@ void PointReader::add(const Json& value) {
 Points read_points(const Json& value, const Limits& limits) {
     const Json::Array& elements = read_array(value);
     if (elements.empty()) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
-    PointReader read(limits);
+    PointReader read(limits, elements.size());
     for (std::size_t i = 0; i < elements.size(); ++i) within(i, [&] { read.add(elements[i]); });
     Points result = std::move(read).finish();
     require_numbers(result.points.size(), result.points.front().size(), limits);

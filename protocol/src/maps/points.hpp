@@ -44,7 +44,9 @@ struct Points {
 /// Points one after the other, all of the form of the first.
 class PointReader {
 public:
-    explicit PointReader(const Limits& limits) : limits_(limits) {}
+    explicit PointReader(const Limits& limits, std::size_t expected = 0) : limits_(limits) {
+        points_.reserve(expected);
+    }
 
     /// Errors: `mismatched_dimensions` for a point of another form.
     void add(const Json& value);

@@ -11,9 +11,9 @@ namespace blossom::protocol {
 
 namespace {
 
-/// One polynomial a coordinate, as a request writes them.
+/// The coordinates, as a request writes them.
 struct Written {
-    std::vector<Polynomial> coordinates;
+    PolynomialCurve curve;
     bool scalar = true;
     std::string variable;  ///< "" while none has occurred
 };
@@ -30,24 +30,21 @@ Polynomial read_one_text(const std::string& text, std::string& variable, const L
 }
 
 Written read_texts(const Json& value, const Limits& limits) {
-    Written result;
+    std::string variable;
     if (const std::string* text = value.text()) {
-        result.coordinates = {read_one_text(*text, result.variable, limits)};
-        return result;
+        const Polynomial polynomial = read_one_text(*text, variable, limits);
+        return {PolynomialCurve(polynomial), true, variable};
     }
-    result.scalar = false;
-    result.coordinates = read_list(value, [&](const Json& element) {
-        return read_one_text(read_text(element), result.variable, limits);
-    });
-    if (result.coordinates.empty())
-        throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
-    return result;
+    const auto coordinates = read_list(
+        value, [&](const Json& element) { return read_one_text(read_text(element), variable, limits); });
+    if (coordinates.empty()) throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
+    return {PolynomialCurve(coordinates), false, variable};
 }
 
 Written read_coefficients(const Json& value, const Limits& limits) {
     const Points points = read_points(value, limits);
     require_degree(points.points.size(), limits);
-    return {coordinates_of(PolynomialCurve(points.points)), points.scalar, ""};
+    return {PolynomialCurve(points.points), points.scalar, ""};
 }
 
 Polynomial read_denominator(const Json& value, std::string& variable, const Limits& limits) {
@@ -74,14 +71,17 @@ Map read_polynomial(Fields& fields, const Limits& limits) {
     const auto degree =
         fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
     const PointForm form =
-        read_polynomial_form(fields, written.coordinates.size(), written.scalar, denominator.has_value());
-    if (denominator) written.coordinates.push_back(*denominator);
-
-    std::size_t formal = degree.value_or(0);
-    for (const Polynomial& coordinate : written.coordinates) formal = std::max(formal, coordinate.degree());
-    require_numbers(formal + 1, written.coordinates.size(), limits);
-    return {PolynomialCurve(written.coordinates, degree), form,
-            written.variable.empty() ? "t" : std::move(written.variable)};
+        read_polynomial_form(fields, written.curve.dimension(), written.scalar, denominator.has_value());
+    const std::size_t actual =
+        std::max(written.curve.actual_degree(), denominator ? denominator->degree() : 0);
+    const std::size_t formal = degree.value_or(actual);
+    require_numbers(std::max(formal, actual) + 1, written.curve.dimension() + (denominator ? 1 : 0), limits);
+    if (denominator || formal != written.curve.degree()) {
+        std::vector<Polynomial> coordinates = coordinates_of(written.curve);
+        if (denominator) coordinates.push_back(*denominator);
+        written.curve = PolynomialCurve(coordinates, degree);
+    }
+    return {std::move(written.curve), form, written.variable.empty() ? "t" : std::move(written.variable)};
 }
 
 Json write(const PolynomialCurve& curve, const PointForm& form) {

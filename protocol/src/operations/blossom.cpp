@@ -23,9 +23,9 @@ Coordinates value_of(const Curve& curve, std::span<const Argument> arguments,
     if constexpr (std::is_same_v<Curve, ProgressiveCurve>) {
         if (!construction) return blossom_value(curve, arguments, limits);
     }
-    const PolynomialMap map = polynomial_map(curve, limits);
+    PolynomialMap map = polynomial_map(curve, limits);
     return construction ? blossom_value(map, arguments, *construction, limits)
-                        : Blossom(map, limits)(arguments);
+                        : Blossom(std::move(map), limits)(arguments);
 }
 
 Coordinates value_of(const Patch& patch, const PatchArguments& arguments,

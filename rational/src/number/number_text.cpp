@@ -1,9 +1,11 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/resource_budget.hpp>
+#include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include "backend.hpp"
 
@@ -23,17 +25,18 @@ std::size_t digits_length(std::string_view text) {
         quoted(text) + R"( is not an exact number; write it as "p", "p/q" or a decimal such as "-0.125")");
 }
 
-/// `digits` holds decimal digits only.
-Integer integer_from_digits(std::string_view digits, const Limits& limits) {
-    const auto first = std::min(digits.find_first_not_of('0'), digits.size());
-    digits.remove_prefix(first);
-    if (digits.empty()) return 0;
-    require_within(digits.size(), limits.digits, "digits", "a number whose count of digits is");
-    if (digits.size() < 19) {
-        std::int64_t value = 0;
-        std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        return value;
+/// The value of decimal digits; none for another text. "" is 0.
+std::optional<Integer> integer_from_digits(std::string_view digits, const Limits& limits) {
+    while (digits.starts_with('0')) digits.remove_prefix(1);
+    constexpr std::size_t most_in_word = 18;
+    const bool in_word = digits.size() <= most_in_word;
+    std::int64_t value = 0;
+    for (const char c : digits) {
+        if (!is_digit(c)) return std::nullopt;
+        if (in_word) value = 10 * value + (c - '0');
     }
+    require_within(digits.size(), limits.digits, "digits", "a number whose count of digits is");
+    if (in_word) return value;
     return IntegerAccess::from_number(backend::Number(std::string(digits)));
 }
 
@@ -66,10 +69,10 @@ Rational decimal(std::string_view text, const Limits& limits) {
         if (negative_exponent || text.starts_with('+')) text.remove_prefix(1);
         exponent = exponent_from_digits(text, limits);
     }
-    if (fraction.empty() && exponent == 0) return integer_from_digits(whole, limits);
+    if (fraction.empty() && exponent == 0) return *integer_from_digits(whole, limits);
     require_within(whole.size() + fraction.size() + exponent, limits.digits, "digits",
                    "a decimal whose count of digits, with those of its exponent, is");
-    const Integer digits = integer_from_digits(std::string(whole) + std::string(fraction), limits);
+    const Integer digits = *integer_from_digits(std::string(whole) + std::string(fraction), limits);
     const Integer scale = pow(Integer(10), exponent);
     const Integer point = pow(Integer(10), fraction.size());
     return negative_exponent ? Rational(digits, point * scale) : Rational(digits * scale, point);
@@ -81,7 +84,7 @@ namespace {
 
 /// Whether a character goes on at `place`: all its bytes but the first have the form 10xxxxxx.
 bool continues_at(std::string_view text, std::size_t place) {
-    return place < text.size() && (static_cast<unsigned char>(text[place]) & 0xC0) == 0x80;
+    return place < text.size() && continues_character(text[place]);
 }
 
 }  // namespace
@@ -134,30 +137,27 @@ Rational parse_rational(std::string_view text, const Limits& limits) {
     if (negative) rest.remove_prefix(1);
     const auto signed_value = [&](Rational value) { return negative ? -std::move(value) : value; };
 
-    if (const std::size_t slash = rest.find('/'); slash != std::string_view::npos) {
-        const std::string_view above = rest.substr(0, slash);
-        const std::string_view below = rest.substr(slash + 1);
-        if (above.empty() || below.empty() || digits_length(above) != above.size() ||
-            digits_length(below) != below.size()) {
-            fail(text);
-        }
-        const Integer denominator = integer_from_digits(below, limits);
-        if (denominator.is_zero()) {
-            throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
-        }
-        return signed_value({integer_from_digits(above, limits), denominator});
+    const auto slash = static_cast<std::size_t>(std::ranges::find(rest, '/') - rest.begin());
+    if (slash == rest.size()) {
+        if (rest.empty() || unsigned_decimal_length(rest) != rest.size()) fail(text);
+        return signed_value(decimal(rest, limits));
     }
-    if (rest.empty() || unsigned_decimal_length(rest) != rest.size()) fail(text);
-    return signed_value(decimal(rest, limits));
+    const std::string_view above = rest.substr(0, slash);
+    const std::string_view below = rest.substr(slash + 1);
+    if (above.empty() || below.empty()) fail(text);
+    auto numerator = integer_from_digits(above, limits);
+    auto denominator = integer_from_digits(below, limits);
+    if (!numerator || !denominator) fail(text);
+    if (denominator->is_zero())
+        throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
+    return signed_value({*std::move(numerator), *std::move(denominator)});
 }
 
 Integer parse_integer(std::string_view text, const Limits& limits) {
     const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-    if (digits.empty() || digits_length(digits) != digits.size()) {
-        throw Error(ErrorCode::not_a_number, quoted(text) + " is not an integer");
-    }
-    Integer value = integer_from_digits(digits, limits);
-    return text.starts_with('-') ? -std::move(value) : value;
+    auto value = integer_from_digits(digits, limits);
+    if (digits.empty() || !value) throw Error(ErrorCode::not_a_number, quoted(text) + " is not an integer");
+    return text.starts_with('-') ? -*std::move(value) : *std::move(value);
 }
 
 std::string to_string(const Integer& value) {

@@ -96,18 +96,13 @@ void check_resources() {
     if (const auto exceeded = checked()) throw exceeded->error();
 }
 
-void take_bytes(std::size_t bytes) {
-    constexpr std::int64_t words_of_allocation = 16;
-    constexpr std::size_t bytes_per_word = 64;  // memory is written once, several bytes at a time
-    ThreadResources& resources = thread_resources;
-    const std::int64_t amount = limited(bytes);
-    if (resources.bytes < amount)
-        throw ResourcesExceeded(Resource::memory, resources.limits ? resources.limits->memory : 0);
-    resources.words_until_check -= words_of_allocation + limited(bytes / bytes_per_word);
-    if (resources.words_until_check < 0) {
-        if (const auto exceeded = checked()) throw ResourcesExceeded(*exceeded);
-    }
-    resources.bytes -= amount;
+void check_allocation() {
+    if (const auto exceeded = checked()) throw ResourcesExceeded(*exceeded);
+}
+
+void refuse_bytes() {
+    const Limits* limits = thread_resources.limits;
+    throw ResourcesExceeded(Resource::memory, limits ? limits->memory : 0);
 }
 
 Error ResourcesExceeded::error() const {

@@ -1,5 +1,8 @@
 #include "letters.hpp"
 
+#include <blossom/rational/number_text.hpp>
+#include <blossom/rational/utf8.hpp>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -49,12 +52,6 @@ constexpr std::array<Entry, 14> text_signs{{{"−", "$-$"},
                                             {"”", "''"},
                                             {"²", "$^2$"}}};
 
-std::size_t character_length(std::string_view text) {
-    std::size_t length = 1;
-    while (length < text.size() && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) ++length;
-    return length;
-}
-
 std::string escaped_for_latex(char c) {
     switch (c) {
         case '\\':
@@ -98,23 +95,22 @@ Letter letter(std::string_view name) {
 std::string latex_text(std::string_view text) {
     std::string result;
     while (!text.empty()) {
-        const std::size_t length = character_length(text);
-        const std::string_view known = looked_up(text_signs, text.substr(0, length));
+        const std::string_view character = first_character(text);
+        const std::string_view known = looked_up(text_signs, character);
         if (!known.empty()) {
             result += known;
-        } else if (length == 1) {
-            result += escaped_for_latex(text.front());
+        } else if (character.size() == 1) {
+            result += escaped_for_latex(character.front());
         } else {
-            result += text.substr(0, length);
+            result += character;
         }
-        text.remove_prefix(length);
+        text.remove_prefix(character.size());
     }
     return result;
 }
 
 std::size_t columns(std::string_view text) {
-    return static_cast<std::size_t>(
-        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+    return count_characters(text);
 }
 
 std::string latex_sign(std::string_view sign) {

@@ -1,6 +1,7 @@
 #include "lexer.hpp"
 
 #include <blossom/rational/number_text.hpp>
+#include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
 #include <string>
@@ -108,9 +109,7 @@ private:
         if ((c == ')' || c == ']' || c == '}') && depth_ > 0) --depth_;
         const bool known = std::string_view("+-*/^()[]{}<>,;:=_'").find(c) != std::string_view::npos;
         std::size_t length = 1;
-        while (!known && at_ + length < text_.size() &&
-               (static_cast<unsigned char>(text_[at_ + length]) & 0xC0) == 0x80)
-            ++length;
+        while (!known && at_ + length < text_.size() && continues_character(text_[at_ + length])) ++length;
         add(known ? TokenKind::symbol : TokenKind::invalid, at_, length);
     }
 

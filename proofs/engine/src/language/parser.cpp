@@ -1,5 +1,6 @@
 #include <blossom/proofs/parser.hpp>
 #include <blossom/rational/number_text.hpp>
+#include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
 #include <optional>
@@ -10,12 +11,6 @@
 namespace blossom::proofs {
 
 namespace {
-
-bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
-std::size_t characters(std::string_view text) {
-    return text.size() - static_cast<std::size_t>(std::ranges::count_if(text, continues_character));
-}
 
 class Parser {
 public:
@@ -233,7 +228,7 @@ Place place_of(std::string_view text, std::size_t offset) {
     offset = std::min(offset, text.size());
     const std::size_t start = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
     const auto lines = static_cast<std::size_t>(std::ranges::count(text.substr(0, offset), '\n'));
-    return {lines + 1, characters(text.substr(start, offset - start)) + 1};
+    return {lines + 1, count_characters(text.substr(start, offset - start)) + 1};
 }
 
 std::string diagnostic(std::string_view file, std::string_view text, const Error& error) {
@@ -250,7 +245,7 @@ std::string diagnostic(std::string_view file, std::string_view text, const Error
     std::ranges::replace_if(line, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
     return std::string(file) + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + ": " +
            error.message() + "\n  " + line + "\n  " +
-           std::string(characters(text.substr(first, offset - first)), ' ') + "^\n";
+           std::string(count_characters(text.substr(first, offset - first)), ' ') + "^\n";
 }
 
 }  // namespace blossom::proofs

@@ -78,9 +78,23 @@ private:
     std::size_t limit_;
 };
 
+/// Errors: `ResourcesExceeded`, for `Limits::memory`.
+[[noreturn]] void refuse_bytes();
+/// Checks the work and the time of this thread. Errors: `ResourcesExceeded`.
+void check_allocation();
+
 /// Counts bytes that this thread takes, and the work of taking them, for a replacement of `operator new`.
 /// Errors: `ResourcesExceeded`.
-void take_bytes(std::size_t bytes);
+inline void take_bytes(std::size_t bytes) {
+    constexpr std::int64_t words_of_allocation = 16;
+    constexpr std::int64_t bytes_per_word = 64;  // memory is written once, several bytes at a time
+    constexpr auto most = static_cast<std::size_t>(ThreadResources::unlimited);
+    const auto amount = static_cast<std::int64_t>(std::min(bytes, most));
+    if (thread_resources.bytes < amount) refuse_bytes();
+    thread_resources.words_until_check -= words_of_allocation + amount / bytes_per_word;
+    if (thread_resources.words_until_check < 0) check_allocation();
+    thread_resources.bytes -= amount;
+}
 /// Bytes that are given back.
 inline void give_back_bytes(std::size_t bytes) noexcept {
     thread_resources.bytes += static_cast<std::int64_t>(bytes);

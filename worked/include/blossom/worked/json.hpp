@@ -4,6 +4,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,7 +27,12 @@ public:
     };
     using Array = std::vector<Json>;
     using Member = std::pair<std::string, Json>;
-    using Object = std::vector<Member>;
+    struct NewMember;
+    struct Object : std::vector<Member> {
+        Object() = default;
+        /// Moves the values, which a list of members in braces would copy.
+        Object(std::initializer_list<NewMember> members);
+    };
 
     Json() = default;
     Json(std::same_as<bool> auto value) : value_(value) {}              // NOLINT(google-explicit-constructor)
@@ -55,13 +61,28 @@ public:
     /// The member of an object, made (null) when there is none; a null becomes an object.
     Json& operator[](std::string_view name);
 
+    /// Becomes null.
+    void clear() { value_.emplace<std::monostate>(); }
+
     friend bool operator==(const Json&, const Json&) = default;
 
 private:
     std::variant<std::monostate, bool, Number, Rational, std::string, Array, Object> value_;
 };
 
+struct Json::NewMember {
+    std::string name;
+    mutable Json value;
+};
+
+inline Json::Object::Object(std::initializer_list<NewMember> members) {
+    reserve(members.size());
+    for (const NewMember& member : members) emplace_back(member.name, std::move(member.value));
+}
+
 /// As valid UTF-8: on one line, or with `indent` spaces a level and a line for each element and member.
 std::string to_text(const Json& value, std::optional<std::size_t> indent = {});
+/// On one line; what is written is freed at once, so that a large value and its text are not held together.
+std::string to_text(Json&& value);
 
 }  // namespace blossom
