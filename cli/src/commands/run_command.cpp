@@ -37,7 +37,8 @@ std::string with_caret(std::string_view text, std::size_t offset, const Style& s
     std::string line(text.substr(first, last - first));
     std::ranges::replace(line, '\x1b', '?');  // not even a colour is taken from what was typed
     return fmt::format("  {}\n  {}{}\n", line,
-                       std::string(count_characters(text.substr(first, offset - first)), ' '), style.bad("^"));
+                       std::string(count_characters(text.substr(first, offset - first)), ' '),
+                       style.bad("^"));
 }
 
 /// Whether an option writes what lies at `place`, or around it: at its own field, or at that of the map.

@@ -26,7 +26,8 @@ std::string printable(std::string_view text) {
         const auto first = static_cast<unsigned char>(text.front());
         const bool control = (first < 0x20 && first != '\n' && first != '\t') || first == 0x7F;
         std::size_t length = control ? colour_length(text) : character_length(text);
-        if (text.substr(0, length) < "\u00A0" && length == 2) length = 0;  // controls that some terminals obey
+        if (text.substr(0, length) < "\u00A0" && length == 2)
+            length = 0;  // controls that some terminals obey
         result += length == 0 ? std::string_view("?") : text.substr(0, length);
         text.remove_prefix(std::max<std::size_t>(length, 1));
     }

@@ -109,9 +109,7 @@ std::string latex_text(std::string_view text) {
     return result;
 }
 
-std::size_t columns(std::string_view text) {
-    return count_characters(text);
-}
+std::size_t columns(std::string_view text) { return count_characters(text); }
 
 std::string latex_sign(std::string_view sign) {
     const std::string_view known = looked_up(signs, sign);
