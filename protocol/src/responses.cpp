@@ -77,8 +77,7 @@ FieldList common_fields() {
 }
 
 const Operation& find_operation(std::string_view name) {
-    const auto found = std::ranges::find(operations(), name, &Operation::name);
-    if (found != operations().end()) return *found;
+    if (const Operation* found = operation_of(name)) return *found;
     const std::vector<std::string_view> names = mapped(operations(), &Operation::name);
     throw Error(ErrorCode::unknown_op, "the operation " + quoted(name) + " is not known" +
                                            suggestion(name, names) + "; known are: " + joined(names));

@@ -73,7 +73,7 @@ TEST_CASE("a disagreement prints what is needed to reproduce it") {
                      {"values", Json::Object{{"symmetric", Rational(5)}, {"casteljau", Rational(6)}}},
                      {"skipped", Json::Array{}}};
     wrong.given.push_back(read_map(*request.find("map"), Limits{}));
-    const auto agree = std::ranges::find(operations(), "agree", &Operation::name);
+    const auto agree = operation_of("agree");
     const std::string text = agree->render({request, wrong, Limits{}, Style(false)});
     CHECK(contains(text, "symmetric functions   p(5) = 5\n"));
     CHECK(contains(text, "de Casteljau          p(5) = 6\n"));

@@ -89,10 +89,8 @@ public:
 private:
     void add_request(const Json& request) {
         const std::string* name = request.find("op")->text();
-        const auto found = std::ranges::find_if(protocol::operations(), [&](const Operation& operation) {
-            return name && operation.name == *name;
-        });
-        if (found == protocol::operations().end()) return;
+        const Operation* const found = name ? operation_of(*name) : nullptr;
+        if (!found) return;
         Json::Object own = *request.object();
         std::erase_if(own, [](const Json::Member& member) {
             return member.first == "op" || names_of(common_fields()).contains(member.first);
@@ -200,8 +198,7 @@ TEST_CASE("every operation, field and option is documented") {
 }
 
 TEST_CASE("the alternatives of a field are those of its option") {
-    const auto& all = operations();
-    const auto insert_knots = std::ranges::find(all, std::string_view("insert-knots"), &Operation::name);
+    const Operation* const insert_knots = operation_of("insert-knots");
     const auto method = std::ranges::find(insert_knots->options, std::string("--method"), &Option::name);
     CHECK(method->value == "boehm|oslo");
     const auto& described = operation_descriptions();

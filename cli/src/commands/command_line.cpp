@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
+#include <memory>
 #include <system_error>
 
 #include <blossom/protocol/description.hpp>
@@ -88,6 +89,12 @@ public:
 private:
     std::vector<const CLI::Option*> options_;
 };
+
+/// `wanted` alone, where it is one of the names: only the options of a command that is run are made.
+std::vector<std::string_view> named_or_all(std::string_view wanted, std::vector<std::string_view> names) {
+    if (std::ranges::find(names, wanted) == names.end()) return names;
+    return {wanted};
+}
 
 /// What a command does once the command line is parsed.
 using Action = std::function<Outcome(const Streams& streams)>;
@@ -170,6 +177,8 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
 }
 
 constexpr std::size_t most_jobs = 256;
+constexpr std::string_view version_flag = "--version";
+constexpr std::string_view completion_name = "completion";
 
 Subcommand add_prove(CLI::App& app, const Operation& operation) {
     CLI::App* command = app.add_subcommand(std::string(operation.name), std::string(operation.summary));
@@ -230,26 +239,24 @@ Outcome write_gallery(const std::filesystem::path& folder, const Streams& stream
 }
 
 /// `explain OP ARGS...`: every operation once more, as a command of this command.
-Subcommand add_explain(CLI::App& app, const Operation& explain) {
+Subcommand add_explain(CLI::App& app, const Operation& explain, std::string_view wanted) {
     CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
     command->require_subcommand(0, 1);
     const CLI::Option* gallery =
         add_value(*command, "--gallery", "FOLDER", "write all chapters as a small web site");
-    std::vector<Subcommand> commands = mapped(explained_operations(), [&](const Operation& operation) {
+    const auto explained_operations = std::make_shared<std::vector<Operation>>();
+    for (const std::string_view name : named_or_all(wanted, chapter_names()))
+        explained_operations->push_back(explained(*operation_of(name)));
+    std::vector<Subcommand> commands = mapped(*explained_operations, [&](const Operation& operation) {
         return add_operation(*command, operation);
     });
     command->footer([&explain] { return example_text(explain); });
-    const auto action = [=](const Streams& streams) {
+    const auto action = [=, owner = explained_operations](const Streams& streams) {
         if (gallery->count() > 0) return write_gallery(result_of(*gallery), streams);
         if (command->get_subcommands().empty()) throw UsageError("explain needs a command or --gallery");
         return chosen(commands).action(streams);
     };
     return {command, action};
-}
-
-Subcommand add_own_command(CLI::App& app, const Operation& operation) {
-    return operation.name == explain_operation().name ? add_explain(app, operation)
-                                                      : add_prove(app, operation);
 }
 
 Subcommand add_check_certificate(CLI::App& app) {
@@ -301,7 +308,8 @@ Subcommand add_schema(CLI::App& app) {
 }
 
 Subcommand add_completion(CLI::App& app) {
-    CLI::App* command = app.add_subcommand("completion", "Print a completion script for a shell");
+    CLI::App* command =
+        app.add_subcommand(std::string(completion_name), "Print a completion script for a shell");
     const CLI::Option* shell =
         add_value(*command, "SHELL", std::string(completion_shells), "the shell")->required();
     command->footer("Example:\n  source <(blossom completion bash)");
@@ -316,6 +324,34 @@ Subcommand add_completion(CLI::App& app) {
         return Outcome::success;
     };
     return {command, action};
+}
+
+/// A command that is no operation.
+struct OtherCommand {
+    std::string_view name;
+    Subcommand (*add)(CLI::App& app);
+};
+constexpr OtherCommand other_commands[] = {{"check-certificate", add_check_certificate},
+                                           {"batch", add_batch},
+                                           {"schema", add_schema},
+                                           {completion_name, add_completion}};
+
+/// The command that the arguments begin with, or all.
+std::vector<Subcommand> add_commands(CLI::App& app, std::span<const std::string> arguments) {
+    const auto word = [&](std::size_t i) {
+        return i < arguments.size() ? std::string_view(arguments[i]) : std::string_view();
+    };
+    if (word(0) == version_flag) return {};
+    std::vector<std::string_view> names;
+    for (const OperationEntry& entry : operation_table) names.push_back(entry.name);
+    for (const OtherCommand& other : other_commands) names.push_back(other.name);
+    if (word(0) != completion_name) names = named_or_all(word(0), std::move(names));
+    return mapped(names, [&](std::string_view name) {
+        const Operation* const operation = operation_of(name);
+        if (!operation) return std::ranges::find(other_commands, name, &OtherCommand::name)->add(app);
+        if (name == explain_name) return add_explain(app, *operation, word(1));
+        return operation->has_own_command ? add_prove(app, *operation) : add_operation(app, *operation);
+    });
 }
 
 Outcome wrong_usage(const std::string& message, const Streams& streams) {
@@ -335,31 +371,25 @@ Outcome run(std::span<const std::string> arguments, const Streams& given) {
     };
     CLI::App app("Exact blossoms (polar forms) of polynomials over the rationals", "blossom");
     app.require_subcommand(1);
-    app.set_version_flag("--version", "blossom " BLOSSOM_VERSION);
+    app.set_version_flag(std::string(version_flag), "blossom " BLOSSOM_VERSION);
     app.footer(
         "A value \"-\" is read from the standard input, a value \"@NAME\" from a file.\n"
         "Exit status: 0 success, 1 a request was refused, 2 wrong usage, 3 constructions disagree.");
     app.get_formatter()->column_width(34);
 
-    std::vector<Subcommand> commands = mapped(operations(), [&](const Operation& operation) {
-        return operation.has_own_command ? add_own_command(app, operation) : add_operation(app, operation);
-    });
-    commands.push_back(add_check_certificate(app));
-    commands.push_back(add_batch(app));
-    commands.push_back(add_schema(app));
-    commands.push_back(add_completion(app));
+    const std::vector<Subcommand> commands = add_commands(app, arguments);
 
     std::vector<std::string> reversed;
     // "-e" is an option of one command, also behind explain, and a polynomial for the others.
     const auto command = std::ranges::find_if(
-        arguments, [&](const std::string& argument) { return argument != explain_operation().name; });
-    const bool proves = command != arguments.end() && *command == prove_operation().name;
+        arguments, [&](const std::string& argument) { return argument != explain_name; });
+    const bool proves = command != arguments.end() && *command == prove_name;
     std::ranges::transform(arguments, std::back_inserter(reversed), [&](const std::string& argument) {
         return proves && argument == "-e" ? argument : protected_value(argument);
     });
     std::ranges::reverse(reversed);
     try {
-        const bool explains = arguments.size() > 1 && arguments.front() == explain_operation().name;
+        const bool explains = arguments.size() > 1 && arguments.front() == explain_name;
         if (explains && !arguments[1].starts_with('-') && !has_chapter(arguments[1])) {
             throw UsageError(no_chapter(arguments[1]));
         }

@@ -61,8 +61,10 @@ std::vector<Option> statement_options() {
              true}};
 }
 
+}  // namespace
+
 Operation explained(const Operation& operation) {
-    const Operation explain = explain_operation();
+    const Operation& explain = *operation_of(explain_name);
     Operation command{.name = operation.name,
                       .summary = operation.summary,
                       .documentation = explain.documentation,
@@ -73,25 +75,12 @@ Operation explained(const Operation& operation) {
                       .answer = explain.answer,
                       .render = explain.render,
                       .explains = true};
-    const bool proves = operation.name == prove_operation().name;
+    const bool proves = operation.name == prove_name;
     for (const Option& option : proves ? statement_options() : operation.options) {
         command.options.push_back(inside_request(option));
     }
     std::ranges::move(document_options(), std::back_inserter(command.options));
     return command;
-}
-
-}  // namespace
-
-const std::vector<Operation>& explained_operations() {
-    static const std::vector<Operation> table = [] {
-        std::vector<Operation> commands;
-        for (const Operation& operation : operations()) {
-            if (has_chapter(operation.name)) commands.push_back(explained(operation));
-        }
-        return commands;
-    }();
-    return table;
 }
 
 }  // namespace blossom::cli

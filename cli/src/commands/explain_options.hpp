@@ -7,8 +7,8 @@
 
 namespace blossom::cli {
 
-/// The operations as commands behind `explain`: the same options, which write into the explained request, and
-/// those that say how the document is written.
-const std::vector<Operation>& explained_operations();
+/// The command behind `explain` for an operation that has a chapter: its options, which write the request
+/// that is explained, and those of documents.
+Operation explained(const Operation& operation);
 
 }  // namespace blossom::cli

@@ -210,9 +210,9 @@ std::vector<Document> proof_pages(const Json& request, const Limits& limits) {
 Document with_weights(Document document, const Json& request, const Answer& answer) {
     if (answer.given.empty()) return document;
     const Map& map = answer.given.front();
-    const bool said = std::holds_alternative<Patch>(map.value) ||
-                      (*request.find("op")->text() == evaluate_operation().name &&
-                       !std::holds_alternative<BSplineCurve>(map.value));
+    const bool said =
+        std::holds_alternative<Patch>(map.value) ||
+        (*request.find("op")->text() == "evaluate" && !std::holds_alternative<BSplineCurve>(map.value));
     if (!map.form.rational || (said && !map.form.homogeneous)) return document;
     document.statement.emplace_back(worked::Paragraph{
         "The curve is rational, and all its values here are homogeneous: the last coordinate is a weight, "
@@ -242,7 +242,7 @@ constexpr std::array<Chapter, 11> chapters{{{"agree", agreement_chapter},
 
 std::vector<std::string_view> chapter_names() {
     std::vector<std::string_view> names = mapped(chapters, &Chapter::operation);
-    names.push_back(prove_operation().name);
+    names.push_back(prove_name);
     return names;
 }
 
@@ -258,7 +258,7 @@ std::string no_chapter(std::string_view operation) {
 
 std::vector<Document> chapters_of(const Json& request, const Limits& limits) {
     const Json* name = request.find("op");
-    if (name && name->text() && *name->text() == prove_operation().name) return proof_pages(request, limits);
+    if (name && name->text() && *name->text() == prove_name) return proof_pages(request, limits);
     const Answer answer = find_answer(request, limits);
     const auto* chapter = std::ranges::find(chapters, *name->text(), &Chapter::operation);
     if (chapter == chapters.end()) throw Error(ErrorCode::unknown_op, no_chapter(*name->text()), Place{"op"});

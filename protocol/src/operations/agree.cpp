@@ -207,7 +207,6 @@ Members result() {
 
 Operation agree_operation() {
     return {
-        .name = "agree",
         .summary = "Build the blossom by three constructions and check that they agree exactly",
         .documentation =
             "Without arguments the constructions are compared as polynomials in symbols for them.",

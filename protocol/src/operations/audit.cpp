@@ -245,7 +245,6 @@ Operation audit_operation() {
     const std::string computed =
         "the numbers of the other program, by members of the map, or the `values` at `at`";
     return {
-        .name = "audit",
         .summary =
             "Measure the error of doubles computed by another program, against the exact numbers of a map",
         .documentation = "Each double counts as the exact number that it represents.",

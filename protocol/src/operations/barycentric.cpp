@@ -36,7 +36,6 @@ std::string render(const Answered& answered) {
 
 Operation barycentric_operation() {
     return {
-        .name = "barycentric",
         .summary = "Compute the barycentric coordinates of points with respect to a simplex",
         .documentation =
             "The points lie in the affine hull of the vertices, which may be fewer than span the space.",

@@ -146,7 +146,6 @@ Members result() {
 
 Operation basis_functions_operation() {
     return {
-        .name = "basis-functions",
         .summary =
             "Compute the B-spline basis functions over knots, as polynomials or as values at parameters",
         .documentation = "Each function is given within the domain of the knots.",

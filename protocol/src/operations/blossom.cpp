@@ -73,7 +73,6 @@ std::string render(const Answered& answered) {
 
 Operation blossom_operation() {
     return {
-        .name = "blossom",
         .summary = "Compute the value of the blossom at points, vectors, or pairs with any mass",
         .documentation = "A B-spline has one blossom per segment.",
         .request = {{map_field(),

@@ -217,7 +217,6 @@ void apply_requests(Json& request, const std::vector<std::string>& values, const
 
 Operation certify_operation() {
     return {
-        .name = "certify",
         .summary = "Answer requests as a file in which Coq checks every number",
         .documentation =
             "Coq computes each number again, from the definition of the blossom in the theorems.",

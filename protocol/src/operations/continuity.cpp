@@ -238,7 +238,6 @@ Members result() {
 
 Operation continuity_operation() {
     return {
-        .name = "continuity",
         .summary =
             "Find the order of continuity of a spline at a knot, or of two curves or patches, with the "
             "reason",

@@ -135,7 +135,6 @@ void apply_degree(Json& request, const std::vector<std::string>& values, const L
 
 Operation control_points_operation() {
     return {
-        .name = "control-points",
         .summary = "Compute the control points of a map over any interval, simplex or box",
         .documentation =
             "A spline becomes its part over the interval, a Bezier curve where this is one polynomial.",

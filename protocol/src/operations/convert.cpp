@@ -198,7 +198,6 @@ std::vector<Option> options() {
 
 Operation convert_operation() {
     return {
-        .name = "convert",
         .summary = "Convert a map to another basis or form",
         .documentation = "A spline is converted segment by segment.",
         .request = request(),

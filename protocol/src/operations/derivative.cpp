@@ -209,7 +209,6 @@ std::string of_derived_map(const Answered& answered) {
 
 Operation derivative_operation() {
     return {
-        .name = "derivative",
         .summary = "Differentiate a map: values at parameters, or the derivative as a map",
         .documentation = "Rational maps are differentiated by the quotient rule.",
         .request = {{map_field(), optional("at", parameters_shape(),

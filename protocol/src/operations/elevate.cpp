@@ -68,7 +68,6 @@ Json degrees_to_raise_by(std::string_view text, const Json&) {
 
 Operation elevate_operation() {
     return {
-        .name = "elevate",
         .summary = "Raise the degree of a map without changing it",
         .documentation =
             "The kind of the map stays, except that a progressive or hermite map becomes a bezier map.",

@@ -39,7 +39,6 @@ std::string render(const Answered& answered) {
 
 Operation evaluate_operation() {
     return {
-        .name = "evaluate",
         .summary = "Compute the exact values of a map at parameters",
         .documentation = "A spline can be evaluated in its domain, every other curve anywhere.",
         .request = {{map_field(), required("at", parameters_shape(), "the parameters"),

@@ -47,7 +47,6 @@ Operation exercise_operation() {
     };
     std::ranges::move(document_fields(), std::back_inserter(fields));
     return {
-        .name = "exercise",
         .summary = "Print a sheet of problems, or its worked solutions; the same seed gives the same sheet",
         .documentation = "The numbers are small enough to compute by hand.",
         .request = {std::move(fields)},

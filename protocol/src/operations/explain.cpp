@@ -24,7 +24,6 @@ Operation explain_operation() {
         required("request", Shape::request_of(chapter_names()), "the request that is worked out")};
     std::ranges::move(document_fields(), std::back_inserter(fields));
     return {
-        .name = "explain",
         .summary = "Work out a computation step by step, as text, Markdown, LaTeX, HTML or JSON",
         .documentation = "A page has every step, with formulas, pyramids, tables and pictures.",
         .request = {std::move(fields)},

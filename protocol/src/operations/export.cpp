@@ -30,7 +30,6 @@ std::string render(const Answered& answered) { return to_text(*answered.result()
 
 Operation export_operation() {
     return {
-        .name = "export",
         .summary = "Write curves as a file of tinyspline, geomdl or splinepy, each number correctly rounded",
         .documentation = "A curve that is one polynomial becomes a B-spline of one segment.",
         .request = {{format_field()}, {{{map_field()}, {maps_field("several curves")}}}},

@@ -19,7 +19,6 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation graph_operation() {
     return {
-        .name = "graph",
         .summary = "Compute the curve (t, P(t)) of a map P",
         .documentation = "The parameter is added as the first coordinate.",
         .request = {{map_field()}},

@@ -23,7 +23,6 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation import_operation() {
     return {
-        .name = "import",
         .summary =
             "Read the curves in a file of tinyspline, geomdl or splinepy, with the exact values of its "
             "doubles",

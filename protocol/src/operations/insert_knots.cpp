@@ -66,7 +66,6 @@ Json lists_of_knots(std::string_view text, const Json&) {
 
 Operation insert_knots_operation() {
     return {
-        .name = "insert-knots",
         .summary = "Insert knots into a B-spline without changing the curve",
         .documentation = "The curve stays the same.",
         .request = {{map_field(),

@@ -58,7 +58,6 @@ std::string render(const Answered& answered) {
 
 Operation inverse_formula_operation() {
     return {
-        .name = "inverse-formula",
         .summary = "Compute the weights that turn values of a map into control points",
         .documentation = "The formula is exact for maps up to its degree.",
         .request = {{required("degree", ValueKind::count, "the degree")},

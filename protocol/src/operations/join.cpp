@@ -71,7 +71,6 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation join_operation() {
     return {
-        .name = "join",
         .summary = "Join Bezier curves on adjacent intervals to a B-spline",
         .documentation = "Given knots must fit the curves, which must be as smooth as the knots say.",
         .request = {{maps_field("the Bezier curves"),

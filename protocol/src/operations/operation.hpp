@@ -3,6 +3,7 @@
 #include <blossom/rational/limits.hpp>
 
 #include <functional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,7 +45,7 @@ struct Answered {
 
 /// One operation of the protocol, and the command of the same name.
 struct Operation {
-    std::string_view name;
+    std::string_view name = {};  ///< as the table has it
     std::string_view summary;
     std::string_view documentation;  ///< one sentence
     Members request;                 ///< its fields besides those of every request
@@ -62,7 +63,15 @@ struct Operation {
 /// The options of fields with what their fields say: the alternatives of a word, and the help.
 std::vector<Option> completed(std::vector<Option> options, const Members& request);
 
+std::size_t operation_count();
+/// An operation of the table, which is described when it is first asked for.
+const Operation& operation_at(std::size_t index);
+/// The operation of this name, or nullptr.
+const Operation* operation_of(std::string_view name);
+
 /// All of them, in the order of the help.
-const std::vector<Operation>& operations();
+inline auto operations() {
+    return std::views::iota(std::size_t{0}, operation_count()) | std::views::transform(operation_at);
+}
 
 }  // namespace blossom::protocol

@@ -75,7 +75,6 @@ std::string render(const Answered& answered) { return to_text(answered.result())
 
 Operation prove_operation() {
     return {
-        .name = "prove",
         .summary = "Decide statements of the identity language, exactly and for all values",
         .documentation = "A claim is proved for all maps and all values, or refuted with a counterexample.",
         .request = {{required("statement", Shape::one_of({ValueKind::text, Shape::list(ValueKind::text, 1)}),

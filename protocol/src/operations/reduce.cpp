@@ -88,7 +88,6 @@ std::string render(const Answered& answered) {
 
 Operation reduce_operation() {
     return {
-        .name = "reduce",
         .summary = "Approximate a curve by one of lower degree, with the exact error",
         .documentation = "The segments of a spline are reduced one by one.",
         .request = {{map_field(), required("to", ValueKind::count, "the new degree"),

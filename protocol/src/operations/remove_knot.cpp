@@ -61,7 +61,6 @@ Shape obstruction_shape() {
 
 Operation remove_knot_operation() {
     return {
-        .name = "remove-knot",
         .summary =
             "Remove a knot from a B-spline without changing the curve, or say why that is not possible",
         .documentation = "The curve never changes: a removal that would change it is not made.",

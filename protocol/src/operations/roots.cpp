@@ -119,7 +119,6 @@ Shape root_shape() {
 
 Operation roots_operation() {
     return {
-        .name = "roots",
         .summary = "Isolate the real roots of a scalar map in an interval, with their multiplicities",
         .documentation = "A rational root is given exactly, any other by an interval that has no other root.",
         .request = {{map_field(),

@@ -39,7 +39,6 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation segments_operation() {
     return {
-        .name = "segments",
         .summary = "Split a B-spline into its Bezier curves",
         .documentation = "There is one for each non-empty span of the knots.",
         .request = {{map_field()}},

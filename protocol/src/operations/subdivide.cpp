@@ -139,7 +139,6 @@ Answer answer(Request& request, const Limits& limits) {
 
 Operation subdivide_operation() {
     return {
-        .name = "subdivide",
         .summary = "Split a curve or patch at a parameter",
         .documentation =
             "The parameter may lie outside the interval of a Bezier curve, but in the domain of a B-spline.",

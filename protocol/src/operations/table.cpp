@@ -1,18 +1,36 @@
 #include "table.hpp"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <mutex>
+#include <optional>
+
 namespace blossom::protocol {
 
-const std::vector<Operation>& operations() {
-    static const std::vector<Operation> all = [] {
-        std::vector<Operation> described;
-        for (const auto describe : operation_table) {
-            described.push_back(describe());
-            described.back().options =
-                completed(std::move(described.back().options), described.back().request);
-        }
-        return described;
-    }();
-    return all;
+std::size_t operation_count() { return std::size(operation_table); }
+
+const Operation& operation_at(std::size_t index) {
+    struct Described {
+        std::once_flag once;
+        std::optional<Operation> operation;
+    };
+    static std::array<Described, std::size(operation_table)> all;
+    Described& described = all[index];
+    std::call_once(described.once, [&] {
+        const OperationEntry& entry = operation_table[index];
+        Operation operation = entry.describe();
+        operation.name = entry.name;
+        operation.options = completed(std::move(operation.options), operation.request);
+        described.operation = std::move(operation);
+    });
+    return *described.operation;
+}
+
+const Operation* operation_of(std::string_view name) {
+    const auto* const entry = std::ranges::find(operation_table, name, &OperationEntry::name);
+    if (entry == std::ranges::end(operation_table)) return nullptr;
+    return &operation_at(static_cast<std::size_t>(entry - operation_table));
 }
 
 }  // namespace blossom::protocol

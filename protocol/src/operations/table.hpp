@@ -33,17 +33,42 @@ Operation roots_operation();
 Operation segments_operation();
 Operation subdivide_operation();
 
+inline constexpr std::string_view explain_name = "explain";
+inline constexpr std::string_view prove_name = "prove";
+
+struct OperationEntry {
+    std::string_view name;
+    Operation (*describe)();
+};
+
 /// In the order of the help.
-inline constexpr Operation (*operation_table[])() = {
-    agree_operation,       blossom_operation,         evaluate_operation,
-    derivative_operation,  control_points_operation,  convert_operation,
-    graph_operation,       subdivide_operation,       elevate_operation,
-    reduce_operation,      inverse_formula_operation, insert_knots_operation,
-    remove_knot_operation, segments_operation,        join_operation,
-    continuity_operation,  basis_functions_operation, roots_operation,
-    prove_operation,       audit_operation,           import_operation,
-    export_operation,      certify_operation,         explain_operation,
-    exercise_operation,    barycentric_operation,
+inline constexpr OperationEntry operation_table[] = {
+    {"agree", agree_operation},
+    {"blossom", blossom_operation},
+    {"evaluate", evaluate_operation},
+    {"derivative", derivative_operation},
+    {"control-points", control_points_operation},
+    {"convert", convert_operation},
+    {"graph", graph_operation},
+    {"subdivide", subdivide_operation},
+    {"elevate", elevate_operation},
+    {"reduce", reduce_operation},
+    {"inverse-formula", inverse_formula_operation},
+    {"insert-knots", insert_knots_operation},
+    {"remove-knot", remove_knot_operation},
+    {"segments", segments_operation},
+    {"join", join_operation},
+    {"continuity", continuity_operation},
+    {"basis-functions", basis_functions_operation},
+    {"roots", roots_operation},
+    {prove_name, prove_operation},
+    {"audit", audit_operation},
+    {"import", import_operation},
+    {"export", export_operation},
+    {"certify", certify_operation},
+    {explain_name, explain_operation},
+    {"exercise", exercise_operation},
+    {"barycentric", barycentric_operation},
 };
 
 }  // namespace blossom::protocol
