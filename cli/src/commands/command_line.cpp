@@ -290,6 +290,7 @@ Subcommand add_batch(CLI::App& app) {
         "  {\"ok\": true, \"result\": {\"values\": [\"1/4\"]}}");
     const auto action = [=](const Streams& streams) {
         const std::size_t threads = integer(result_of(*jobs, "1"), "--jobs", 1, most_jobs);
+        std::ranges::for_each(operations(), [](const Operation&) {});  // described before memory is scarce
         const std::string name = result_of(*file, "-");
         return serve_batch(name == "-" ? streams.input : file_source(name), streams.output, limits.read(),
                            threads);

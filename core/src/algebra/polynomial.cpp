@@ -1,5 +1,6 @@
 #include <blossom/core/algebra/polynomial.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/integer_polynomials.hpp>
 
 #include <algorithm>
 
@@ -24,13 +25,6 @@ RationalVector combined(const RationalVector& a, const RationalVector& b, int si
     for (std::size_t k = 0; k < a.size(); ++k) sums[k].add_product(a.numerators()[k], scale_a);
     for (std::size_t k = 0; k < b.size(); ++k) sums[k].add_product(b.numerators()[k], scale_b);
     return {std::move(sums), denominator};
-}
-
-/// The polynomial divided by its content, with integer coefficients.
-Polynomial primitive(const Polynomial& polynomial) {
-    Integer content;
-    for (const Integer& numerator : polynomial.coefficients().numerators()) content = gcd(content, numerator);
-    return Polynomial(RationalVector(polynomial.coefficients().numerators(), content));
 }
 
 Polynomial monic(const Polynomial& polynomial) {
@@ -139,14 +133,9 @@ Polynomial divide_exactly(const Polynomial& a, const Polynomial& b) {
 }
 
 Polynomial gcd(const Polynomial& a, const Polynomial& b) {
-    Polynomial x = a;
-    Polynomial y = b;
-    while (!y.is_zero()) {
-        Polynomial rest = divide(x, y).second;
-        x = std::move(y);
-        y = rest.is_zero() ? rest : primitive(rest);
-    }
-    return monic(x);
+    if (a.is_zero() || b.is_zero()) return monic(a.is_zero() ? b : a);
+    return monic(Polynomial(
+        RationalVector(primitive_gcd(a.coefficients().numerators(), b.coefficients().numerators()), 1)));
 }
 
 Polynomial pow(const Polynomial& base, std::size_t exponent) {

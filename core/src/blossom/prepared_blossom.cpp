@@ -125,10 +125,11 @@ struct Blossom::Shared {
         const Kernel* known = ready.load(std::memory_order_acquire);
         if (known || asked.fetch_add(count, std::memory_order_relaxed) + count <= values_without)
             return known;
-        std::call_once(once, [&] {
+        const std::scoped_lock lock(preparing);  // not std::call_once, whose exceptions need more memory
+        if (!kernel) {
             kernel.emplace(map, limits, BlossomSums::Use::many);
             ready.store(&*kernel, std::memory_order_release);
-        });
+        }
         return &*kernel;
     }
 
@@ -149,7 +150,7 @@ struct Blossom::Shared {
     PolynomialMap map;
     Limits limits;
     mutable std::atomic<std::size_t> asked = 0;
-    mutable std::once_flag once;
+    mutable std::mutex preparing;
     mutable std::optional<Kernel> kernel;
     mutable std::atomic<const Kernel*> ready = nullptr;
 };

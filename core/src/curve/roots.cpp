@@ -1,11 +1,13 @@
-#include <blossom/core/blossom/change_of_basis.hpp>
 #include <blossom/core/curve/roots.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/integer_polynomials.hpp>
 
 #include <algorithm>
 #include <optional>
 
+#include "maps/change_of_interval.hpp"
 #include "maps/integer_frame.hpp"
+#include "rounded_polygon.hpp"
 
 namespace blossom {
 
@@ -25,19 +27,6 @@ std::size_t sign_changes(const Polygon& polygon) {
     return changes;
 }
 
-/// The polygons over both halves, scaled by 2^n: de Casteljau at the midpoint with additions alone.
-std::pair<Polygon, Polygon> halves(Polygon polygon) {
-    const std::size_t n = polygon.size() - 1;
-    Polygon left(n + 1);
-    Polygon right(n + 1);
-    for (std::size_t r = 0; r <= n; ++r) {
-        left[r] = polygon[0] << (n - r);
-        right[n - r] = polygon[n - r] << (n - r);
-        for (std::size_t i = 0; i + r < n; ++i) polygon[i] += polygon[i + 1];
-    }
-    return {std::move(left), std::move(right)};
-}
-
 /// The sign of the polynomial at p / q with q > 0.
 int sign_at(const Polynomial& polynomial, const Rational& t) {
     return constructions::form_value(std::span<const Integer>(polynomial.coefficients().numerators()),
@@ -45,7 +34,35 @@ int sign_at(const Polynomial& polynomial, const Rational& t) {
         .sign();
 }
 
-/// Isolates and refines the roots of one squarefree factor.
+/// The intervals of a grid whose cells are halved: cell i of level m is the i-th of 2^m equal parts of an
+/// interval.
+class Grid {
+public:
+    Grid(const Rational& lower, const Rational& upper) : lower_(lower), length_(upper - lower) {}
+
+    Rational point(std::size_t level, const Integer& index) const {
+        return lower_ + length_ * Rational(index, Integer(1) << level);
+    }
+    /// The first level whose cells are shorter than `bound`, or as long where that is enough.
+    std::size_t level_below(const Rational& bound, bool or_equal) const {
+        const Rational ratio = length_ / bound;
+        const std::size_t above = ratio.numerator().bit_length();
+        const std::size_t below = ratio.denominator().bit_length();
+        std::size_t level = above > below + 1 ? above - below - 1 : 0;
+        const auto is_enough = [&] {
+            const auto order = ratio <=> Rational(Integer(1) << level);
+            return order < 0 || (or_equal && order == 0);
+        };
+        while (!is_enough()) ++level;
+        return level;
+    }
+
+private:
+    Rational lower_;
+    Rational length_;
+};
+
+/// Isolates and refines the roots of a squarefree polynomial that has no rational ones.
 class Isolation {
 public:
     Isolation(const Polynomial& factor, std::size_t multiplicity, const Rational& width, const Limits& limits,
@@ -57,59 +74,57 @@ public:
           limits_(limits),
           found_(found) {}
 
+    /// The roots between `lower` and `upper`. The pending halves stand on a stack of their own: close roots
+    /// would nest calls deeply.
     void run(const Rational& lower, const Rational& upper) {
-        if (sign_at(factor_, lower) == 0) add(lower);
-        search(polygon_over(cleared(Interval(lower, upper))), lower, upper);
-        if (sign_at(factor_, upper) == 0) add(upper);
-    }
-
-private:
-    struct Piece {
-        Polygon polygon;
-        Rational lower;
-        Rational upper;
-        std::size_t changes_before = 0;  ///< sign changes of what it was cut out of; 0 at the beginning
-        std::size_t speed = 2;           ///< how many bits `around_cluster` tries to gain
-    };
-
-    void add(const Rational& root) { found_.push_back({root, root, multiplicity_}); }
-
-    /// The roots strictly between `lower` and `upper`. The pending halves stand on a stack of their own:
-    /// close roots would nest calls deeply.
-    void search(Polygon polygon, const Rational& lower, const Rational& upper) {
         std::vector<Piece> pending;
-        pending.push_back({std::move(polygon), lower, upper});
+        pending.push_back({RoundedPolygon(polygon_over(lower, upper)), lower, upper});
         while (!pending.empty()) {
             Piece piece = std::move(pending.back());
             pending.pop_back();
-            const std::size_t changes = sign_changes(piece.polygon);
-            if (changes == 0) continue;
-            if (changes == 1) {
+            SignChanges changes = piece.polygon.sign_changes();
+            if (changes.least < 2 && changes.least != changes.most) {
+                const Polygon polygon = polygon_over(piece.lower, piece.upper);
+                changes.least = changes.most = sign_changes(polygon);
+                piece.polygon = RoundedPolygon(polygon);
+            }
+            if (changes.most == 0) continue;
+            if (changes.most == 1) {
                 refine(piece.lower, piece.upper);
                 continue;
             }
-            require_result_bits(greatest_bit_length(piece.polygon), limits_);
-            if (changes == piece.changes_before) {
-                if (auto cluster = around_cluster(piece, changes)) {
-                    pending.push_back(std::move(*cluster));
+            piece.stalls = changes.least == piece.changes_before ? piece.stalls + 1 : 0;
+            if (piece.stalls > 1) {
+                if (auto cluster = around_cluster(piece)) {
+                    pending.push_back(*std::move(cluster));
                     continue;
                 }
             }
             const Rational middle = (piece.lower + piece.upper) / 2;
             const std::size_t speed = std::max<std::size_t>(piece.speed / 2, 2);
-            auto [left, right] = halves(std::move(piece.polygon));
-            if (left.back().is_zero()) add(middle);
-            pending.push_back({std::move(right), middle, piece.upper, changes, speed});
-            pending.push_back({std::move(left), piece.lower, middle, changes, speed});
+            auto [left, right] = std::move(piece.polygon).halves();
+            pending.push_back({std::move(right), middle, piece.upper, changes.least, piece.stalls, speed});
+            pending.push_back({std::move(left), piece.lower, middle, changes.least, piece.stalls, speed});
         }
     }
 
+private:
+    struct Piece {
+        RoundedPolygon polygon;
+        Rational lower;
+        Rational upper;
+        std::size_t changes_before = 0;  ///< at least, of what it was cut out of; 0 at the beginning
+        std::size_t stalls = 0;          ///< how often in a row halving has not lowered them
+        std::size_t speed = 2;           ///< how many bits `around_cluster` tries to gain
+    };
+
     /// A much smaller part of the piece, by 3 / 2^(speed + 2), that has all its sign changes and so all its
-    /// roots: sign changes of disjoint parts, and simple roots where these meet, add up to at most the sign
-    /// changes of the whole, so that there are none elsewhere and none at the new ends. Newton's step for a
-    /// root of multiplicity `changes` from the middle says where to look; it comes near a cluster of roots,
-    /// and the next step may be smaller by the square. None if it fails.
-    std::optional<Piece> around_cluster(const Piece& piece, std::size_t changes) const {
+    /// roots: sign changes of disjoint parts add up to at most the sign changes of the whole, so that there
+    /// are none elsewhere. Newton's step for a root of as great a multiplicity from the middle says where to
+    /// look; it comes near a cluster of roots, and the next step may be smaller by the square. None if it
+    /// fails.
+    std::optional<Piece> around_cluster(const Piece& piece) const {
+        const std::size_t changes = sign_changes(polygon_over(piece.lower, piece.upper));
         const Rational middle = (piece.lower + piece.upper) / 2;
         const Rational slope = slope_(middle);
         if (slope.is_zero()) return std::nullopt;
@@ -120,52 +135,77 @@ private:
         const Rational begin = piece.lower + Rational(cells.numerator() / cells.denominator() - 1) * cell;
         const Rational lower = std::max(begin, piece.lower);
         const Rational upper = std::min(begin + 3 * cell, piece.upper);
-        const auto interval = cleared(Interval(lower, upper));
         constexpr std::size_t bits_of_digits = 3;
-        if (factor_.degree() * interval.bits() > bits_of_digits * limits_.digits) return std::nullopt;
-        Polygon polygon = polygon_over(interval);
+        if (factor_.degree() * cleared(Interval(lower, upper)).bits() > bits_of_digits * limits_.digits)
+            return std::nullopt;
+        const Polygon polygon = polygon_over(lower, upper);
         if (sign_changes(polygon) != changes) return std::nullopt;
-        return Piece{std::move(polygon), lower, upper, changes, 2 * piece.speed};
+        return Piece{RoundedPolygon(polygon), lower, upper, changes, piece.stalls, 2 * piece.speed};
     }
 
-    Polygon polygon_over(const ClearedInterval& interval) const {
-        const std::span<const Integer> coefficients = factor_.coefficients().numerators();
-        return constructions::bernstein_from_monomial(coefficients, interval.a, interval.b, interval.q)
-            .numerators;
+    Polygon polygon_over(const Rational& lower, const Rational& upper) const {
+        const Interval interval(lower, upper);
+        require_result_bits(greatest_bit_length(coefficients()) + factor_.degree() * cleared(interval).bits(),
+                            limits_);
+        return bernstein_from_monomial(coefficients(), interval).numerators;
     }
 
-    /// Exactly one root lies strictly between: bisects until a rational one would be recognised and the width
-    /// is reached.
-    void refine(Rational lower, Rational upper) {
-        const Integer& leading = factor_.coefficients().numerators().back();
-        const Rational enough = Rational(1, abs(leading));
-        int sign_behind = sign_at(factor_, upper);
-        if (sign_behind == 0) sign_behind = -sign_just_behind(lower);
-        while (sign_at(factor_, lower) == 0 || sign_at(factor_, upper) == 0 || upper - lower >= enough ||
-               (width_.sign() > 0 && upper - lower > width_)) {
-            const Rational middle = (lower + upper) / 2;
-            const int sign = sign_at(factor_, middle);
-            if (sign == 0) return add(middle);
-            (sign == sign_behind ? upper : lower) = middle;
+    std::span<const Integer> coefficients() const { return factor_.coefficients().numerators(); }
+
+    /// The value at a point p / q of the grid, times the same positive number for all points of a level.
+    Integer value_at(const Rational& t, const Integer& denominator) const {
+        return constructions::form_value(
+            coefficients(), t.numerator() * divide_exactly(denominator, t.denominator()), denominator);
+    }
+
+    /// Exactly one root lies between: finds its cell in the grid of halves by quadratic interval refinement.
+    /// A straight line between the values at the ends of a cell says in which of 2^s parts the root is; where
+    /// the signs confirm this, s is doubled. Source: Abbott, "Quadratic interval refinement for real roots",
+    /// 2014.
+    void refine(const Rational& lower, const Rational& upper) {
+        const Grid grid(lower, upper);
+        const std::size_t level = last_level(grid);
+        const int sign_behind = sign_at(factor_, upper);
+        Integer cell = 0;
+        std::size_t reached = 0;
+        std::size_t gain = 1;
+        while (reached < level) {
+            gain = std::min(gain, level - reached);
+            Integer part = (cell << gain) + guess(grid, reached, cell, gain);
+            const bool lies_behind = sign_at(factor_, grid.point(reached + gain, part)) != sign_behind;
+            const bool lies_before = sign_at(factor_, grid.point(reached + gain, part + 1)) == sign_behind;
+            if (lies_behind && lies_before) {
+                cell = std::move(part);
+                reached += gain;
+                gain *= 2;
+            } else if (gain == 1) {
+                cell = lies_behind ? part + 1 : part - 1;
+                reached += 1;
+            } else {
+                gain /= 2;
+            }
         }
-        // A rational root is k / leading, and at most one such number lies between.
-        const Rational scaled = lower * Rational(abs(leading));
-        Integer k = (scaled.numerator() - modulo(scaled)) / scaled.denominator() + 1;
-        const Rational candidate(std::move(k), abs(leading));
-        if (candidate < upper && sign_at(factor_, candidate) == 0) return add(candidate);
-        found_.push_back({std::move(lower), std::move(upper), multiplicity_});
+        found_.push_back({grid.point(level, cell), grid.point(level, cell + 1), multiplicity_});
     }
 
-    /// numerator mod denominator, in 0..denominator - 1.
-    static Integer modulo(const Rational& value) {
-        Integer rest = value.numerator() % value.denominator();
-        return rest.sign() < 0 ? rest + value.denominator() : rest;
+    /// In which of 2^gain parts of a cell a line through the values at its ends has its zero.
+    Integer guess(const Grid& grid, std::size_t level, const Integer& cell, std::size_t gain) const {
+        const Rational begin = grid.point(level, cell);
+        const Rational end = grid.point(level, cell + 1);
+        const Integer denominator = lcm(begin.denominator(), end.denominator());
+        const Integer before = abs(value_at(begin, denominator));
+        const Integer behind = abs(value_at(end, denominator));
+        Integer part = (before << gain) / (before + behind);
+        return part >> gain == Integer(1) ? part - 1 : part;
     }
 
-    /// The sign immediately to the right of a root of odd order or of any other point.
-    int sign_just_behind(const Rational& t) const {
-        const int sign = sign_at(factor_, t);
-        return sign != 0 ? sign : sign_at(slope_, t);
+    /// Intervals are shorter than 1 / |leading coefficient| or 2^-32, as they would be to tell short rational
+    /// roots apart, and no longer than the width that is wanted.
+    std::size_t last_level(const Grid& grid) const {
+        constexpr std::size_t usual_bits = 32;
+        const Rational usual(1, std::min(abs(coefficients().back()), Integer(1) << usual_bits));
+        const std::size_t level = grid.level_below(usual, false);
+        return width_.sign() > 0 ? std::max(level, grid.level_below(width_, true)) : level;
     }
 
     const Polynomial& factor_;
@@ -175,6 +215,25 @@ private:
     const Limits& limits_;
     std::vector<Root>& found_;
 };
+
+/// A squarefree factor without its rational roots.
+struct IrrationalFactor {
+    Polynomial polynomial;
+    std::size_t multiplicity;
+};
+
+/// Divides by the factors of rational roots, of which those in the interval are added to `found`.
+IrrationalFactor without_rational_roots(const Polynomial& factor, std::size_t multiplicity,
+                                        const Rational& lower, const Rational& upper,
+                                        std::vector<Root>& found) {
+    IntegerPolynomial rest = factor.coefficients().numerators();
+    for (const Rational& root : rational_roots(rest)) {
+        if (lower <= root && root <= upper) found.push_back({root, root, multiplicity});
+        const Integer linear[] = {-root.numerator(), root.denominator()};
+        rest = *exact_quotient(rest, linear);
+    }
+    return {Polynomial(RationalVector(std::move(rest), 1)), multiplicity};
+}
 
 /// Whether two roots of coprime factors are still not told apart: their intervals overlap, or one root is an
 /// end of the interval of the other.
@@ -208,13 +267,17 @@ std::vector<Root> roots(const Polynomial& polynomial, const Interval& interval, 
                         const Limits& limits) {
     const Rational& lower = std::min(interval.a(), interval.b());
     const Rational& upper = std::max(interval.a(), interval.b());
-    const auto factors = squarefree_factors(polynomial);
+    std::vector<Root> rational;
+    std::vector<IrrationalFactor> factors;
+    for (const auto& [factor, multiplicity] : squarefree_factors(polynomial)) {
+        auto rest = without_rational_roots(factor, multiplicity, lower, upper, rational);
+        if (rest.polynomial.degree() > 0) factors.push_back(std::move(rest));
+    }
     Rational finest = width;
     while (true) {
-        std::vector<Root> found;
-        for (const auto& [factor, multiplicity] : factors) {
-            Isolation(factor, multiplicity, finest, limits, found).run(lower, upper);
-        }
+        std::vector<Root> found = rational;
+        for (const IrrationalFactor& factor : factors)
+            Isolation(factor.polynomial, factor.multiplicity, finest, limits, found).run(lower, upper);
         std::ranges::sort(found, {}, [](const Root& root) { return root.lower + root.upper; });
         if (std::ranges::adjacent_find(found, overlap) == found.end()) return found;
         finest = (finest.sign() > 0 ? finest : upper - lower) / 16;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <iterator>
 #include <mutex>
 #include <optional>
@@ -11,20 +12,21 @@ namespace blossom::protocol {
 std::size_t operation_count() { return std::size(operation_table); }
 
 const Operation& operation_at(std::size_t index) {
-    struct Described {
-        std::once_flag once;
-        std::optional<Operation> operation;
-    };
-    static std::array<Described, std::size(operation_table)> all;
-    Described& described = all[index];
-    std::call_once(described.once, [&] {
+    // Not std::call_once, whose exceptions need more memory.
+    static std::array<std::atomic<const Operation*>, std::size(operation_table)> ready{};
+    static std::array<std::optional<Operation>, std::size(operation_table)> described;
+    static std::mutex mutex;
+    if (const Operation* known = ready[index].load(std::memory_order_acquire)) return *known;
+    const std::scoped_lock lock(mutex);
+    if (!described[index]) {
         const OperationEntry& entry = operation_table[index];
         Operation operation = entry.describe();
         operation.name = entry.name;
         operation.options = completed(std::move(operation.options), operation.request);
-        described.operation = std::move(operation);
-    });
-    return *described.operation;
+        described[index] = std::move(operation);
+        ready[index].store(&*described[index], std::memory_order_release);
+    }
+    return *described[index];
 }
 
 const Operation* operation_of(std::string_view name) {

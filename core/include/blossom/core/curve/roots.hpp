@@ -27,17 +27,20 @@ std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynom
 
 /// All real roots of `polynomial` in the closed interval, in rising order, with their multiplicities.
 ///
-/// Each squarefree factor is isolated by subdivision of its control polygon at the midpoint: the number of
-/// sign changes of the polygon exceeds the number of roots by an even number, so that 0 and 1 decide. A root
-/// that is rational is found as such: its denominator divides the leading coefficient, and an interval
-/// shorter than that leaves one candidate. Clusters of close roots are approached by Newton's steps, which
-/// gain twice as many bits each time, and are kept only when the signs prove them. With `width` > 0 the
-/// isolating intervals are refined to at most this length.
+/// The rational roots of each squarefree factor are found by `rational_roots` and divided out. The others are
+/// isolated by subdivision of the control polygon at the midpoint: the number of sign changes of the polygon
+/// exceeds the number of roots by an even number, so that 0 and 1 decide. The polygons are rounded to 128
+/// bits with a bound of the errors, and are computed again exactly where it leaves this open. Clusters of
+/// close roots are approached by Newton's steps, which gain twice as many bits each time, and are kept only
+/// when the signs prove them. Intervals are refined until they are shorter than 1 / |leading coefficient| or
+/// 2^-32, and with `width` > 0 to at most this length.
 ///
-/// Cost: O(n^2) additions a subdivision, and about as many subdivisions as there are roots times the
-/// logarithm of the bits that tell them apart. Errors: `division_by_zero` for the zero polynomial, whose
-/// roots are all numbers; `limit_exceeded`. Source: Goldman, exercise 11; Sagraloff, "When Newton meets
-/// Descartes", for the clusters. Statement: goldman-ex-11.
+/// Cost: O(n^2) additions of words per subdivision, about as many subdivisions as there are roots times the
+/// logarithm of the bits that tell them apart, and O(n) products per step of the refinement, which doubles
+/// the bits. Errors: `division_by_zero` for the zero polynomial, whose roots are all numbers;
+/// `limit_exceeded`. Source: Goldman, exercise 11; Eigenwillig, Kettner, Krandick, Mehlhorn, Schmitt and
+/// Wolpert, "A Descartes algorithm for polynomials with bit-stream coefficients", for the rounding;
+/// Sagraloff, "When Newton meets Descartes", for the clusters. Statement: goldman-ex-11.
 std::vector<Root> roots(const Polynomial& polynomial, const Interval& interval, const Rational& width = 0,
                         const Limits& limits = {});
 

@@ -1,0 +1,168 @@
+#include <blossom/rational/integer_polynomials.hpp>
+#include <blossom/rational/resource_budget.hpp>
+
+#include <algorithm>
+#include <cstdint>
+
+#include "prime_field.hpp"
+
+namespace blossom {
+
+namespace {
+
+using Words = std::vector<std::uint64_t>;
+
+/// Whether a number above 37 is prime: these bases decide for all words.
+bool is_prime(std::uint64_t number) {
+    const auto zeros = static_cast<unsigned>(__builtin_ctzll(number - 1));
+    for (const unsigned base : {2U, 3U, 5U, 7U, 11U, 13U, 17U, 19U, 23U, 29U, 31U, 37U}) {
+        std::uint64_t power = modular::power(base, (number - 1) >> zeros, number);
+        if (power == 1 || power == number - 1) continue;
+        bool composite = true;
+        for (unsigned i = 1; i < zeros && composite; ++i) {
+            power = modular::product(power, power, number);
+            composite = power != number - 1;
+        }
+        if (composite) return false;
+    }
+    return true;
+}
+
+/// The next smaller prime than an odd number.
+std::uint64_t prime_below(std::uint64_t number) {
+    do number -= 2;
+    while (!is_prime(number));
+    return number;
+}
+
+Words words_of(std::span<const Integer> polynomial, const PrimeField& field) {
+    Words words;
+    words.reserve(polynomial.size());
+    for (const Integer& coefficient : polynomial) words.push_back(field.of(coefficient));
+    return words;
+}
+
+void trim(auto& polynomial, const auto& is_zero) {
+    while (!polynomial.empty() && is_zero(polynomial.back())) polynomial.pop_back();
+}
+
+/// Divides by the leading coefficient.
+void make_monic(Words& polynomial, const PrimeField& field) {
+    const std::uint64_t inverse = field.inverse(polynomial.back());
+    for (std::uint64_t& coefficient : polynomial) coefficient = field.product(coefficient, inverse);
+}
+
+/// Of two polynomials that are not zero modulo the prime; monic.
+Words gcd_in(const PrimeField& field, Words a, Words b) {
+    if (a.size() < b.size()) std::swap(a, b);
+    while (!b.empty()) {
+        make_monic(b, field);
+        spend_work(4 * b.size() * (a.size() - b.size() + 1));
+        while (a.size() >= b.size()) {
+            const std::uint64_t factor = field.prime() - a.back();
+            const std::size_t shift = a.size() - b.size();
+            if (a.back() != 0) {
+                for (std::size_t k = 0; k + 1 < b.size(); ++k)
+                    a[shift + k] = field.sum(a[shift + k], field.product(factor, b[k]));
+            }
+            a.pop_back();
+        }
+        trim(a, [](std::uint64_t word) { return word == 0; });
+        std::swap(a, b);
+    }
+    return a;
+}
+
+IntegerPolynomial primitive_part(IntegerPolynomial polynomial) {
+    Integer content;
+    for (const Integer& coefficient : polynomial) {
+        content = gcd(content, coefficient);
+        if (content.is_one()) break;
+    }
+    if (polynomial.back().sign() < 0) content.negate();
+    if (content.is_one()) return polynomial;
+    for (Integer& coefficient : polynomial) coefficient = divide_exactly(coefficient, content);
+    return polynomial;
+}
+
+/// Integers by their residues, each prime after the other.
+class Combination {
+public:
+    void add(const Words& words, const PrimeField& field) {
+        values_.resize(words.size());
+        const std::uint64_t scale = field.inverse(field.of(modulus_));
+        for (std::size_t k = 0; k < words.size(); ++k) {
+            const std::uint64_t difference = field.sum(words[k], field.prime() - field.of(values_[k]));
+            values_[k].add_product(modulus_, Integer(field.product(difference, scale)));
+        }
+        modulus_ *= Integer(field.prime());
+    }
+    /// Of least magnitude.
+    IntegerPolynomial values() const {
+        IntegerPolynomial centred = values_;
+        const Integer half = modulus_ >> 1;
+        for (Integer& value : centred) {
+            if (value > half) value -= modulus_;
+        }
+        return centred;
+    }
+
+private:
+    IntegerPolynomial values_;
+    Integer modulus_ = 1;
+};
+
+constexpr std::uint64_t primes_end = (std::uint64_t{1} << 62) - 1;
+
+}  // namespace
+
+std::optional<IntegerPolynomial> exact_quotient(std::span<const Integer> a, std::span<const Integer> b) {
+    if (a.size() < b.size()) return a.empty() ? std::optional(IntegerPolynomial()) : std::nullopt;
+    IntegerPolynomial remainder(a.begin(), a.end());
+    IntegerPolynomial quotient(a.size() - b.size() + 1);
+    for (std::size_t step = quotient.size(); step-- > 0;) {
+        const Integer& top = remainder.back();
+        Integer factor = top / b.back();
+        if (factor * b.back() != top) return std::nullopt;
+        const Integer negative = -factor;
+        for (std::size_t k = 0; k + 1 < b.size(); ++k) remainder[step + k].add_product(negative, b[k]);
+        remainder.pop_back();
+        quotient[step] = std::move(factor);
+    }
+    if (!std::ranges::all_of(remainder, &Integer::is_zero)) return std::nullopt;
+    return quotient;
+}
+
+IntegerPolynomial primitive_gcd(std::span<const Integer> a, std::span<const Integer> b) {
+    const IntegerPolynomial first = primitive_part({a.begin(), a.end()});
+    const IntegerPolynomial second = primitive_part({b.begin(), b.end()});
+    // The images are multiples of the greatest common divisor by the same factor.
+    const Integer leading = gcd(first.back(), second.back());
+    std::size_t least_size = std::min(first.size(), second.size()) + 1;
+    Combination combination;
+    std::size_t primes = 0;
+    for (std::uint64_t prime = prime_below(primes_end);; prime = prime_below(prime)) {
+        const PrimeField field(prime);
+        const std::uint64_t scale = field.of(leading);
+        if (scale == 0) continue;
+        Words image = gcd_in(field, words_of(first, field), words_of(second, field));
+        if (image.size() == 1) return {1};
+        if (image.size() > least_size) continue;  // an unlucky prime
+        if (image.size() < least_size) {          // all before were
+            least_size = image.size();
+            combination = {};
+            primes = 0;
+        }
+        for (std::uint64_t& word : image) word = field.product(word, scale);
+        combination.add(image, field);
+        ++primes;
+        if ((primes & (primes - 1)) != 0) continue;
+        IntegerPolynomial candidate = primitive_part(combination.values());
+        if (candidate.size() == least_size && exact_quotient(first, candidate) &&
+            exact_quotient(second, candidate)) {
+            return candidate;
+        }
+    }
+}
+
+}  // namespace blossom

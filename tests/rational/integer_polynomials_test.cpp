@@ -1,0 +1,118 @@
+#include <blossom/rational/integer_polynomials.hpp>
+
+#include <algorithm>
+
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+using namespace blossom;
+using blossom::testing::Random;
+
+namespace {
+
+IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+    IntegerPolynomial result(a.size() + b.size() - 1);
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
+    }
+    return result;
+}
+
+/// Of this degree, with a leading coefficient of up to so many bits that is not 0.
+IntegerPolynomial random_polynomial(Random& random, std::size_t degree, std::size_t bits) {
+    IntegerPolynomial polynomial;
+    for (std::size_t k = 0; k <= degree; ++k) {
+        Integer value = random.between(-3, 3);
+        for (std::size_t i = 8; i < bits; i += 8) value = (value << 8) + Integer(random.between(-100, 100));
+        polynomial.push_back(std::move(value));
+    }
+    if (polynomial.back().is_zero()) polynomial.back() = random.between(1, 5);
+    return polynomial;
+}
+
+IntegerPolynomial linear(const Rational& root) { return {-root.numerator(), root.denominator()}; }
+
+Rational value(const IntegerPolynomial& polynomial, const Rational& t) {
+    Rational sum;
+    for (std::size_t k = polynomial.size(); k-- > 0;) sum = sum * t + Rational(polynomial[k]);
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("a quotient of integer polynomials exists exactly where the product says so") {
+    Random random(1);
+    for (int round = 0; round < 300; ++round) {
+        const IntegerPolynomial a = random_polynomial(random, random.below(6), 8 * (1 + random.below(20)));
+        const IntegerPolynomial b = random_polynomial(random, random.below(6), 8 * (1 + random.below(20)));
+        IntegerPolynomial whole = product(a, b);
+        CHECK(exact_quotient(whole, b) == a);
+        if (b.size() < 2) continue;
+        whole[random.below(b.size() - 1)] += Integer(1);
+        CHECK_FALSE(exact_quotient(whole, b));
+    }
+    CHECK_FALSE(exact_quotient(IntegerPolynomial{1, 1}, IntegerPolynomial{1, 2}));
+    CHECK_FALSE(exact_quotient(IntegerPolynomial{1}, IntegerPolynomial{1, 2}));
+    CHECK(exact_quotient(IntegerPolynomial{}, IntegerPolynomial{1, 2}) == IntegerPolynomial{});
+}
+
+TEST_CASE("the greatest common divisor divides both and takes their common factor") {
+    Random random(2);
+    for (int round = 0; round < 200; ++round) {
+        const std::size_t bits = 8 * (1 + random.below(40));
+        const IntegerPolynomial common = random_polynomial(random, random.below(7), bits);
+        const IntegerPolynomial a = random_polynomial(random, random.below(7), bits);
+        const IntegerPolynomial b = random_polynomial(random, random.below(7), bits);
+        const IntegerPolynomial found = primitive_gcd(product(a, common), product(b, common));
+        const auto rest_a = exact_quotient(product(a, common), found);
+        const auto rest_b = exact_quotient(product(b, common), found);
+        REQUIRE(rest_a);
+        REQUIRE(rest_b);
+        CHECK(primitive_gcd(*rest_a, *rest_b) == IntegerPolynomial{1});
+        Integer content;
+        for (const Integer& coefficient : found) content = gcd(content, coefficient);
+        CHECK(content == Integer(1));
+        CHECK(found.back().sign() > 0);
+        CHECK(found.size() >= common.size());
+    }
+    CHECK(primitive_gcd(IntegerPolynomial{6, 6}, IntegerPolynomial{-4, 0, 4}) == IntegerPolynomial{1, 1});
+    CHECK(primitive_gcd(IntegerPolynomial{6}, IntegerPolynomial{4}) == IntegerPolynomial{1});
+}
+
+TEST_CASE("the rational roots of a squarefree polynomial are found, and no others") {
+    Random random(3);
+    const IntegerPolynomial without_any[] = {{1}, {1, 0, 1}, {-2, 0, 1}, {-2, 0, 0, 3}, {-7, 1, 0, 0, 0, 5}};
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Rational> expected;
+        IntegerPolynomial polynomial = without_any[random.below(5)];
+        const std::size_t count = random.below(12);
+        const std::int64_t most = random.one_in(2) ? 12 : 1'000'000'000'000;
+        while (expected.size() < count) {
+            const Rational root(random.between(-most, most), random.between(1, most));
+            if (std::ranges::find(expected, root) != expected.end()) continue;
+            expected.push_back(root);
+            polynomial = product(polynomial, linear(root));
+        }
+        std::vector<Rational> found = rational_roots(polynomial);
+        std::ranges::sort(found);
+        std::ranges::sort(expected);
+        CHECK(found == expected);
+    }
+}
+
+TEST_CASE("rational roots that are equal modulo the first prime, or beyond it, are found") {
+    const std::int64_t prime = 4001;
+    const std::vector<Rational> expected = {Rational(-prime), Rational(0),         Rational(1, 3),
+                                            Rational(5),      Rational(5 + prime), Rational(5 + 2 * prime)};
+    IntegerPolynomial polynomial = {-2, 0, 1};
+    for (const Rational& root : expected) polynomial = product(polynomial, linear(root));
+    std::vector<Rational> found = rational_roots(polynomial);
+    std::ranges::sort(found);
+    CHECK(found == expected);
+    // A leading coefficient that the prime divides.
+    CHECK(rational_roots(linear(Rational(2, prime))) == std::vector<Rational>{Rational(2, prime)});
+    // Roots modulo every prime, none of them rational.
+    const IntegerPolynomial product_of_squares = product(product({-2, 0, 1}, {-3, 0, 1}), {-6, 0, 1});
+    CHECK(rational_roots(product_of_squares).empty());
+    CHECK(value(polynomial, Rational(1, 3)).is_zero());
+}
