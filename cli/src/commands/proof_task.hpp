@@ -27,7 +27,7 @@ struct ProofText {
     proofs::Document document;
 
     std::size_t line(std::size_t offset) const {
-        return proofs::place_of(written(), offset - std::min(offset, prelude)).line;
+        return proofs::line_and_column(written(), offset - std::min(offset, prelude)).line;
     }
     std::string diagnostic(const Error& error) const {
         const std::size_t offset = error.offset().value_or(0);
@@ -46,10 +46,10 @@ struct ProofTask {
     std::size_t number = 0;
     const ProofText* text = nullptr;
     const proofs::Block* block = nullptr;
-    std::vector<proofs::Decision> decisions = {};
-    std::vector<proofs::Warning> warnings = {};
-    std::vector<proofs::second::Certificate> certificates = {};
-    std::vector<std::string> lemmas = {};
+    std::vector<proofs::Decision> decisions;
+    std::vector<proofs::Warning> warnings;
+    std::vector<proofs::second::Certificate> certificates;
+    std::vector<std::string> lemmas;
     std::size_t without_lemma = 0;
 };
 

@@ -69,7 +69,7 @@ void decide(ProofTask& task, const ProveCommand& command) {
     try {
         task.warnings = proofs::doubtful_names(*task.block);
     } catch (const Error&) {
-        // What is wrong with the declarations is the error of every decision.
+        task.warnings.clear();  // an error of the declarations is the error of every decision
     }
     task.decisions = proofs::decide(*task.block, command.limits, options);
 }
@@ -179,8 +179,12 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
         rows.emplace_back(text.name, Count{});
         rows.back().second.unread = text.document.errors.size();
         for (const Error& error : text.document.errors) streams.errors(text.diagnostic(error));
-        for (const proofs::Block& block : text.document.blocks)
-            tasks.push_back({.number = tasks.size(), .text = &text, .block = &block});
+        for (const proofs::Block& block : text.document.blocks) {
+            ProofTask& task = tasks.emplace_back();
+            task.number = tasks.size() - 1;
+            task.text = &text;
+            task.block = &block;
+        }
     }
     const Style style(streams.coloured_output);
     std::size_t reported = 0;

@@ -187,7 +187,7 @@ std::string formula(const Patch& patch, const Map& map, std::string_view name) {
 }
 
 std::string patch_degree(const Map& map) {
-    const Patch& patch = std::get<Patch>(map.value);
+    const auto& patch = std::get<Patch>(map.value);
     return patch.is_polynomial() ? ", " + degree_text(patch) : "";
 }
 
