@@ -63,7 +63,7 @@ inline std::string complaint(std::string_view text) {
     REQUIRE(decisions[0].error());
     const Error& error = *decisions[0].error();
     REQUIRE(error.offset());
-    const proofs::Place place = proofs::place_of(text, *error.offset());
+    const proofs::LineAndColumn place = proofs::line_and_column(text, *error.offset());
     return std::to_string(place.line) + ":" + std::to_string(place.column) + " " + error.message();
 }
 

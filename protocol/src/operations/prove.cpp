@@ -21,7 +21,7 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     // The place is part of the message, for those who read no offset.
     const auto refuse = [&](const Error& error) {
         if (!error.offset()) throw Error(error);
-        const auto [line, column] = proofs::place_of(statement, *error.offset());
+        const auto [line, column] = proofs::line_and_column(statement, *error.offset());
         throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), {},
                     error.offset());
     };

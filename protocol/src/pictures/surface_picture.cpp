@@ -103,8 +103,8 @@ private:
     /// The numbers at the ends of an edge of the box along one coordinate, and its name between them.
     void range(std::size_t first, std::size_t last, int right, int below) {
         const std::size_t i = last - first == 4 ? 2 : last - first - 1;
-        const worked::Place a = place(corner(first));
-        const worked::Place b = place(corner(last));
+        const worked::PlanePoint a = place(corner(first));
+        const worked::PlanePoint b = place(corner(last));
         const auto& [least, greatest] = bounds_[i];
         drawing_.words.push_back({a, worked::short_text(least), right, below});
         drawing_.words.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2}, names_[i], right, below});
@@ -163,7 +163,7 @@ private:
         return {point.x * scales_[0], point.y * scales_[1], point.z * scales_[2]};
     }
 
-    worked::Place place(const SpacePoint& point) const {
+    worked::PlanePoint place(const SpacePoint& point) const {
         if (plane_) return {point.x, point.y};
         const SpacePoint at = scaled(point);
         return {at.x + Rational(2, 5) * at.y, at.z + Rational(3, 10) * at.y};

@@ -23,8 +23,8 @@ struct PlaneMap {
 };
 std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits& limits);
 
-Place place_of(const Coordinates& point);
-std::vector<Place> places_of(const PointArray& points);
+PlanePoint place_of(const Coordinates& point);
+std::vector<PlanePoint> places_of(const PointArray& points);
 
 /// Adds the polygon through `points`, the control points of `curve` in the plane, with their blossom values
 /// as names where it is `named`.

@@ -74,8 +74,8 @@ private:
     using Name = std::array<std::size_t, 4>;  ///< copies of r, s, t and u
     /// The rows of the net over three of r, s, t and u.
     void add_rows(const std::array<std::size_t, 3>& members, std::size_t level, Role role);
-    Place place(const Name& name) const;
-    Place shown(const Coordinates& value) const;
+    PlanePoint place(const Name& name) const;
+    PlanePoint shown(const Coordinates& value) const;
 
     const TriangleNet& net_;
     Picture picture_;

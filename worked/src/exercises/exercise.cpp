@@ -247,9 +247,8 @@ Sheet exercise_sheet(const SheetRequest& request) {
     sheet.solutions.title = title + ": solutions";
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const Document problem = renamed(problems[i], std::to_string(i + 1));
-        const std::string heading = "Problem " + std::to_string(i + 1);
-        sheet.problems.steps.push_back({heading, problem.statement});
-        sheet.solutions.steps.push_back(solution(problem, heading));
+        sheet.problems.steps.push_back({"Problem", problem.statement});
+        sheet.solutions.steps.push_back(solution(problem, "Problem"));
         for (Document* document : {&sheet.problems, &sheet.solutions}) {
             const auto& maps = problem.maps;
             const auto end = document == &sheet.problems ? maps.begin() + 1 : maps.end();

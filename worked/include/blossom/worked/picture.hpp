@@ -14,12 +14,12 @@
 
 namespace blossom::worked {
 
-/// A place in the plane, exactly.
-struct Place {
+/// The exact coordinates of a point in the plane.
+struct PlanePoint {
     Rational x;
     Rational y;
 
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
 /// What an element of a picture is, from which its colour and width follow.
@@ -36,7 +36,7 @@ std::string role_name(Role role);
 
 /// A point with the formula that names it; without parts and words it has no name.
 struct PicturePoint {
-    Place place;
+    PlanePoint place;
     Formula label;
     Role role = Role::construction;
     /// What the place is where it is not the value of the label.
@@ -44,13 +44,13 @@ struct PicturePoint {
 };
 
 struct PictureLine {
-    std::vector<Place> places;
+    std::vector<PlanePoint> places;
     Role role = Role::construction;
 };
 
 /// A curve through places, or as cubic Bezier arcs: 3 k + 1 control points of k arcs.
 struct PictureCurve {
-    std::vector<Place> places;
+    std::vector<PlanePoint> places;
     bool cubic = false;
     Role role = Role::control;
     std::string name = {};  // NOLINT(readability-redundant-member-init): of the legend, may be left out
@@ -60,7 +60,7 @@ struct PictureCurve {
 struct PictureFace {
     enum class Edge : unsigned char { none, inner, border };
 
-    std::vector<Place> places;
+    std::vector<PlanePoint> places;
     std::vector<Edge> edges;
     std::string fill;
     std::string line;
@@ -68,7 +68,7 @@ struct PictureFace {
 
 /// Words so many pixels to the right of a place and below it.
 struct PictureWords {
-    Place place;
+    PlanePoint place;
     std::string words;
     int right = 0;
     int below = 0;
@@ -86,7 +86,7 @@ struct Picture {
     std::vector<Coordinates> projection = {};  // NOLINT(readability-redundant-member-init): may be left out
     /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
     /// arguments of its name.
-    std::vector<Place> corners = {};       // NOLINT(readability-redundant-member-init): may be left out
+    std::vector<PlanePoint> corners = {};  // NOLINT(readability-redundant-member-init): may be left out
     bool grid = false;                     ///< lines at round numbers behind it, also where it is no graph
     std::vector<PictureFace> faces = {};   // NOLINT(readability-redundant-member-init): in order of painting
     std::vector<PictureWords> words = {};  // NOLINT(readability-redundant-member-init): may be left out
@@ -95,7 +95,8 @@ struct Picture {
 
 /// The first two coordinates, of rational points divided by the weight, in lines that end at each point at
 /// infinity.
-std::vector<std::vector<Place>> lines_through(std::span<const Coordinates> points, bool rational = false);
+std::vector<std::vector<PlanePoint>> lines_through(std::span<const Coordinates> points,
+                                                   bool rational = false);
 
 /// The curve over an interval: an exact cubic arc up to degree 3, otherwise and for a rational curve lines
 /// through exact points, `steps` parts of the interval.
