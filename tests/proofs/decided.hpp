@@ -1,7 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>
+#include <cstddef>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include "support/random.hpp"
 
 #include <string>
 #include <string_view>
@@ -68,3 +76,6 @@ inline std::string complaint(std::string_view text) {
 }
 
 }  // namespace blossom::testing
+
+using namespace blossom;
+using namespace blossom::testing;

@@ -1,13 +1,7 @@
 #include <blossom/proofs/doubtful_names.hpp>
-
-#include <string>
-
 #include "decided.hpp"
 
 // What a name means, by the line in which it stands.
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 
