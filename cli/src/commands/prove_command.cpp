@@ -39,7 +39,7 @@ struct Count {
     }
 };
 
-/// "block_7_fj_eq20_n_3": what a case is called in Coq, apart from its number.
+/// The name of a case in Coq without its number, such as "block_7_fj_eq20_n_3".
 std::string lemma_name(const ProofTask& task, const proofs::ProvedCase& proved) {
     std::string name = fmt::format("block_{}_{}", task.number + 1, task.block->id);
     for (const auto& [parameter, value] : proved.block.parameters)
@@ -50,7 +50,7 @@ std::string lemma_name(const ProofTask& task, const proofs::ProvedCase& proved) 
     return name;
 }
 
-/// Decides one task, with the records that are asked for.
+/// Decides one task and keeps the records that the command writes.
 void decide(ProofTask& task, const ProveCommand& command) {
     const auto record = [&](const proofs::ProvedCase& proved) {
         if (!command.certificate.empty()) task.certificates.push_back(proved.certificate);
@@ -74,7 +74,7 @@ void decide(ProofTask& task, const ProveCommand& command) {
     task.decisions = proofs::decide(*task.block, command.limits, options);
 }
 
-/// "warning: file:3:7: ..." with a caret, a warning each.
+/// The warnings of a task, each as "warning: file:3:7: ..." with a caret.
 std::string warnings_text(const ProofTask& task) {
     std::string text;
     for (const proofs::Warning& warning : task.warnings)
@@ -123,7 +123,7 @@ Outcome format_all(const std::vector<ProofText>& texts, const Streams& streams) 
     return Outcome::success;
 }
 
-/// One line of JSON a claim.
+/// One line of JSON per claim.
 Json line_of(const ProofTask& task, const proofs::Decision& decision) {
     Json line =
         Json::Object{{"id", task.block->id},
