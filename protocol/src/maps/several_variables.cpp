@@ -14,7 +14,7 @@ namespace blossom::protocol {
 
 namespace {
 
-/// One polynomial a coordinate.
+/// One polynomial per coordinate.
 struct Coordinatewise {
     std::vector<SparsePolynomial> coordinates;
     bool scalar = true;
@@ -113,7 +113,7 @@ std::size_t actual_degree(const Coordinatewise& map, std::optional<std::size_t> 
     return degree;
 }
 
-/// By a total degree or by one degree per variable; without either by the actual total degree.
+/// The shape of a total degree or of one degree per variable; by default the actual total degree.
 NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& names, const Limits& limits) {
     const auto degrees = fields.optional("degrees", [&](const Json& value) {
         return read_each_direction(value, names.size(), "degrees",

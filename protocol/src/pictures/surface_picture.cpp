@@ -15,7 +15,7 @@ namespace {
 using worked::Role;
 
 constexpr std::size_t most_net_edges = 5000;
-/// Those edges of the box that what is in it does not hide, or not all of.
+/// The edges of the box that are visible at least in part.
 constexpr std::pair<std::size_t, std::size_t> box_edges[] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}, {0, 4},
                                                              {2, 6}, {3, 7}, {6, 7}, {4, 6}};
 
@@ -36,8 +36,8 @@ bool lies_in_plane(const Mesh& mesh) {
     return mesh.space == MeshSpace::plane || mesh.space == MeshSpace::plane_graph;
 }
 
-/// How the places of a picture of surfaces are seen: parallel to the direction (-2/5, 1, -3/10), or, when all
-/// of them lie in the plane, as they are.
+/// The projection of a picture of surfaces: parallel to the direction (-2/5, 1, -3/10), or, if all
+/// places lie in the plane, the identity.
 class SurfacePainting {
 public:
     explicit SurfacePainting(const SurfacePicture& picture)
@@ -177,7 +177,7 @@ private:
         return {end(0), end(1), end(2)};
     }
 
-    /// How steeply light falls on a cell.
+    /// The angle of the light on a cell.
     std::size_t tilt(const Mesh& mesh, const GridCell& cell) const {
         if (plane_) return greatest_tilt;
         // From above, from the left and from the front.
