@@ -127,7 +127,7 @@ std::optional<Picture> construction_picture(const PolynomialMap& map, std::span<
     for (std::size_t r = 0; r <= n; ++r) {
         const std::vector<PlanePoint> places = places_of(pyramid.levels[r]);
         if (r < n) picture.lines.push_back({places, role_of(r, n)});
-        // Beyond some 15 points names hide more than they tell.
+        // More than about 15 names would cover the picture.
         const bool named = n <= 4 || r == 0 || r == n;
         for (std::size_t i = 0; named && i < places.size(); ++i) {
             picture.points.push_back(

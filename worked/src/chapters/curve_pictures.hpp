@@ -34,7 +34,7 @@ void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& p
 /// Whether all arguments are points, so that every node of a pyramid is a point.
 bool all_points(std::span<const Argument> arguments);
 
-/// What a triangle of blossom values is made from: node i of level r is the value at `label`, a combination
+/// A triangle of blossom values: node i of level r is the value at `label`, a combination
 /// of nodes i and i + 1 of the level before with `weights`.
 struct TriangleRule {
     std::size_t degree = 0;

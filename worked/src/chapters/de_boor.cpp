@@ -28,7 +28,7 @@ Picture construction(const PlaneSpline& plane, std::size_t span, std::span<const
     return picture;
 }
 
-/// The value by the Bezier curve of the segment, another road.
+/// The value by the Bezier curve of the segment, as a check.
 Check de_boor_check(const BSplineCurve& curve, std::size_t span, const Parameter& t, const Coordinates& value,
                     const Limits& limits) {
     const BezierCurve bezier = sablonniere(curve, span, limits);

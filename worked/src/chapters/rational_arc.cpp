@@ -29,7 +29,7 @@ void name_coordinates(Document& document, const BezierCurve& curve) {
     }
 }
 
-/// The value at the arguments divided by its weight, in these names.
+/// The value at the arguments divided by its weight, as formulas in these names.
 Formula divided(const BezierCurve& curve, std::span<const Argument> arguments) {
     std::vector<Formula> coordinates;
     const Formula weight = value_of_blossom(arguments, "w");
@@ -40,7 +40,7 @@ Formula divided(const BezierCurve& curve, std::span<const Argument> arguments) {
     return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
 }
 
-/// The points P_k = (w P, w) as they stand in the plane, with their weights.
+/// The points P_k = (w P, w), projected to the plane, with their weights.
 Table weight_table(const BezierCurve& curve) {
     Table table{
         "The control points, divided by their weights.", {"value", "homogeneous", "weight", "point"}, {}};

@@ -22,7 +22,7 @@ public:
 
     std::size_t level() const { return level_; }
     std::size_t degree() const { return level_ == 1 ? 2 : 3; }
-    /// Of this degree, no coefficient of which is zero.
+    /// A polynomial of this degree without zero coefficients.
     PolynomialCurve polynomial() {
         std::vector<Rational> coefficients;
         for (std::size_t k = 0; k <= degree(); ++k) {
@@ -32,10 +32,10 @@ public:
         return PolynomialCurve(Polynomial(coefficients));
     }
 
-    /// In the plane over [0, 1], neither with equal neighbours nor on a line.
+    /// A curve in the plane over [0, 1]; no three neighbouring control points lie on a line.
     BezierCurve polygon() { return BezierCurve(plane_points(degree() + 1)); }
 
-    /// In the plane, over uniform knots.
+    /// A curve in the plane; uniform knots up to level 2.
     BSplineCurve spline() {
         const std::size_t n = degree();
         const std::size_t count = n + 2;
@@ -48,7 +48,7 @@ public:
         return {n, std::move(knots), plane_points(count)};
     }
 
-    /// In the plane, two segments that meet at 1 with one of the possible multiplicities.
+    /// Two segments in the plane that meet at the knot 1, of any possible multiplicity.
     BSplineCurve joint() {
         const std::size_t n = degree();
         const auto multiplicity = static_cast<std::size_t>(between(1, static_cast<std::int64_t>(n)));
@@ -73,7 +73,7 @@ public:
         return BezierCurve(points);
     }
 
-    /// A net in the plane whose corners make a triangle.
+    /// A net in the plane whose corners are not collinear.
     BezierPatch triangle() {
         const std::size_t n = level_ == 3 ? 3 : 2;
         const NetShape shape = NetShape::simplex(2, n);
@@ -81,7 +81,7 @@ public:
         do {
             net.clear();
             for (const MultiIndex& index : multi_indices(2, n)) {
-                // Not far from a net without bends.
+                // The net is a perturbation of the regular one.
                 const auto x = static_cast<std::int64_t>(2 * index[1]) + between(-1, 1);
                 const auto y = static_cast<std::int64_t>(2 * index[2]) + between(-1, 1);
                 net.push_back({Rational(x), Rational(y)});
@@ -110,7 +110,7 @@ public:
         return mapped(numbers, [&](const Rational& value) { return Argument(Parameter(value)); });
     }
 
-    /// A parameter between the ends, which are integers, and none itself.
+    /// A parameter that is not an integer, inside an interval with integer ends.
     Rational inside(const Interval& interval) {
         const std::int64_t parts = level_ == 1 ? 2 : between(2, 4);
         const std::int64_t begin = *(interval.a() * Rational(parts)).numerator().to_int64();
@@ -120,7 +120,7 @@ public:
         return value;
     }
 
-    /// Other than [0, 1], increasing.
+    /// An increasing interval other than [0, 1].
     Interval interval() {
         const std::int64_t a = between(-2, 2);
         const std::int64_t b = a + between(1, 3);
@@ -158,7 +158,7 @@ private:
         return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
     }
 
-    /// Every three neighbours make a triangle.
+    /// Whether no three neighbours lie on a line.
     static bool bends_everywhere(const std::vector<Coordinates>& points) {
         for (std::size_t i = 0; i + 2 < points.size(); ++i) {
             if (area(points[i], points[i + 1], points[i + 2]).is_zero()) return false;

@@ -22,12 +22,12 @@ struct PlanePoint {
     friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
-/// What an element of a picture is, from which its colour and width follow.
+/// The role of an element of a picture, which determines its colour and width.
 enum class Role {
-    before,        ///< what was before, faint
+    before,        ///< the map before the operation, faint
     control,       ///< the given control polygon
     construction,  ///< intermediate points and lines
-    result,        ///< the point or polygon that was wanted
+    result,        ///< the computed point or polygon
     second,        ///< a second result beside the first
 };
 
@@ -39,7 +39,7 @@ struct PicturePoint {
     PlanePoint place;
     Formula label;
     Role role = Role::construction;
-    /// What the place is where it is not the value of the label.
+    /// The formula for the place, if it is not the label.
     std::optional<Formula> meaning = {};  // NOLINT(readability-redundant-member-init): may be left out
 };
 
@@ -66,7 +66,7 @@ struct PictureFace {
     std::string line;
 };
 
-/// Words so many pixels to the right of a place and below it.
+/// Words at a distance in pixels to the right of a place and below it.
 struct PictureWords {
     PlanePoint place;
     std::string words;
@@ -77,17 +77,18 @@ struct PictureWords {
 /// A drawing in the plane. Renderings choose the scale and put labels where they cover nothing.
 struct Picture {
     std::string caption;
-    std::string description;  ///< in words, for who does not see it
+    std::string description;  ///< a text alternative for screen readers
     std::vector<PictureCurve> curves;
     std::vector<PictureLine> lines;
     std::vector<PicturePoint> points;
-    bool graph = false;  ///< of a function: both axes are drawn, each with its own scale
-    /// Of points in space: two rows that make a place of a point.
+    bool graph =
+        false;  ///< the picture is the graph of a function: both axes are drawn, each with its own scale
+    /// For points in space: the two rows of the projection to the plane.
     std::vector<Coordinates> projection = {};  // NOLINT(readability-redundant-member-init): may be left out
     /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
     /// arguments of its name.
     std::vector<PlanePoint> corners = {};  // NOLINT(readability-redundant-member-init): may be left out
-    bool grid = false;                     ///< lines at round numbers behind it, also where it is no graph
+    bool grid = false;  ///< lines at round numbers behind the picture, also if it is not a graph
     std::vector<PictureFace> faces = {};   // NOLINT(readability-redundant-member-init): in order of painting
     std::vector<PictureWords> words = {};  // NOLINT(readability-redundant-member-init): may be left out
     std::size_t width = 360;               ///< in pixels, without margins
@@ -103,7 +104,7 @@ std::vector<std::vector<PlanePoint>> lines_through(std::span<const Coordinates> 
 std::vector<PictureCurve> curves_over(const PolynomialMap& map, const Interval& interval, Role role,
                                       const Limits& limits, bool rational = false, std::size_t steps = 96);
 
-/// The number, rounded to four digits where it is long.
+/// The number, rounded to four digits if it is long.
 std::string short_text(const Rational& value);
 
 }  // namespace blossom::worked
