@@ -12,8 +12,8 @@
 
 namespace {
 
-/// Takes the places of closed standard streams, so that no file gets the descriptor of one; reading or
-/// writing there fails as before.
+/// Opens /dev/null for each closed standard stream, so that no other file gets its descriptor; reading or
+/// writing there still fails.
 void reserve_standard_descriptors() {
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(descriptor, F_GETFD) >= 0) continue;
@@ -21,7 +21,7 @@ void reserve_standard_descriptors() {
     }
 }
 
-/// Without memory of its own, which may be what is missing.
+/// Writes a message without allocating memory.
 int fail(std::string_view message) noexcept {
     for (const std::string_view part : {std::string_view("error: "), message, std::string_view("\n")})
         static_cast<void>(!::write(STDERR_FILENO, part.data(), part.size()));

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <new>
 
-// Memory is counted where all of it comes from, so that a request is refused before it takes what other
-// programs need: see `blossom::ResourceBudget`.
+// The program counts all of its memory in operator new, so that a request is refused before it takes memory
+// that other programs need: see `blossom::ResourceBudget`.
 
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <blossom/protocol/answer.hpp>
 
-/// The program is the protocol library with options and streams around it, and uses its names as they are.
+/// The program uses the names of the protocol library without qualification.
 
 namespace blossom::cli {
 

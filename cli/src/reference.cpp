@@ -1,6 +1,6 @@
-// Prints a page of the documents with its generated parts as they should be: what operations, kinds of maps
-// and options say of themselves. A generated part stands between the lines <!-- generated: WHAT --> and <!--
-// end -->. For a file *.json it prints the JSON Schema.
+// Prints a page of the documentation with its generated parts up to date: they are made from the descriptions
+// of operations, kinds of maps and options. A generated part stands between the lines <!-- generated: WHAT
+// --> and <!-- end -->. For a file *.json it prints the JSON Schema.
 //
 // Usage: blossom_reference FILE
 
@@ -27,7 +27,7 @@ constexpr std::string_view part_begin = "<!-- generated: ";
 constexpr std::string_view comment_end = " -->";
 constexpr std::string_view part_end = "<!-- end -->";
 
-/// In a cell of a table.
+/// Escapes a text for a cell of a table.
 std::string cell(std::string text) {
     for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, "\\");
     return text;

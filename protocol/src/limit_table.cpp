@@ -9,7 +9,7 @@ namespace blossom::protocol {
 namespace {
 
 constexpr std::size_t any = std::numeric_limits<std::size_t>::max() / 4;
-// Values nested deeper would exhaust the stack of a thread when they are written or destroyed.
+// Deeper values would exhaust the stack of a thread when they are written or destroyed.
 constexpr std::size_t safe_nesting = 1'000;
 
 constexpr LimitEntry table[] = {

@@ -14,7 +14,7 @@ struct LimitEntry {
     std::string_view name;
     std::size_t Limits::* member;
     std::string_view help;
-    std::size_t greatest;  ///< what the flag may ask for
+    std::size_t greatest;  ///< the greatest value of the flag
 
     /// "--max-" and the name, with '-' for '_'; "--timeout".
     std::string flag() const;

@@ -43,7 +43,7 @@ std::size_t digits_in(const Json& value) {
     return digits;
 }
 
-/// Refuses what would be long to write before it is written.
+/// Refuses a result that would take too long to write.
 void require_output_digits(const Json& result, const Limits& limits) {
     require_within(digits_in(result), limits.output_digits, "output_digits",
                    "the size of the result in decimal digits, at most");
@@ -55,7 +55,7 @@ Response written(Json response) {
     return {to_text(std::move(response)), outcome};
 }
 
-/// What `answer` returns, or the response to the error that it throws, for which the budget of `answer` has
+/// The value of `answer`, or the response to its error, which is written after the budget of `answer` has
 /// ended.
 template <class Answering>
 Json answered(const Json& request, const Answering& answer) {

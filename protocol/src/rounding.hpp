@@ -7,7 +7,7 @@
 
 namespace blossom::protocol {
 
-/// How numbers are given beside the exact ones.
+/// The rounded numbers beside the exact ones.
 enum class Rounding { none, binary64, hexadecimal };
 
 /// "double" and "hexfloat".
@@ -16,7 +16,7 @@ std::vector<std::string_view> rounding_names();
 /// The rounding that "numbers" asks for. Errors: `wrong_kind`.
 Rounding read_rounding(const Json& value);
 
-/// What is appended to the name of a member for its rounded twin: "_double" or "_hex".
+/// The suffix of the name of a rounded twin: "_double" or "_hex".
 std::string_view rounding_suffix(Rounding rounding);
 
 /// Whether a member of that name is a rounded twin of another.

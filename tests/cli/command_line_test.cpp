@@ -1,22 +1,13 @@
 #include "commands/command_line.hpp"
+#include "run.hpp"
 
-#include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include <blossom/protocol/description.hpp>
 #include "json/json_text.hpp"
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
-#include "run.hpp"
 #include "streams/printable.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::cli;
 
 namespace {
 

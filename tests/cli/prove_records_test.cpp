@@ -1,12 +1,5 @@
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <string>
-
 #include "run.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom::cli;
 
 namespace {
 

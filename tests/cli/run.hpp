@@ -1,6 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,3 +50,6 @@ inline bool contains(const std::string& text, const std::string& part) {
 }
 
 }  // namespace blossom::cli
+
+using namespace blossom;
+using namespace blossom::cli;

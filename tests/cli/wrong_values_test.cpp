@@ -1,15 +1,6 @@
-#include <algorithm>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
 #include "run.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::cli;
 
 namespace {
 

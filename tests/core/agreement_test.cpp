@@ -1,14 +1,8 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/blossom/agreement.hpp>
+#include "core_test.hpp"
 
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
 #include "support/symbolic.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,14 +1,6 @@
 #include <blossom/core/spline/basis_functions.hpp>
-#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/greville.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 TEST_CASE("basis functions are the polynomials of the Cox-de Boor recursion", "[basis]") {
     Random random(61);

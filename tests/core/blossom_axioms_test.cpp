@@ -1,17 +1,7 @@
+#include "core_test.hpp"
+
 // The axioms that define a blossom, for every construction, on polynomials and on control polygons of any
 // interval.
-
-#include <blossom/core/blossom/blossom.hpp>
-
-#include <algorithm>
-
-#include "support/every_construction.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,21 +1,8 @@
-// Results with too many digits are refused before they are computed.
-
 #include <blossom/core/blossom/agreement.hpp>
-#include <blossom/core/blossom/blossom.hpp>
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
-#include <blossom/core/curve/derivative.hpp>
-#include <blossom/core/curve/subdivision.hpp>
 #include <blossom/core/maps/taylor_curve.hpp>
+#include "core_test.hpp"
 
-#include "support/every_construction.hpp"
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/memory.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Results with too many digits are refused before they are computed.
 
 namespace {
 

@@ -1,15 +1,6 @@
+#include "core_test.hpp"
+
 // Every construction against the definition, summed over all subsets on another library's numbers.
-
-#include <blossom/core/blossom/blossom.hpp>
-
-#include "support/every_construction.hpp"
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 TEST_CASE("every construction on polynomial maps against the definition", "[blossom][oracle]") {
     Random random(211);

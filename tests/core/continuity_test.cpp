@@ -1,17 +1,5 @@
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/curve/derivative.hpp>
 #include <blossom/core/spline/continuity.hpp>
-#include <blossom/core/spline/de_boor.hpp>
-
-#include <algorithm>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

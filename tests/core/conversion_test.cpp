@@ -1,13 +1,4 @@
-#include <blossom/core/blossom/blossom.hpp>
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 TEST_CASE("values of polynomial maps and control polygons", "[evaluation]") {
     Random random(251);

@@ -1,16 +1,8 @@
+#include <blossom/core/spline/curve_values.hpp>
+#include "core_test.hpp"
+
 // Curves prepared to be evaluated at many parameters, held against Horner's rule and de Boor's triangle on
 // integers.
-
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/spline/curve_values.hpp>
-#include <blossom/core/spline/de_boor.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

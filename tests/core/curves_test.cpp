@@ -1,17 +1,11 @@
-// The values that maps are made of: arguments, intervals, arrays of points, curves.
-
 #include <blossom/core/maps/argument.hpp>
 #include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/core/maps/polynomial_curve.hpp>
+#include "core_test.hpp"
 
 #include <type_traits>
 
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// The values that maps are made of: arguments, intervals, arrays of points, curves.
 
 namespace {
 

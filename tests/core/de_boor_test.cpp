@@ -1,11 +1,4 @@
-#include <blossom/core/spline/de_boor.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

@@ -1,13 +1,4 @@
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
-
-#include "support/expanded_curve.hpp"
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 TEST_CASE("raising the degree by r keeps the map and is r times raising it by one", "[degree_elevation]") {
     Random random(311);

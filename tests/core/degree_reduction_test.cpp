@@ -1,17 +1,7 @@
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/blossom/inverse_formula.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
+#include "core_test.hpp"
 
 #include "support/chebyshev_identity.hpp"
-#include "support/expanded_curve.hpp"
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

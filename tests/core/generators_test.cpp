@@ -1,13 +1,6 @@
+#include "core_test.hpp"
+
 // The generators of maps and arguments must produce the corners that the other tests rely on.
-
-#include "support/map_generators.hpp"
-
-#include <algorithm>
-
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 TEST_CASE("polynomial maps of every dimension, often of a formal degree above the actual one",
           "[generators]") {

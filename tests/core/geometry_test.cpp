@@ -1,18 +1,9 @@
-// The abstract data types of affine geometry.
-
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/geometry/coordinate_free_blossom.hpp>
 #include <blossom/core/maps/bspline_curve.hpp>
-#include <blossom/core/spline/de_boor.hpp>
+#include "core_test.hpp"
 
-#include <string>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// The abstract data types of affine geometry.
 
 namespace {
 

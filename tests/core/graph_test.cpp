@@ -1,16 +1,7 @@
 #include <blossom/core/spline/graph.hpp>
+#include "core_test.hpp"
 
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/spline_split.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

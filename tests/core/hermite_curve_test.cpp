@@ -1,14 +1,5 @@
-#include <blossom/core/blossom/blossom.hpp>
-#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/maps/hermite_curve.hpp>
-
-#include "support/expanded_curve.hpp"
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

@@ -1,18 +1,4 @@
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/blossom/inverse_formula.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
-#include <blossom/rational/combinatorics.hpp>
-
-#include <numeric>
-#include <set>
-
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

@@ -1,14 +1,4 @@
-#include <blossom/core/spline/de_boor.hpp>
-#include <blossom/core/spline/knot_insertion.hpp>
-
-#include <algorithm>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 TEST_CASE("the examples of insertion, by Boehm and by Oslo", "[insertion]") {
     const BSplineCurve one = insert_knots_boehm(example_spline(), std::vector<Rational>{Rational(7, 2)});

@@ -1,15 +1,5 @@
-#include <blossom/core/spline/de_boor.hpp>
-#include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/core/spline/knot_removal.hpp>
-
-#include <algorithm>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

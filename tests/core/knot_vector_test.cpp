@@ -1,11 +1,5 @@
 #include <blossom/core/maps/bspline_curve.hpp>
-
-#include "support/failure.hpp"
-#include "support/number_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

@@ -1,15 +1,9 @@
+#include <blossom/core/blossom/change_of_basis.hpp>
+#include <blossom/core/maps/taylor_curve.hpp>
+#include "core_test.hpp"
+
 // Control points and Taylor coefficients by shifts on digits, held against the recurrences on integers as
 // they are written for any ring.
-
-#include <blossom/core/blossom/change_of_basis.hpp>
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/maps/taylor_curve.hpp>
-
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,12 +1,7 @@
 #include <blossom/core/curve/orthogonal_projection.hpp>
+#include "core_test.hpp"
 
 #include "support/chebyshev_identity.hpp"
-#include "support/expanded_curve.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

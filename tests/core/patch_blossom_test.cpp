@@ -1,11 +1,5 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/patches.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 TEST_CASE("the products of simplices of total dimension up to 4") {
     CHECK(products_of_simplices().size() == 15);

@@ -1,18 +1,10 @@
-// The three constructions over products of simplices, the inverse formula, and contact along faces.
-
 #include <blossom/core/blossom/agreement.hpp>
-#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
+#include "core_test.hpp"
 
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/patches.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// The three constructions over products of simplices, the inverse formula, and contact along faces.
 
 namespace {
 

@@ -1,19 +1,10 @@
-// Subdivision, other frames, derivatives and degree raising, each against the expanded polynomial.
-
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/maps/barycentric_frame.hpp>
+#include "core_test.hpp"
 
-#include <algorithm>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/patches.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Subdivision, other frames, derivatives and degree raising, each against the expanded polynomial.
 
 namespace {
 

@@ -1,19 +1,7 @@
-// The polarization inverse formula for anything that can be evaluated.
-
-#include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/constructions/constructions.hpp>
+#include "core_test.hpp"
 
-#include <set>
-
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// The polarization inverse formula for anything that can be evaluated.
 
 namespace {
 

@@ -1,20 +1,10 @@
-// Polynomials in several variables: their blossoms, and the way to control nets and back.
-
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
-#include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
+#include "core_test.hpp"
 
-#include <numeric>
-#include <string>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/patches.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Polynomials in several variables: their blossoms, and the way to control nets and back.
 
 namespace {
 

@@ -1,15 +1,7 @@
-// Text that asks for too much is refused before the memory is taken, at the place that asks for it.
-
 #include <blossom/core/algebra/polynomial_text.hpp>
+#include "core_test.hpp"
 
-#include <string>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/memory.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Text that asks for too much is refused before the memory is taken, at the place that asks for it.
 
 namespace {
 

@@ -1,14 +1,5 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
-
-#include <string>
-#include <vector>
-
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

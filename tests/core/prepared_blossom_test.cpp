@@ -1,18 +1,7 @@
-// A prepared blossom gives the same by every door, whichever way its numbers are computed.
-
-#include <blossom/core/blossom/blossom.hpp>
-
-#include <array>
 #include <thread>
+#include "core_test.hpp"
 
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// A prepared blossom gives the same by every door, whichever way its numbers are computed.
 
 namespace {
 

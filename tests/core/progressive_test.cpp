@@ -1,13 +1,5 @@
-#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/spline/progressive.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

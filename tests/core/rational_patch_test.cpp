@@ -1,5 +1,3 @@
-// Quotients of patches: derived maps against values, and their contact against maps made to have it.
-
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/nurbs/rational_patch.hpp>
@@ -8,16 +6,9 @@
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/patch_derivative.hpp>
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
-#include <blossom/core/spline/knot_insertion.hpp>
+#include "core_test.hpp"
 
-#include "support/catch.hpp"
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-#include "support/patches.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Quotients of patches: derived maps against values, and their contact against maps made to have it.
 
 namespace {
 

@@ -1,19 +1,8 @@
 #include <blossom/core/nurbs/rational_spline.hpp>
+#include "core_test.hpp"
 
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/continuity.hpp>
-#include <blossom/core/spline/de_boor.hpp>
-#include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,11 +1,8 @@
 #include <blossom/core/curve/orthogonal_projection.hpp>
 #include <blossom/core/curve/roots.hpp>
+#include "core_test.hpp"
 
-#include "support/failure.hpp"
 #include "support/root_check.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,14 +1,7 @@
 #include <blossom/core/curve/roots.hpp>
+#include "core_test.hpp"
 
-#include <algorithm>
-#include <set>
-
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
 #include "support/root_check.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,14 +1,8 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/rational/error.hpp>
+#include "core_test.hpp"
 
-#include <string>
-#include <vector>
-
-#include "support/catch.hpp"
-#include "support/random.hpp"
-
-using namespace blossom;
 using blossom::testing::Random;
 
 namespace {

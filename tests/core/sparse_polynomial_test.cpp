@@ -1,15 +1,5 @@
 #include <blossom/core/algebra/sparse_polynomial.hpp>
-#include <blossom/rational/combinatorics.hpp>
-
-#include <algorithm>
-#include <vector>
-
-#include "support/failure.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

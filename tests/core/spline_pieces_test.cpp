@@ -1,19 +1,6 @@
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/spline/bezier_extraction.hpp>
-#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 #include <blossom/core/spline/spline_split.hpp>
-
-#include <algorithm>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

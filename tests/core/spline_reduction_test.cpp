@@ -1,16 +1,7 @@
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/continuity.hpp>
-#include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
 #include <blossom/core/spline/spline_reduction.hpp>
-
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

@@ -1,23 +1,10 @@
-// Every pattern of multiplicities, through every change of representation and back.
-
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/spline/bezier_extraction.hpp>
-#include <blossom/core/spline/de_boor.hpp>
-#include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/core/spline/knot_removal.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 #include <blossom/core/spline/spline_split.hpp>
+#include "core_test.hpp"
 
-#include <algorithm>
-
-#include "support/map_printing.hpp"
-#include "support/memory.hpp"
-#include "support/number_generators.hpp"
-#include "support/spline_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Every pattern of multiplicities, through every change of representation and back.
 
 namespace {
 

@@ -1,14 +1,7 @@
-#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/maps/hermite_curve.hpp>
 #include <blossom/core/maps/taylor_curve.hpp>
 #include <blossom/core/spline/progressive.hpp>
-
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/textbook_blossom.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "core_test.hpp"
 
 namespace {
 

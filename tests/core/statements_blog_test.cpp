@@ -1,14 +1,7 @@
-// A web article on de Casteljau's algorithm and blossoms: what it says that the identity language cannot.
-
-#include <blossom/core/blossom/evaluation.hpp>
-
 #include <stdexcept>
+#include "core_test.hpp"
 
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// A web article on de Casteljau's algorithm and blossoms: what it says that the identity language cannot.
 
 namespace {
 

@@ -1,20 +1,9 @@
+#include <blossom/core/geometry/coordinate_free_blossom.hpp>
+#include "core_test.hpp"
+
 // DeRose, Goldman, Lounsbery: A Tutorial Introduction to Blossoming (1991), section 6: the algorithms of the
 // field are evaluations of one abstract data type. Each algorithm of the engine is held against the blossom
 // of its curve at the right arguments.
-
-#include <blossom/core/curve/subdivision.hpp>
-#include <blossom/core/geometry/coordinate_free_blossom.hpp>
-#include <blossom/core/spline/bezier_extraction.hpp>
-#include <blossom/core/spline/de_boor.hpp>
-#include <blossom/core/spline/knot_insertion.hpp>
-
-#include <algorithm>
-
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

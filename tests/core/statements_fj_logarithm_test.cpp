@@ -1,18 +1,12 @@
+#include <blossom/rational/number_text.hpp>
+#include "core_test.hpp"
+
+#include "support/logarithms.hpp"
+
 // Fernandez-Jambrina: Inverse Relations for Blossoms and Parametrisations of Rational Curves and Surfaces
 // (2024), example 3: ln on [1/2, 1] as a cubic. Values are vectors of rational coefficients on (1, ln 2, ln
 // 3, ln 5), so that the control points are exact; the errors are decided in rational enclosures of width
 // below 10^-30.
-
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/inverse_formula.hpp>
-#include <blossom/rational/number_text.hpp>
-
-#include "support/expanded_curve.hpp"
-#include "support/logarithms.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

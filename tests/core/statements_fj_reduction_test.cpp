@@ -1,21 +1,14 @@
+#include <blossom/core/curve/degree_reduction.hpp>
+#include <blossom/core/curve/orthogonal_projection.hpp>
+#include <blossom/rational/number_text.hpp>
+#include "core_test.hpp"
+
+#include "support/chebyshev_identity.hpp"
+#include "support/reference_maps.hpp"
+
 // Fernandez-Jambrina: Inverse Relations for Blossoms and Parametrisations of Rational Curves and Surfaces
 // (2024), section 4: degree reduction, with example 2 exactly. Random curves are seeded; everything is
 // decided in exact arithmetic.
-
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/curve/degree_reduction.hpp>
-#include <blossom/core/curve/orthogonal_projection.hpp>
-#include <blossom/rational/combinatorics.hpp>
-#include <blossom/rational/number_text.hpp>
-
-#include "support/chebyshev_identity.hpp"
-#include "support/expanded_curve.hpp"
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-#include "support/reference_maps.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,18 +1,9 @@
+#include <blossom/core/curve/roots.hpp>
+#include "core_test.hpp"
+
 // Goldman, Lecture 26, exercise 11: the roots of a polynomial in [a, b] from its Bezier graph (t, P(t)), by
 // subdivision. Random products of known factors; the graph is subdivided by blossom values and held against
 // the engine's kernel.
-
-#include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/curve/roots.hpp>
-#include <blossom/core/curve/subdivision.hpp>
-
-#include <algorithm>
-
-#include "support/map_generators.hpp"
-#include "support/map_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

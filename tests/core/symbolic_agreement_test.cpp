@@ -1,12 +1,9 @@
-// The constructions agree for all polynomials and all arguments: coefficients and arguments are variables.
-
 #include <blossom/core/blossom/change_of_basis.hpp>
+#include "core_test.hpp"
 
-#include "support/map_printing.hpp"
 #include "support/symbolic.hpp"
 
-using namespace blossom;
-using namespace blossom::testing;
+// The constructions agree for all polynomials and all arguments: coefficients and arguments are variables.
 
 namespace {
 

@@ -1,16 +1,10 @@
-// B-spline surfaces and volumes, against the definition by basis functions.
-
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
+#include "core_test.hpp"
 
-#include "support/failure.hpp"
-#include "support/map_printing.hpp"
-#include "support/number_generators.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// B-spline surfaces and volumes, against the definition by basis functions.
 
 namespace {
 

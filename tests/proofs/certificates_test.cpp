@@ -1,14 +1,10 @@
 #include <blossom/proofs/certificate.hpp>
+#include "decided.hpp"
 
 #include <functional>
-#include <string>
-
-#include "decided.hpp"
 
 // A certificate is checked from the text alone: whatever is spoiled in it, it is refused.
 
-using namespace blossom;
-using namespace blossom::testing;
 using proofs::second::Branch;
 using proofs::second::Certificate;
 using proofs::second::NamedPolynomial;

@@ -1,7 +1,15 @@
 #pragma once
 
+#include <algorithm>
 #include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>
+#include <cstddef>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include "support/random.hpp"
 
 #include <string>
 #include <string_view>
@@ -63,8 +71,11 @@ inline std::string complaint(std::string_view text) {
     REQUIRE(decisions[0].error());
     const Error& error = *decisions[0].error();
     REQUIRE(error.offset());
-    const proofs::Place place = proofs::place_of(text, *error.offset());
+    const proofs::LineAndColumn place = proofs::line_and_column(text, *error.offset());
     return std::to_string(place.line) + ":" + std::to_string(place.column) + " " + error.message();
 }
 
 }  // namespace blossom::testing
+
+using namespace blossom;
+using namespace blossom::testing;

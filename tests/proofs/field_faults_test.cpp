@@ -1,11 +1,6 @@
-#include <string>
-
 #include "decided.hpp"
 
 // Small statements on which the prover was wrong once, each with its neighbour that is false or true.
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,12 +1,7 @@
-#include <string>
-
 #include "decided.hpp"
 
 // Sets, partitions, permutations, choices, splines, nets, derivatives of expressions: true by theorems of
 // their own.
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

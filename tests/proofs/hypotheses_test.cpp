@@ -1,11 +1,6 @@
-#include <string>
-
 #include "decided.hpp"
 
 // Hypotheses: pivots that may vanish, powers of variables, and what must not vanish.
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

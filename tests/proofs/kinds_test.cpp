@@ -1,11 +1,6 @@
-#include <string>
-
 #include "decided.hpp"
 
 // Numbers, points, vectors, pairs and sets are told apart before anything is computed.
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

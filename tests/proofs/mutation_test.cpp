@@ -1,21 +1,15 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/proofs/formatter.hpp>
+#include "decided.hpp"
 
-#include <algorithm>
-#include <fstream>
 #include <functional>
 #include <iterator>
-#include <optional>
 
-#include "decided.hpp"
 #include "plain_evaluation.hpp"
-#include "support/random.hpp"
 
 // True identities of the literature, each spoiled in one place: a sign, a coefficient, an index or a bound.
 // What is false then, by plain evaluation at random places, the prover must refute.
 
-using namespace blossom;
-using namespace blossom::testing;
 using proofs::Block;
 using proofs::Expression;
 using proofs::ExpressionKind;

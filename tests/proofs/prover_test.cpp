@@ -1,9 +1,4 @@
-#include <string>
-
 #include "decided.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 TEST_CASE("fj-eq20 for n = 1..8, with symbolic arguments and an arbitrary polynomial") {
     CHECK(verdicts("for n in 1..8\nmap b degree n\n"

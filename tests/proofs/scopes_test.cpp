@@ -1,13 +1,7 @@
 #include <blossom/proofs/doubtful_names.hpp>
-
-#include <string>
-
 #include "decided.hpp"
 
 // What a name means, by the line in which it stands.
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 
@@ -15,7 +9,7 @@ std::string warnings(const std::string& text) {
     std::string result;
     for (const proofs::Block& block : proofs::parse(text).blocks) {
         for (const proofs::Warning& warning : proofs::doubtful_names(block)) {
-            const proofs::Place place = proofs::place_of(text, warning.offset);
+            const proofs::LineAndColumn place = proofs::line_and_column(text, warning.offset);
             result += std::to_string(place.line) + ":" + std::to_string(place.column) + " " +
                       warning.message + "\n";
         }

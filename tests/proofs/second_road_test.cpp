@@ -1,13 +1,8 @@
 #include "certificates/points/point_comparison.hpp"
-
-#include <string>
-
 #include "decided.hpp"
 
 // The second road by itself: it reads the text anew, and contradicts whoever lies to it.
 
-using namespace blossom;
-using namespace blossom::testing;
 using proofs::second::Case;
 using proofs::second::Comparison;
 using proofs::second::Reading;

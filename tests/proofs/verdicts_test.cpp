@@ -1,12 +1,7 @@
-
-#include <string>
-
 #include "decided.hpp"
 
 // What becomes of a line whose cases come out differently.
 
-using namespace blossom;
-using namespace blossom::testing;
 using proofs::Expectation;
 using proofs::Verdict;
 

@@ -1,7 +1,17 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <vector>
+#include "support/catch.hpp"
+#include "support/failure.hpp"
 
 #include "json/json_text.hpp"
 #include "responses.hpp"
@@ -38,3 +48,7 @@ inline std::string refusal_text(const std::string& request, const Limits& limits
 }
 
 }  // namespace blossom::protocol
+
+using namespace blossom;
+using namespace blossom::protocol;
+using namespace blossom::testing;

@@ -1,16 +1,9 @@
-// What `audit` compares: every number of every kind of map, and nothing of a map without the rest of it.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
 #include "maps/map.hpp"
 #include "operations/operation.hpp"
 #include "rounding.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// What `audit` compares: every number of every kind of map, and nothing of a map without the rest of it.
 
 namespace {
 

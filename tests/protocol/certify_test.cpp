@@ -1,10 +1,4 @@
-#include <string>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

@@ -1,12 +1,6 @@
-// Least degrees, fields that exclude each other, and the conventions of knots.
-
-#include <string>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Least degrees, fields that exclude each other, and the conventions of knots.
 
 namespace {
 

@@ -1,13 +1,6 @@
-// The operations on curves of every kind: what they answer, and what they refuse.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// The operations on curves of every kind: what they answer, and what they refuse.
 
 namespace {
 

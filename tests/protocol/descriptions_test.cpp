@@ -1,21 +1,10 @@
-// What operations and kinds of maps say of themselves, held against what they do for the golden requests and
-// those of docs/protocol.md.
-
-#include <algorithm>
-#include <fstream>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
 #include <blossom/protocol/description.hpp>
 #include "answered.hpp"
 #include "maps/kind.hpp"
 #include "operations/map_options.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// What operations and kinds of maps say of themselves, held against what they do for the golden requests and
+// those of docs/protocol.md.
 
 namespace {
 

@@ -1,15 +1,8 @@
-#include <fstream>
 #include <iterator>
-#include <sstream>
-#include <string>
-
 #include "answered.hpp"
+
 #include "limit_table.hpp"
 #include "operations/operation.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

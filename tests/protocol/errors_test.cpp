@@ -1,14 +1,5 @@
 #include <blossom/rational/error.hpp>
-
-#include <set>
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

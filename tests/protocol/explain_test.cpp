@@ -1,11 +1,4 @@
-#include <string>
-#include <string_view>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

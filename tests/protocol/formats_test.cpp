@@ -1,16 +1,9 @@
-// Numbers and files of other libraries.
-
 #include <limits>
-#include <string>
-
 #include "answered.hpp"
-#include "formats/doubles.hpp"
-#include "support/catch.hpp"
-#include "support/failure.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
-using namespace blossom::testing;
+#include "formats/doubles.hpp"
+
+// Numbers and files of other libraries.
 
 namespace {
 

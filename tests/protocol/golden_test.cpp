@@ -1,11 +1,4 @@
-#include <fstream>
-#include <string>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

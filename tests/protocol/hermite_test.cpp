@@ -1,13 +1,6 @@
-// Kind hermite: how it is read and written, and that every operation on curves takes it.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Kind hermite: how it is read and written, and that every operation on curves takes it.
 
 namespace {
 

@@ -1,13 +1,6 @@
-// Where a document of another library is wrong, the error says so in the document as it was given.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Where a document of another library is wrong, the error says so in the document as it was given.
 
 namespace {
 

@@ -1,20 +1,12 @@
 #include <blossom/protocol/json.hpp>
+#include "answered.hpp"
 
 #include <blossom/rational/error.hpp>
 
 #include <nlohmann/json.hpp>
 
-#include <fstream>
-#include <string>
-#include <vector>
-
 #include "json/json_text.hpp"
-#include "support/catch.hpp"
 #include "support/random.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
-using blossom::testing::Random;
 
 namespace {
 

@@ -1,11 +1,5 @@
-#include <string>
-
 #include "answered.hpp"
 #include "limit_table.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

@@ -1,16 +1,9 @@
-// Requests that are almost right: whatever is wrong with them is said, at a place that they have.
-
-#include <fstream>
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
 #include "operations/operation.hpp"
-#include "support/catch.hpp"
 #include "support/random.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Requests that are almost right: whatever is wrong with them is said, at a place that they have.
+
 using blossom::testing::Random;
 
 namespace {

@@ -1,13 +1,6 @@
-// Patches in other forms, derived rational patches, and contact of patches with weights or of B-splines.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Patches in other forms, derived rational patches, and contact of patches with weights or of B-splines.
 
 namespace {
 

@@ -1,13 +1,6 @@
-// Maps on simplices and boxes and polynomials in several variables: what is answered, and what is refused.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Maps on simplices and boxes and polynomials in several variables: what is answered, and what is refused.
 
 namespace {
 

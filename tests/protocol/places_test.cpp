@@ -1,14 +1,5 @@
-#include <algorithm>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
 #include "operations/operation.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

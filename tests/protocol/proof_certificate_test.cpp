@@ -1,17 +1,13 @@
 #include "certificates/proof_certificate.hpp"
+#include "answered.hpp"
 
 #include <blossom/proofs/coq.hpp>
 #include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>
 
 #include <functional>
-#include <string>
 
 #include "json/json_text.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

@@ -1,15 +1,10 @@
 #include <blossom/rational/double_conversion.hpp>
 #include <blossom/rational/number_text.hpp>
+#include "answered.hpp"
 
 #include <cstdlib>
-#include <string>
 
-#include "answered.hpp"
 #include "rounding.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

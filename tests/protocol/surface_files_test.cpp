@@ -1,23 +1,13 @@
-// Pictures and meshes of patches: read again without the code that wrote them.
-
 #include <blossom/rational/double_conversion.hpp>
-
-#include <algorithm>
-#include <array>
-#include <map>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
+
+#include <array>
+
 #include "pictures/shading.hpp"
 #include "responses.hpp"
-#include "support/catch.hpp"
-#include "support/failure.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// Pictures and meshes of patches: read again without the code that wrote them.
+
 using blossom::testing::failure;
 
 namespace {

@@ -1,13 +1,5 @@
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
 #include "responses.hpp"
-#include "support/catch.hpp"
-
-using namespace blossom;
-using namespace blossom::protocol;
 
 namespace {
 

@@ -1,13 +1,6 @@
-// B-splines in several directions: what is answered, and what is refused.
-
-#include <string>
-#include <vector>
-
 #include "answered.hpp"
-#include "support/catch.hpp"
 
-using namespace blossom;
-using namespace blossom::protocol;
+// B-splines in several directions: what is answered, and what is refused.
 
 namespace {
 

@@ -1,11 +1,7 @@
-// Factors read from pairs of numbers, one tuple and eight of them at a time, against the evident formula.
-
 #include "blossom_sums_cases.hpp"
+#include "rational_test.hpp"
 
-#include <algorithm>
-
-using namespace blossom;
-using namespace blossom::testing;
+// Factors read from pairs of numbers, one tuple and eight of them at a time, against the evident formula.
 
 namespace {
 

@@ -1,12 +1,9 @@
-// Sums by residues: at high degree against the product at points, where the evident formula takes long.
-
 #include "blossom_sums_cases.hpp"
+#include "rational_test.hpp"
 
-#include <algorithm>
 #include <thread>
 
-using namespace blossom;
-using namespace blossom::testing;
+// Sums by residues: at high degree against the product at points, where the evident formula takes long.
 
 TEST_CASE("sums by residues", "[blossom_sums]") {
     Random random(7);

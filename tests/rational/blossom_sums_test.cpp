@@ -1,9 +1,7 @@
-// Every kernel against the evident formula on Rational, at the limits of each kernel.
-
 #include "blossom_sums_cases.hpp"
+#include "rational_test.hpp"
 
-using namespace blossom;
-using namespace blossom::testing;
+// Every kernel against the evident formula on Rational, at the limits of each kernel.
 
 TEST_CASE("sums over products of linear factors of every size", "[blossom_sums]") {
     Random random(4);

@@ -1,10 +1,4 @@
-#include <blossom/rational/combinatorics.hpp>
-
-#include <vector>
-
-#include "support/number_printing.hpp"
-
-using namespace blossom;
+#include "rational_test.hpp"
 
 TEST_CASE("factorials follow their recurrence", "[combinatorics]") {
     Integer expected = 1;

@@ -1,20 +1,11 @@
 #include <blossom/rational/double_conversion.hpp>
-#include <blossom/rational/number_text.hpp>
+#include "rational_test.hpp"
 
 #include <bit>
 #include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
-#include <string>
-
-#include "support/failure.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-#include "support/textbook_arithmetic.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

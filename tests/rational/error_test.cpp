@@ -1,14 +1,6 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
-
-#include <set>
-#include <string>
-
-#include "support/failure.hpp"
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "rational_test.hpp"
 
 TEST_CASE("every error code has a name of its own", "[error]") {
     std::set<std::string_view> names;

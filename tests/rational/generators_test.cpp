@@ -1,14 +1,6 @@
+#include "rational_test.hpp"
+
 // The generators must produce what the other tests rely on: every corner, in the shares their header claims.
-
-#include "support/number_generators.hpp"
-
-#include <map>
-#include <string>
-
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 TEST_CASE("the stream of choices is the same everywhere", "[generators]") {
     // The 10000th output of std::mt19937_64 with its default seed is fixed by the standard.

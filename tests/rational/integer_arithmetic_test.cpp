@@ -1,17 +1,7 @@
-// Every operation of Integer against another library's numbers, across the boundary of 64 bits.
-
-#include "support/number_generators.hpp"
-#include "support/textbook_arithmetic.hpp"
-
 #include <iterator>
-#include <set>
-#include <vector>
+#include "rational_test.hpp"
 
-#include "support/failure.hpp"
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Every operation of Integer against another library's numbers, across the boundary of 64 bits.
 
 namespace {
 

@@ -1,12 +1,4 @@
-#include "support/number_generators.hpp"
-#include "support/textbook_arithmetic.hpp"
-
-#include <vector>
-
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "rational_test.hpp"
 
 TEST_CASE("greatest common divisors and least common multiples", "[integer]") {
     Random random(31);

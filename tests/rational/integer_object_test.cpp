@@ -1,14 +1,7 @@
-// Integer as a regular type: construction, copies, moves, aliasing, equality and hashes.
-
-#include "support/number_generators.hpp"
-
 #include <type_traits>
-#include <vector>
+#include "rational_test.hpp"
 
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// Integer as a regular type: construction, copies, moves, aliasing, equality and hashes.
 
 namespace {
 

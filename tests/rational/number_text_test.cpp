@@ -1,17 +1,7 @@
-// The one door from text to numbers.
-
-#include <blossom/rational/number_text.hpp>
-
-#include <string>
-
-#include "support/failure.hpp"
+#include "rational_test.hpp"
 #include "support/memory.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-#include "support/textbook_arithmetic.hpp"
 
-using namespace blossom;
-using namespace blossom::testing;
+// The one door from text to numbers.
 
 TEST_CASE("numbers are read in every form", "[number_text]") {
     struct Example {

@@ -1,16 +1,10 @@
-// Values of prepared polynomials, held against Horner's rule on rational numbers: at the limits of words, of
-// rows of words and beyond.
-
 #include <blossom/rational/prepared_polynomial.hpp>
-
-#include <vector>
+#include "rational_test.hpp"
 
 #include "support/horner.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
 
-using namespace blossom;
-using namespace blossom::testing;
+// Values of prepared polynomials, held against Horner's rule on rational numbers: at the limits of words, of
+// rows of words and beyond.
 
 namespace {
 

@@ -1,11 +1,9 @@
-// Sums whose numerators share long and short factors with denominators of many words, against the evident
-// formula.
-
 #include "blossom_sums_cases.hpp"
+#include "rational_test.hpp"
 #include "support/smooth_numbers.hpp"
 
-using namespace blossom;
-using namespace blossom::testing;
+// Sums whose numerators share long and short factors with denominators of many words, against the evident
+// formula.
 
 TEST_CASE("a numerator that the whole denominator divides", "[quotient_reduction]") {
     for (const std::size_t n : {1U, 2U, 5U, 20U, 40U}) {

@@ -1,14 +1,7 @@
+#include "rational_test.hpp"
 #include <blossom/rational/rational.hpp>
 
 #include <type_traits>
-
-#include "support/failure.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-#include "support/textbook_arithmetic.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 static_assert(!std::is_constructible_v<Rational, double>);
 static_assert(!std::is_constructible_v<Rational, float>);

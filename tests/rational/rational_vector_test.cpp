@@ -1,13 +1,4 @@
-#include <blossom/rational/rational_vector.hpp>
-
-#include <vector>
-
-#include "support/failure.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "rational_test.hpp"
 
 namespace {
 

@@ -1,16 +1,9 @@
 #include <blossom/rational/integer.hpp>
-#include <blossom/rational/rational_vector.hpp>
 #include <blossom/rational/resource_budget.hpp>
 #include <blossom/rational/taylor_shift.hpp>
+#include "rational_test.hpp"
 
-#include <optional>
-#include <string>
 #include <thread>
-#include <vector>
-
-#include "support/catch.hpp"
-
-using namespace blossom;
 
 namespace {
 

@@ -1,17 +1,8 @@
+#include <blossom/rational/row_recurrences.hpp>
+#include "rational_test.hpp"
+
 // The integer overloads choose words of a width that must hold every intermediate value. They are held here
 // against the generic template on Integer, which has no width, at the limits of each.
-
-#include <blossom/rational/combinatorics.hpp>
-#include <blossom/rational/row_recurrences.hpp>
-
-#include <map>
-#include <vector>
-
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
 
 namespace {
 

@@ -1,11 +1,7 @@
-// Sums over subsets by residues against the blossom written out in elementary symmetric functions.
-
+#include "rational_test.hpp"
 #include "subset_cases.hpp"
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
 
-using namespace blossom;
-using namespace blossom::testing;
+// Sums over subsets by residues against the blossom written out in elementary symmetric functions.
 
 namespace {
 

@@ -1,15 +1,7 @@
-// The Taylor shift by one on digits in vector lanes, held against Horner's rule on integers.
-
-#include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/taylor_shift.hpp>
+#include "rational_test.hpp"
 
-#include <vector>
-
-#include "support/number_generators.hpp"
-#include "support/number_printing.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+// The Taylor shift by one on digits in vector lanes, held against Horner's rule on integers.
 
 namespace {
 

@@ -1,12 +1,5 @@
 #include <blossom/rational/taylor_shift.hpp>
-
-#include <vector>
-
-#include "support/catch.hpp"
-#include "support/failure.hpp"
-
-using namespace blossom;
-using namespace blossom::testing;
+#include "rational_test.hpp"
 
 // Run apart, with BLOSSOM_VECTOR_LEVEL=avx512 in the environment.
 TEST_CASE("a vector level that there is not is refused at every use", "[.][unknown_vector_level]") {

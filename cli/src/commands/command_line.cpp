@@ -60,7 +60,7 @@ std::size_t integer(const std::string& text, const std::string& name, std::size_
     return value;
 }
 
-/// An option with one value, whose texts are taken as they are.
+/// An option with one value, which the program passes on unchanged.
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& value, std::string help) {
     return app.add_option(name, CLI::callback_t(), std::move(help))->type_name(value);
 }
@@ -116,7 +116,7 @@ std::string shell_text(const std::string& argument) {
     return plain ? argument : quote + argument + quote;
 }
 
-/// The example of an operation with what it prints, by running it.
+/// Runs the example of an operation, and gives the command and its output.
 std::string example_text(const Operation& operation) {
     std::string text = std::string(operation.documentation) + "\n\nExample:\n  $ blossom";
     for (const std::string& argument : operation.example) text += " " + shell_text(argument);
@@ -238,7 +238,7 @@ Outcome write_gallery(const std::filesystem::path& folder, const Streams& stream
     return Outcome::success;
 }
 
-/// `explain OP ARGS...`: every operation once more, as a command of this command.
+/// `explain OP ARGS...`: each operation is a subcommand of `explain`.
 Subcommand add_explain(CLI::App& app, const Operation& explain, std::string_view wanted) {
     CLI::App* command = app.add_subcommand(std::string(explain.name), std::string(explain.summary));
     command->require_subcommand(0, 1);
@@ -381,7 +381,7 @@ Outcome run(std::span<const std::string> arguments, const Streams& given) {
     const std::vector<Subcommand> commands = add_commands(app, arguments);
 
     std::vector<std::string> reversed;
-    // "-e" is an option of one command, also behind explain, and a polynomial for the others.
+    // "-e" is an option of `prove` and `explain prove`; every other command reads it as a polynomial.
     const auto command = std::ranges::find_if(
         arguments, [&](const std::string& argument) { return argument != explain_name; });
     const bool proves = command != arguments.end() && *command == prove_name;

@@ -8,7 +8,7 @@
 
 namespace blossom::cli {
 
-/// Runs the program with the arguments behind its name; the exit status.
+/// Runs the program with these arguments, without its name, and returns the exit status.
 Outcome run(std::span<const std::string> arguments, const Streams& streams);
 
 }  // namespace blossom::cli

@@ -49,7 +49,7 @@ std::vector<CompletedCommand> commands_of(const CLI::App& app) {
     return commands;
 }
 
-/// In single quotes for a shell; brackets and colons have a meaning of their own in zsh's descriptions.
+/// Quotes a text for a shell, and escapes brackets and colons, which are special in the descriptions of zsh.
 std::string shell_quoted(std::string_view text, std::string_view escaped = "") {
     std::string result = "'";
     for (const char c : text) {
@@ -111,7 +111,7 @@ std::string zsh_argument(const CompletedOption& option) {
                                    ? "':value:_files'"
                                    : fmt::format("':value:({})'", fmt::join(option.values, " "));
     if (option.name.empty()) return fmt::format("        '*'{}\n", values);
-    // The brackets of the help are those that _arguments expects around it.
+    // _arguments expects the help in brackets.
     return fmt::format("        '{}'{}{}\n", option.name, help, option.takes_value ? values : "");
 }
 

@@ -83,7 +83,7 @@ std::string conditions_text(const proofs::Block& block, const Decision& decision
     return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-/// The parameters of the cases with this verdict; for all of several parameters their ranges. Empty without
+/// The parameters of the cases with this verdict, or their ranges if all cases have it. Empty without
 /// parameters.
 std::string cases_text(const proofs::Block& block, const Decision& decision, Verdict verdict) {
     const proofs::Cases cases = proofs::cases_with(decision, verdict);

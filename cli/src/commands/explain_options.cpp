@@ -20,13 +20,14 @@ Option inside_request(const Option& option) {
         option.files};
 }
 
-/// The statements of a request.
+/// The field "statement" of a request as a list.
 Json::Array statements_of(const Json& request) {
     const Json* statements = request.find("statement");
     return statements ? *statements->array() : Json::Array();
 }
 
-/// `prove` has a command of its own, whose options take texts as these do. They are applied in this order.
+/// The options of `explain prove`, in the order in which they are applied. They have the syntax of the
+/// options of `prove`.
 std::vector<Option> statement_options() {
     return {{"-e,--statement",
              {"statement"},

@@ -7,8 +7,8 @@
 
 namespace blossom::cli {
 
-/// The command behind `explain` for an operation that has a chapter: its options, which write the request
-/// that is explained, and those of documents.
+/// The subcommand of `explain` for an operation that has a chapter: the options of the operation, and those
+/// that choose the format of the document.
 Operation explained(const Operation& operation);
 
 }  // namespace blossom::cli

@@ -25,7 +25,7 @@ void write_certificates(std::vector<ProofTask>& tasks, const std::string& path) 
     write_file(path, to_text(certificates_json(certificates)) + "\n");
 }
 
-/// Writes the lemmas; gives the number of cases without one.
+/// Writes the lemmas and returns the number of cases without a lemma.
 std::size_t write_lemmas(const std::vector<ProofTask>& tasks, const std::string& path) {
     std::string text = proofs::coq_preamble();
     std::size_t without = 0;
@@ -37,14 +37,15 @@ std::size_t write_lemmas(const std::vector<ProofTask>& tasks, const std::string&
     return without;
 }
 
-/// `id`, or id-2, id-3, ... for what has the same id as an earlier one.
+/// `id`, with a suffix -2, -3, ... if an earlier statement has the same id.
 std::string unused_name(const std::string& id, std::set<std::string>& used) {
     std::string name = id;
     for (std::size_t i = 2; !used.insert(name).second; ++i) name = fmt::format("{}-{}", id, i);
     return name;
 }
 
-/// A file each in a folder, which is made where there is none, or all in one file.
+/// Writes one file per theorem if `path` is a folder, which is made if it does not exist, or all theorems
+/// into one file.
 void write_theorems(const std::vector<ProofTask>& tasks, const std::filesystem::path& path) {
     const bool in_folder = path.filename().empty() || std::filesystem::is_directory(path);
     if (in_folder) std::filesystem::create_directories(path);
@@ -64,7 +65,7 @@ void write_theorems(const std::vector<ProofTask>& tasks, const std::filesystem::
     if (!in_folder) write_file(path, all);
 }
 
-/// The cases of one text, and how many of them are not well.
+/// The test cases of one text, with the numbers of failures and errors.
 class Suite {
 public:
     Suite(pugi::xml_node suites, const ProofText& text)

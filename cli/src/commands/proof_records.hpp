@@ -8,7 +8,7 @@
 
 namespace blossom::cli {
 
-/// Writes the files that the command asks for besides its report: certificates, lemmas of Coq, LaTeX, JUnit.
+/// Writes the files that the options name: certificates, lemmas for Coq, LaTeX, JUnit.
 /// Errors: std::system_error for a file that cannot be written.
 void write_records(const std::vector<ProofText>& texts, std::vector<ProofTask>& tasks,
                    const ProveCommand& command, const Streams& streams);

@@ -15,11 +15,11 @@
 #include "prove_command.hpp"
 #include "text/readable.hpp"
 
-/// What `prove` has to decide: texts, and in them blocks.
+/// The texts that `prove` decides, and their blocks.
 
 namespace blossom::cli {
 
-/// A text as it was given.
+/// A text as the user wrote it, with its origin.
 struct ProofText {
     std::string name;
     std::string content;
@@ -27,7 +27,7 @@ struct ProofText {
     proofs::Document document;
 
     std::size_t line(std::size_t offset) const {
-        return proofs::place_of(written(), offset - std::min(offset, prelude)).line;
+        return proofs::line_and_column(written(), offset - std::min(offset, prelude)).line;
     }
     std::string diagnostic(const Error& error) const {
         const std::size_t offset = error.offset().value_or(0);
@@ -46,24 +46,24 @@ struct ProofTask {
     std::size_t number = 0;
     const ProofText* text = nullptr;
     const proofs::Block* block = nullptr;
-    std::vector<proofs::Decision> decisions = {};
-    std::vector<proofs::Warning> warnings = {};
-    std::vector<proofs::second::Certificate> certificates = {};
-    std::vector<std::string> lemmas = {};
+    std::vector<proofs::Decision> decisions;
+    std::vector<proofs::Warning> warnings;
+    std::vector<proofs::second::Certificate> certificates;
+    std::vector<std::string> lemmas;
     std::size_t without_lemma = 0;
 };
 
-/// The files that a path means: itself, or all files *.blossom of a folder. Errors: std::system_error for a
+/// The path itself, or all files *.blossom in it if it is a folder. Errors: std::system_error for a
 /// folder without one.
 std::vector<std::string> statement_files(const std::string& path);
 
 /// The maps of --degree as lines of the language. Errors: `UsageError`.
 std::string map_lines(const std::vector<std::string>& degrees);
 
-/// What -e is given as a text: the word "claim" may be left out.
+/// The text of an option -e; the word "claim" may be left out.
 std::string statement_text(const std::string& claim);
 
-/// What the command is given: its files, then its statements. Errors: `UsageError` for nothing.
+/// The texts of the files, then those of the options -e. Errors: `UsageError` if there are none.
 std::vector<ProofText> read_texts(const ProveCommand& command, const Streams& streams);
 
 /// The verdict, and the error below it.

@@ -39,7 +39,7 @@ struct Count {
     }
 };
 
-/// "block_7_fj_eq20_n_3": what a case is called in Coq, apart from its number.
+/// The name of a case in Coq without its number, such as "block_7_fj_eq20_n_3".
 std::string lemma_name(const ProofTask& task, const proofs::ProvedCase& proved) {
     std::string name = fmt::format("block_{}_{}", task.number + 1, task.block->id);
     for (const auto& [parameter, value] : proved.block.parameters)
@@ -50,7 +50,7 @@ std::string lemma_name(const ProofTask& task, const proofs::ProvedCase& proved) 
     return name;
 }
 
-/// Decides one task, with the records that are asked for.
+/// Decides one task and keeps the records that the command writes.
 void decide(ProofTask& task, const ProveCommand& command) {
     const auto record = [&](const proofs::ProvedCase& proved) {
         if (!command.certificate.empty()) task.certificates.push_back(proved.certificate);
@@ -69,12 +69,12 @@ void decide(ProofTask& task, const ProveCommand& command) {
     try {
         task.warnings = proofs::doubtful_names(*task.block);
     } catch (const Error&) {
-        // What is wrong with the declarations is the error of every decision.
+        task.warnings.clear();  // an error of the declarations is the error of every decision
     }
     task.decisions = proofs::decide(*task.block, command.limits, options);
 }
 
-/// "warning: file:3:7: ..." with a caret, a warning each.
+/// The warnings of a task, each as "warning: file:3:7: ..." with a caret.
 std::string warnings_text(const ProofTask& task) {
     std::string text;
     for (const proofs::Warning& warning : task.warnings)
@@ -123,7 +123,7 @@ Outcome format_all(const std::vector<ProofText>& texts, const Streams& streams) 
     return Outcome::success;
 }
 
-/// One line of JSON a claim.
+/// One line of JSON per claim.
 Json line_of(const ProofTask& task, const proofs::Decision& decision) {
     Json line =
         Json::Object{{"id", task.block->id},
@@ -179,8 +179,12 @@ Outcome prove(const ProveCommand& command, const Streams& streams) {
         rows.emplace_back(text.name, Count{});
         rows.back().second.unread = text.document.errors.size();
         for (const Error& error : text.document.errors) streams.errors(text.diagnostic(error));
-        for (const proofs::Block& block : text.document.blocks)
-            tasks.push_back({.number = tasks.size(), .text = &text, .block = &block});
+        for (const proofs::Block& block : text.document.blocks) {
+            ProofTask& task = tasks.emplace_back();
+            task.number = tasks.size() - 1;
+            task.text = &text;
+            task.block = &block;
+        }
     }
     const Style style(streams.coloured_output);
     std::size_t reported = 0;

@@ -12,10 +12,10 @@
 
 namespace blossom::cli {
 
-/// What the command `prove` is asked for.
+/// The options of the command `prove`.
 struct ProveCommand {
     std::vector<std::string> paths;       ///< files, folders, or "-"
-    std::vector<std::string> statements;  ///< of -e: a claim each
+    std::vector<std::string> statements;  ///< of the options -e, one claim per option
     std::vector<std::string> degrees;     ///< "b=2" or "f=2,3": the maps of the statements
     bool only_format = false;
     bool as_json = false;
@@ -28,11 +28,11 @@ struct ProveCommand {
     Limits limits;
 };
 
-/// Decides everything and reports it in order. Success when all is as expected, `refused` when something is
-/// not, `wrong_usage` when a text could not be read.
+/// Decides all claims and reports them in order. `success` if every verdict is as expected, `refused` if one
+/// is not, `wrong_usage` if a text could not be read.
 Outcome prove(const ProveCommand& command, const Streams& streams);
 
-/// Checks the certificates of a file and says how many proofs were confirmed. `refused` when one was not.
+/// Checks the certificates of a file and prints how many proofs are confirmed. `refused` if one is not.
 Outcome check_certificate_file(const std::string& path, const Limits& limits, const Streams& streams);
 
 }  // namespace blossom::cli

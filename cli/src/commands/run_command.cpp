@@ -41,7 +41,7 @@ std::string with_caret(std::string_view text, std::size_t offset, const Style& s
                        style.bad("^"));
 }
 
-/// Whether an option writes what lies at `place`, or around it: at its own field, or at that of the map.
+/// Whether an option writes the field at `place` or a field that contains it.
 bool writes(const Option& option, const Place& place) {
     if (place.begins_with(option.field)) return true;
     const std::vector<Place::Step>& steps = option.field.steps();
@@ -50,8 +50,8 @@ bool writes(const Option& option, const Place& place) {
     return place.begins_with((outer / Part::map).around({steps.back()}));
 }
 
-/// The option that wrote what lies at `place`, of those given the one that says most; where none was given,
-/// the first that could have written it; "" if none does.
+/// The most specific of the given options that write the field at `place`; if none was given,
+/// the first option that could write it, or "".
 std::string writer_of(const Place& place, const Command& command) {
     if (place.begins_with(Place{"numbers"})) return "--numbers";  // an option of every command
     const Option* writer = nullptr;
@@ -68,7 +68,7 @@ std::string writer_of(const Place& place, const Command& command) {
     return writer ? writer->name : "";
 }
 
-/// "-" is standard input and "@NAME" a file, without the line end at its end.
+/// The value of an option: "-" stands for standard input and "@NAME" for a file, without the last line end.
 std::string resolved(const std::string& value, const Streams& streams, const Limits& limits) {
     const bool from_file = value.starts_with('@');
     if (!from_file && value != "-") return value;
@@ -82,7 +82,7 @@ struct Refusal {
     Json request;
 };
 
-/// The error as a response for machines on the output, or for a person.
+/// Writes the error as a response in JSON, or as a message.
 Outcome report(const Refusal& refusal, const Command& command, const Streams& streams) {
     if (command.as_json) {
         streams.output(to_text(error_response(Json(), refusal.error)) + "\n");
@@ -93,8 +93,8 @@ Outcome report(const Refusal& refusal, const Command& command, const Streams& st
     return Outcome::refused;
 }
 
-/// One option, applied. The error of a text that is read here, a whole map in JSON, has this text as its
-/// request.
+/// Writes one option into the request. If the text of a whole map in JSON is wrong, the error has this text
+/// as its request.
 void apply(const GivenOption& given, const Command& command, const Streams& streams, Json& request) {
     std::vector<std::string> values;
     values.reserve(given.values.size());

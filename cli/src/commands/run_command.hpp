@@ -12,7 +12,7 @@
 
 namespace blossom::cli {
 
-/// One option of a command and the texts that were given for it.
+/// One option of a command with its values.
 struct GivenOption {
     const Option* option;
     std::vector<std::string> values;
@@ -21,8 +21,8 @@ struct GivenOption {
 /// A command as it was typed.
 struct Command {
     const Operation& operation;
-    std::vector<GivenOption> options;  ///< in the order of the operation's own table
-    std::string numbers;               ///< what --numbers asks for, or ""
+    std::vector<GivenOption> options;  ///< in the order of the table of the operation
+    std::string numbers;               ///< the value of --numbers, or ""
     bool as_json;
     std::string picture;  ///< the file that --svg names, or ""
     std::string mesh;     ///< the file that --obj names, or ""
@@ -33,8 +33,8 @@ struct Command {
 /// Errors: `UsageError`.
 Outcome run_command(const Command& command, const Streams& streams);
 
-/// "error: ..." with the place in the request and the option that wrote it, or a caret below the column of a
-/// text.
+/// "error: ..." with the place in the request and the option that wrote it, or with a caret below the column
+/// of a text.
 std::string readable_error(const Error& error, const Json& request, const Command& command,
                            const Style& style);
 

@@ -10,10 +10,10 @@
 
 namespace blossom::cli {
 
-/// Splits what `source` delivers into lines, of which none is held that is longer than allowed.
+/// Splits the bytes of `source` into lines, and drops the text of a line that is longer than allowed.
 class LineReader {
 public:
-    /// Waits for bytes, puts them at the front of `room` and says how many; 0 at the end.
+    /// Waits for bytes, writes them to the front of `room` and returns their number; 0 at the end.
     using Source = std::function<std::size_t(std::span<char> room)>;
 
     struct Line {
@@ -25,7 +25,7 @@ public:
 
     /// The next line, as soon as its end has arrived, or nothing at the end. The last line needs no line end.
     std::optional<Line> next();
-    /// Whether the next line has arrived already, so that nothing is waited for.
+    /// Whether the next line has already arrived.
     bool has_next() const { return rest_.find('\n') != std::string_view::npos; }
 
 private:
@@ -34,7 +34,7 @@ private:
     Source source_;
     std::size_t longest_;
     std::vector<char> buffer_ = std::vector<char>(1 << 16);
-    std::string_view rest_;  ///< what has arrived and belongs to the lines that follow
+    std::string_view rest_;  ///< bytes of later lines
 };
 
 }  // namespace blossom::cli

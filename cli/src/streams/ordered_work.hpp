@@ -14,19 +14,19 @@
 
 namespace blossom::cli {
 
-/// Jobs that several threads do. Each is taken, one at a time, as soon as it and all before it are done, also
-/// while the next is waited for; at most 4 a thread are held. One thread is that of the caller, in which each
-/// job is done and taken when it is added.
+/// Runs jobs on several threads and passes them to `take` in order, one at a time, as soon as each job and
+/// all earlier ones are done, also while the caller waits for the next job; it holds at most 4 jobs per
+/// thread. With one thread, the caller runs each job when it is added.
 template <class Job>
 class OrderedWork {
 public:
-    /// `take` is false when no more jobs are wanted.
+    /// `take` returns false to end the work.
     OrderedWork(std::size_t threads, std::function<void(Job&)> work, std::function<bool(Job&)> take)
         : work_(std::move(work)), take_(std::move(take)), most_jobs_(4 * threads) {
         try {
             for (std::size_t i = 0; threads > 1 && i < threads; ++i) threads_.emplace_back([this] { run(); });
         } catch (const std::exception&) {  // NOLINT(bugprone-empty-catch)
-            // The system gives no more threads: those that have started, or the caller's, do the work.
+            // If the system refuses a thread, the threads that have started, or the caller, do the work.
         }
         std::unique_lock lock(mutex_);
         has_room_.wait(lock, [&] { return prepared_ == threads_.size(); });
@@ -37,7 +37,7 @@ public:
     OrderedWork& operator=(const OrderedWork&) = delete;
     ~OrderedWork() { join(); }
 
-    /// Waits for room. False when no more jobs are wanted.
+    /// Waits for room and adds a job. False if `take` has ended the work.
     bool add(Job job) {
         if (threads_.empty()) {
             work_(job);
@@ -50,7 +50,7 @@ public:
         return wanted_;
     }
 
-    /// Waits until every job is taken. Throws what `work` or `take` has thrown.
+    /// Waits until every job is taken. Rethrows an exception of `work` or `take`.
     void finish() {
         join();
         if (problem_) std::rethrow_exception(problem_);
@@ -109,7 +109,7 @@ private:
         }
     }
 
-    /// The problem is kept for the thread that waits for the end; this is another.
+    /// Keeps the exception for the thread that waits for the end.
     void stop(const std::exception_ptr& problem) {
         if (!problem_) problem_ = problem;
         wanted_ = false;
@@ -121,9 +121,9 @@ private:
     std::mutex mutex_;
     std::condition_variable has_work_;
     std::condition_variable has_room_;
-    std::size_t prepared_ = 0;  ///< how many threads have begun
+    std::size_t prepared_ = 0;  ///< threads that have begun
     std::deque<Entry> jobs_;    ///< in order, from the first that is not taken
-    std::size_t started_ = 0;   ///< how many of them a thread works on, or has done
+    std::size_t started_ = 0;   ///< jobs that are running or done
     bool finished_ = false;
     bool wanted_ = true;
     std::exception_ptr problem_;

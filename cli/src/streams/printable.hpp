@@ -5,7 +5,7 @@
 
 namespace blossom::cli {
 
-/// `text` as a terminal may have it: bytes that are not UTF-8, and control characters except line ends, tabs
+/// `text` made safe for a terminal: bytes that are not UTF-8, and control characters except line ends, tabs
 /// and the colours of this program, become '?'.
 std::string printable(std::string_view text);
 

@@ -28,7 +28,7 @@ std::size_t read_some(int descriptor, std::span<char> room, const std::string& n
     }
 }
 
-/// Writes all of it; false when the other side is closed.
+/// Writes all of `text`; false if the other side is closed.
 bool write_all(int descriptor, std::string_view text, const std::string& name) {
     while (!text.empty()) {
         const ssize_t count = ::write(descriptor, text.data(), text.size());
@@ -91,7 +91,7 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
     };
     const bool exists = fs::exists(path);
     if (exists && ::access(path.c_str(), W_OK) != 0) throw last_error(path.string());
-    // A device or a pipe has nothing that could be lost.
+    // A device or a pipe has no contents to protect, so it is written directly.
     if (exists && !fs::is_regular_file(path)) return write(path, 0);
     const fs::path target = exists ? fs::canonical(path) : path;
     if (exists && ::access(target.parent_path().c_str(), W_OK) != 0) return write(target, O_TRUNC);

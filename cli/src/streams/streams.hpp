@@ -20,17 +20,18 @@ struct Streams {
     bool shows_progress = false;  ///< errors go to a terminal, where a line can be written over
 };
 
-/// The standard streams. Colours are for a terminal, unless NO_COLOR is set or TERM is "dumb" or not set.
+/// The standard streams. Output is coloured on a terminal, unless NO_COLOR is set or TERM is "dumb" or not
+/// set.
 Streams standard_streams();
 
 /// The bytes of a file. Errors: std::system_error.
 LineReader::Source file_source(const std::string& path);
 
-/// Writes a file, in place of one of that name, which stays as it is until the new one is complete where
-/// its folder can be written to. Errors: std::system_error.
+/// Writes or replaces a file. The old file stays until the new one is complete, if
+/// the folder is writable. Errors: std::system_error.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// All that `source` delivers. Errors: `limit_exceeded` beyond `longest` bytes.
+/// All bytes of `source`. Errors: `limit_exceeded` beyond `longest` bytes.
 std::string read_all(const LineReader::Source& source, std::size_t longest);
 
 }  // namespace blossom::cli

@@ -96,7 +96,7 @@ using TriangleChapter = Document (*)(const worked::GivenTriangle&, const Coordin
 
 /// Errors: `wrong_kind` unless the domain is one triangle; `wrong_arity` for several points.
 Document triangle_chapter(const Asked& asked, TriangleChapter chapter) {
-    const Patch& patch = std::get<Patch>(asked.map().value);
+    const auto& patch = std::get<Patch>(asked.map().value);
     const NetShape& shape = patch.shape();
     if (shape.factors() != 1 || shape[0].dimension != 2) {
         throw Error(ErrorCode::wrong_kind,

@@ -4,7 +4,7 @@
 
 #include <blossom/protocol/json.hpp>
 
-/// Doubles of other programs, in and out.
+/// The conversion of doubles in the files of other programs.
 
 namespace blossom::protocol {
 

@@ -16,7 +16,7 @@ constexpr const char* only_curves = "only curves are read, and this has more tha
 
 std::vector<Rational> read_doubles(const Json& value) { return read_list(value, read_double); }
 
-/// Points of one dimension.
+/// Reads points, which must all have one dimension.
 std::vector<Coordinates> read_rows(const Json& value) {
     std::vector<Coordinates> rows = read_list(value, read_doubles);
     for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -89,7 +89,7 @@ std::vector<Map> read_tinyspline(const Json& document, const Limits& limits) {
     return {spline(degree, std::move(knots), std::move(points), std::nullopt, tinyspline_numbers)};
 }
 
-/// The numbers of a bspline map as every format has them.
+/// The numbers of a bspline map that every format contains.
 struct Parts {
     const BSplineCurve& curve;
     Json::Array knots;

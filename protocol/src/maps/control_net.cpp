@@ -26,7 +26,7 @@ MultiIndex read_index_of(const Json& value, std::size_t entries, std::size_t deg
 
 std::string index_text(const MultiIndex& index) { return fmt::format("({})", fmt::join(index, ", ")); }
 
-/// leaf(value) for the value of every index, in the order of the net. Each index must occur once.
+/// Calls leaf(value) for each index in the order of the net. Each index must occur once.
 template <class Leaf>
 void visit_indexed(const Json& value, std::size_t dimension, std::size_t degree, const Limits& limits,
                    const Leaf& leaf) {
@@ -58,7 +58,7 @@ void visit_indexed(const Json& value, std::size_t dimension, std::size_t degree,
     }
 }
 
-/// One pair of index and value a point.
+/// Writes one pair of an index and a value per point.
 Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
     Json::Array entries;
     std::size_t place = 0;
@@ -124,7 +124,7 @@ Map read_simplex(Fields& fields, const Limits& limits) {
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
     std::size_t dimension = 0;
-    // The number of entries of the first index says the dimension.
+    // The first index determines the dimension.
     const auto visit = [&](const Json& value, const auto& leaf) {
         const Json::Array& entries = read_array(value);
         if (entries.empty()) refuse_net("a control net has at least one point");
@@ -187,7 +187,7 @@ std::string formula(const Patch& patch, const Map& map, std::string_view name) {
 }
 
 std::string patch_degree(const Map& map) {
-    const Patch& patch = std::get<Patch>(map.value);
+    const auto& patch = std::get<Patch>(map.value);
     return patch.is_polynomial() ? ", " + degree_text(patch) : "";
 }
 

@@ -11,7 +11,7 @@
 
 #include "kind.hpp"
 
-/// How an operation says which kinds of map it takes.
+/// The choice of a function by the kind of a map.
 
 namespace blossom::protocol {
 
@@ -52,7 +52,7 @@ Result dispatch_on_kind(const Map& map, const Function& function, const Place& p
     return std::visit(call, map.value);
 }
 
-/// What the inverse formula makes of samples. Errors: `missing_sample`; `limit_exceeded`.
+/// The curve that the inverse formula makes of samples. Errors: `missing_sample`; `limit_exceeded`.
 BezierCurve curve_of_samples(const Samples& samples, const Limits& limits);
 
 /// A map of a kind that is one polynomial. Errors: `wrong_kind`.

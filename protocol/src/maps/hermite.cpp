@@ -11,7 +11,7 @@ namespace blossom::protocol {
 
 namespace {
 
-/// A value and derivatives at each end.
+/// The value and the derivatives at each end.
 struct Ends {
     std::vector<Coordinates> left;
     std::vector<Coordinates> right;
@@ -40,7 +40,7 @@ Points read_ends(Fields& fields, Ends& ends, const Limits& limits) {
     return left;
 }
 
-/// The derivatives of the denominator at one end as last coordinates.
+/// Appends the derivatives of the denominator at one end as last coordinates.
 void append_derivatives(std::vector<Coordinates>& points, const std::vector<Rational>& denominator) {
     if (denominator.size() != points.size()) {
         throw Error(ErrorCode::wrong_arity, fmt::format("{} derivatives of the denominator for {} of the map",

@@ -10,21 +10,21 @@
 #include "description/members.hpp"
 #include "map.hpp"
 
-/// What each kind of map says of itself: how it is read, written, shown to a person, and made of other
-/// curves.
+/// The description of a kind of map: how it is read, written and shown to a person, and how it is made of
+/// other curves.
 
 namespace blossom::protocol {
 
-/// A word of the field "kind".
+/// A value of the field "kind".
 struct KindWord {
     std::string_view word;
     Map (*read)(Fields& fields, const Limits& limits) = nullptr;
     Members (*members)() = nullptr;       ///< its fields besides "kind"
     std::string_view documentation = "";  ///< one sentence
-    std::string_view field = "";          ///< it is meant where there is this field
+    std::string_view field = "";          ///< a field that only this kind has
 };
 
-/// "bspline", or with `between` " with ", "bspline with degrees" where the field says what is meant.
+/// "bspline", or "bspline with degrees" if `between` is " with " and a field identifies the kind.
 inline std::string title_of(const KindWord& word, std::string_view between) {
     return std::string(word.word) + (word.field.empty() ? "" : std::string(between).append(word.field));
 }
@@ -32,12 +32,12 @@ inline std::string title_of(const KindWord& word, std::string_view between) {
 /// A field of `convert` that is read by one target only.
 struct TargetField {
     std::string_view name;
-    std::string_view value;  ///< what help calls its value
+    std::string_view value;  ///< the name of its value in the help
     std::string_view help;
     bool is_list = false;  ///< numbers, not one
 };
 
-/// How a curve that is one polynomial becomes a map of a kind: a word of the field "to" of `convert`.
+/// How a curve that is one polynomial becomes a map of this kind: a value of the field "to" of `convert`.
 struct Target {
     /// `own` is the interval of the map, or [0, 1].
     using Convert =
@@ -46,25 +46,25 @@ struct Target {
     std::string_view word;
     Convert (*read)(Fields& request, const Limits& limits) = nullptr;
     bool over_interval = false;  ///< whether it reads the field "interval"
-    TargetField field = {};      ///< with a name, where it has one more
+    TargetField field = {};      ///< named if the target has a field of its own
 };
 
 struct Kind {
-    std::string_view name;  ///< what messages call it
+    std::string_view name;  ///< its name in messages
     std::array<KindWord, 3> words;
     Json (*write)(const Map& map);
     std::string (*formula)(const Map& map, std::string_view name);
-    Target target = {};  ///< with a word, where curves are converted to this kind
-    std::string (*degree_text)(const Map& map) = nullptr;  ///< what its formula leaves out, ", degree 3"
+    Target target = {};                                    ///< named if curves can be converted to this kind
+    std::string (*degree_text)(const Map& map) = nullptr;  ///< what its formula does not show, ", degree 3"
 };
 
 inline const Kind& kind_of(const Map& map) { return *Kinds::all[map.value.index()]; }
 
-/// The word in the field "kind" of a map; of several with this word the one whose field is there counts.
-/// Errors: `wrong_kind`.
+/// The kind that the field "kind" of a map names; among several with this name, the one whose field is
+/// present. Errors: `wrong_kind`.
 const KindWord& word_of(const Fields& fields, const Json& word);
 
-/// `Kind::write` and `Kind::formula` from functions about the type of the maps.
+/// `Kind::write` and `Kind::formula` made from functions on the type of the maps.
 template <class Value, Json (*write)(const Value& value, const PointForm& form)>
 Json write_value(const Map& map) {
     return write(std::get<Value>(map.value), map.form);
@@ -74,7 +74,7 @@ std::string formula_of_value(const Map& map, std::string_view name) {
     return formula(std::get<Value>(map.value), map, name);
 }
 
-/// Weights of points, of this shape, or points that have them as their last coordinates.
+/// The fields for weights of this shape, or for points with the weight as last coordinate.
 Choice weights_or_homogeneous(Shape weights);
 
 /// The fields of a curve with control points besides its knots.

@@ -45,7 +45,7 @@ using Kinds = KindList<Registered<PolynomialCurve, polynomial_kind>,    //
                        Registered<Patch, patch_kind>,                   //
                        Registered<TensorBSpline, tensor_bspline_kind>>;
 
-/// What a map is made of.
+/// The value of a map of any kind.
 using AnyMap = Kinds::Value;
 
 }  // namespace blossom::protocol

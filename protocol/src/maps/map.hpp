@@ -19,7 +19,7 @@ namespace blossom::protocol {
 struct Map {
     AnyMap value;
     PointForm form;
-    std::string variable = "t";  ///< what its text called the parameter
+    std::string variable = "t";  ///< the name of the parameter in its text
 };
 
 /// Another map whose points are written as those of the original.
@@ -35,16 +35,16 @@ inline std::vector<Map> like(const Map& original, std::vector<AnyMap> values) {
 
 std::size_t dimension_of(const Map& map);
 
-/// A map of any kind. Errors: `wrong_kind` for a kind that is not known, those of the kind.
+/// Reads a map of any kind. Errors: `wrong_kind` for an unknown kind; those of the kind.
 Map read_map(const Json& value, const Limits& limits);
 
-/// The map as a request may give it again.
+/// The map in the form of a request.
 Json to_json(const Map& map);
 
-/// "P(t) = ..." for a polynomial, otherwise its points.
+/// "P(t) = ..." for a polynomial, the points for other maps.
 std::string formula(const Map& map, std::string_view name);
 
-/// `formula` for P with what else a reader needs to know: "P(t) = 1 + 2t, formal degree 1".
+/// `formula` for P with the degree if it does not show it: "P(t) = 1 + 2t, formal degree 1".
 std::string description(const Map& map);
 
 }  // namespace blossom::protocol

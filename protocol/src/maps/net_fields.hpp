@@ -39,8 +39,8 @@ WeightedPoints read_net(Fields& fields, const Limits& limits, const Visit& visit
     return {std::move(points.points), form};
 }
 
-/// leaf(value) for every entry of nested arrays with counts[d] elements on level d; `rule(d, count)` is what
-/// a message says of another number.
+/// Calls leaf(value) for each entry of nested arrays with counts[d] elements on level d; `rule(d, count)` is
+/// the text of the error for another number.
 template <class Leaf, class Rule>
 void visit_nested(const Json& value, std::span<const std::size_t> counts, const Leaf& leaf, const Rule& rule,
                   std::size_t level = 0) {

@@ -7,22 +7,22 @@
 
 #include "map.hpp"
 
-/// Parameters as they stand in requests: by one number for a curve, by one number per direction for a tensor
-/// product, by the coordinates of a point for a simplex.
+/// Parameters in requests: one number for a curve, one number per direction for a tensor
+/// product, the coordinates of a point for a simplex.
 
 namespace blossom::protocol {
 
-/// How the parameters of a map are written.
+/// The form in which the parameters of a map are written.
 struct ParameterForm {
-    bool scalar = true;        ///< those of a curve: as a number, not as an array
-    std::size_t numbers = 1;   ///< that make up a parameter
-    std::size_t factors = 1;   ///< of the domain: what there is one of a direction
-    bool barycentric = false;  ///< the numbers of a point have the sum 1, those of a vector the sum 0
+    bool scalar = true;        ///< a parameter of a curve: a number, not an array
+    std::size_t numbers = 1;   ///< numbers per parameter
+    std::size_t factors = 1;   ///< factors of the domain, one per direction
+    bool barycentric = false;  ///< the numbers of a point add up to 1, those of a vector to 0
 };
 
 ParameterForm parameter_form(const Map& map);
 
-/// The numbers of each parameter behind those of the one before.
+/// The numbers of all parameters, one parameter after the other.
 struct Parameters {
     std::vector<Rational> numbers;
     std::size_t each = 1;
@@ -41,15 +41,15 @@ std::vector<Rational> read_parameter(const Json& value, const ParameterForm& for
 /// The field "at", a list of points.
 Parameters read_parameters(Fields& request, const ParameterForm& form, const Limits& limits);
 
-/// What is differentiated along: "directions", or "direction" as often as "order" says, of a curve the unit
+/// The directions of a derivative: "directions", or "direction" repeated "order" times; for a curve the unit
 /// vector. Errors: `missing_field`, `limit_exceeded`.
 std::vector<Coordinates> read_directions(Fields& request, const ParameterForm& form, const Limits& limits);
 
-/// One number or null a direction.
+/// One number or null per direction.
 std::vector<std::optional<Rational>> read_some_directions(const Json& value, std::size_t directions,
                                                           const Limits& limits);
 
-/// f(parameter) for each of them, with errors at its place in the field "at".
+/// f(parameter) for each parameter; errors get its place in the field "at".
 template <class Function>
 auto at_each(const Parameters& parameters, const Function& f) {
     return within("at", [&] {
@@ -61,7 +61,7 @@ auto at_each(const Parameters& parameters, const Function& f) {
     });
 }
 
-/// One value for each parameter of the field "at", as they stand in an answer.
+/// The values at the parameters of the field "at", as an answer lists them.
 Json written_at(std::span<const Coordinates> values, const PointForm& form);
 
 }  // namespace blossom::protocol

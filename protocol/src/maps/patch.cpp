@@ -70,6 +70,7 @@ void write_degrees(Json& map, const Patch& patch) {
 std::vector<BarycentricFrame> domain_or_standard(const Patch& patch) {
     if (!patch.frames.empty()) return patch.frames;
     std::vector<BarycentricFrame> frames;
+    frames.reserve(patch.shape().factors());
     for (std::size_t f = 0; f < patch.shape().factors(); ++f) {
         frames.push_back(BarycentricFrame::standard(patch.shape()[f].dimension));
     }

@@ -25,7 +25,7 @@ struct Patch {
     std::size_t dimension() const { return points_of(map).dimension(); }
     bool is_polynomial() const { return std::holds_alternative<PolynomialPatch>(map); }
     bool is_barycentric() const { return !is_polynomial() && frames.empty(); }
-    /// The numbers that make up a parameter.
+    /// The number of coordinates of a parameter.
     std::size_t parameters() const;
 };
 
@@ -42,17 +42,17 @@ Coordinates engine_argument(const Patch& patch, std::size_t factor, std::span<co
 /// front for a polynomial. Errors: `not_affine` for barycentric numbers whose sum is not the mass.
 PatchPoint engine_arguments(const Patch& patch, std::span<const Rational> numbers, const Rational& mass);
 
-/// One a factor.
+/// One frame per factor.
 std::vector<std::size_t> degrees_of(const NetShape& shape);
-/// Writes "degrees", or "degree" of a simplex.
+/// Writes "degrees", or "degree" for a simplex.
 void write_degrees(Json& map, const Patch& patch);
 
-/// The domain simplices, those of the unit box or the standard simplex where there are none.
+/// The simplices of the domain; by default the unit box or the standard simplex.
 std::vector<BarycentricFrame> domain_or_standard(const Patch& patch);
 
 /// A list of vertices, each an array of numbers. Errors: those of `BarycentricFrame`.
 BarycentricFrame read_vertices(const Json& value, const Limits& limits);
-/// One interval a direction, as simplices of dimension 1. Errors: `wrong_arity`.
+/// One interval per direction, as simplices of dimension 1. Errors: `wrong_arity`.
 std::vector<BarycentricFrame> read_intervals(const Json& value, std::size_t directions, const Limits& limits);
 
 }  // namespace blossom::protocol

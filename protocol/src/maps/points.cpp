@@ -14,7 +14,7 @@ Coordinates read_coordinates(const Json& value, bool scalar, const Limits& limit
     return read_numbers(value, limits);
 }
 
-/// All of few texts, of many the first and the last.
+/// All texts if there are few, otherwise the first and the last.
 std::string joined(const std::vector<std::string>& texts) {
     constexpr std::size_t most = 24;
     constexpr std::size_t shown_at_each_end = 4;

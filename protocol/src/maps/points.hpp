@@ -12,11 +12,11 @@
 #include "description/members.hpp"
 #include "json/fields.hpp"
 
-/// Points as they stand in requests and responses.
+/// Points in requests and responses.
 
 namespace blossom::protocol {
 
-/// How the points of a map are written.
+/// The form in which the points of a map are written.
 struct PointForm {
     bool scalar = true;        ///< as a number, not as an array
     bool rational = false;     ///< the last coordinate of the engine's points is a weight
@@ -26,22 +26,22 @@ struct PointForm {
     bool separate_weights() const { return rational && !homogeneous; }
 };
 
-/// One point of a map. Errors: `zero_weight` for a point without place, unless the form is homogeneous.
+/// One point of a map in JSON. Errors: `zero_weight` for a point at infinity, unless the form is homogeneous.
 Json to_json(const Coordinates& point, const PointForm& form);
 
-/// The numbers of a point as `to_json` has written it.
+/// The numbers of a point that `to_json` has written.
 Coordinates answered_point(const Json& value);
 
 /// One point of a map of this form, with its weight last where the form is homogeneous.
 /// Errors: `mismatched_dimensions` unless it has `dimension` numbers.
 Coordinates read_point(const Json& value, const PointForm& form, std::size_t dimension, const Limits& limits);
 
-/// Points as they stand in a request: all numbers, or all arrays of one length.
+/// Reads the points of a request: all numbers, or all arrays of one length.
 struct Points {
     std::vector<Coordinates> points;
     bool scalar;
 };
-/// Points one after the other, all of the form of the first.
+/// Reads points one after the other; all must have the form of the first.
 class PointReader {
 public:
     explicit PointReader(const Limits& limits, std::size_t expected = 0) : limits_(limits) {
@@ -66,15 +66,15 @@ struct WeightedPoints {
     std::vector<Coordinates> points;
     PointForm form;
 };
-/// Multiplies a point by its weight and appends that. Errors: `zero_weight`.
+/// Multiplies a point by its weight and appends the weight. Errors: `zero_weight`.
 void append_weight(Coordinates& point, const Rational& weight);
-/// Makes (w_i P_i, w_i) of every point. Errors: `wrong_arity` unless there is a weight a point;
+/// Makes (w_i P_i, w_i) of every point. Errors: `wrong_arity` unless there is one weight per point;
 /// `zero_weight`.
 void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights);
 
 /// The fields "control_points", "weights" and "homogeneous".
-/// Errors: `wrong_arity` unless there is a weight a point; `zero_weight`; `wrong_kind` for both "weights" and
-/// "homogeneous".
+/// Errors: `wrong_arity` unless there is one weight per point; `zero_weight`; `wrong_kind` for both "weights"
+/// and "homogeneous".
 WeightedPoints read_control_points(Fields& fields, const Limits& limits);
 /// Writes the points as field `name`, with "weights" and "homogeneous"; arrange(values) puts a list in the
 /// form of the points.
@@ -96,21 +96,21 @@ inline void write_control_points(Json& map, std::span<const Coordinates> points,
     write_points(map, "control_points", points, form, [](Json::Array values) { return values; });
 }
 
-/// The fields "coefficients", "denominator" and "homogeneous": coefficients stand as they are, only points
-/// are divided by a weight.
+/// The fields "coefficients", "denominator" and "homogeneous": coefficients are written undivided, only
+/// points are divided by a weight.
 void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const PointForm& form);
 
-/// Whether "homogeneous" is asked for.
+/// Whether the field "homogeneous" is true.
 bool read_homogeneous(Fields& fields);
 /// Errors: `wrong_kind` for "weights" beside "homogeneous".
 void refuse_weights(const Fields& fields);
-/// That field.
+/// The field "homogeneous".
 Field homogeneous_field();
-/// The form of points that carry their weight. Errors: `mismatched_dimensions` when there is nothing but a
-/// weight.
+/// The form of points that contain their weight. Errors: `mismatched_dimensions` if there is no coordinate
+/// besides the weight.
 PointForm homogeneous_form(const Points& points);
 
-/// The field "degree" where the number of points already says it. Errors: `wrong_arity` if they differ.
+/// Reads the field "degree", which must agree with the number of points. Errors: `wrong_arity`.
 void check_degree(Fields& fields, std::size_t points, const Limits& limits);
 
 /// Errors: `limit_exceeded` when `count` points of `dimension` coordinates exceed `limits.numbers`.
@@ -118,10 +118,10 @@ void require_numbers(std::size_t count, std::size_t dimension, const Limits& lim
 /// Errors: `limit_exceeded` when `points` points make a degree above `limits.degree`.
 void require_degree(std::size_t points, const Limits& limits);
 
-/// The control points of a map for a reader, "(0, 0), (1, 2), weights 1, 2"; of very many only the first and
-/// the last.
+/// The control points of a map as text, "(0, 0), (1, 2), weights 1, 2"; if there are very many, only the
+/// first and the last.
 std::string control_points_text(const Json& map);
-/// Numbers for a reader, likewise.
+/// Numbers as text, abbreviated likewise.
 std::string numbers_text(const Json& numbers);
 
 }  // namespace blossom::protocol

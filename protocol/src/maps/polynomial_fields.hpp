@@ -7,12 +7,13 @@
 #include "json/fields.hpp"
 #include "points.hpp"
 
-/// What polynomials in one and in several variables are written with: "text" or their coefficients,
+/// The fields of polynomials in one and in several variables: "text" or coefficients,
 /// "denominator" and "homogeneous".
 
 namespace blossom::protocol {
 
-/// texts(member) for "text", coefficients(member) for the field `name`. Errors: `wrong_kind` for both.
+/// Calls texts(member) for the field "text", or coefficients(member) for the field `name`. Errors:
+/// `wrong_kind` if both are present.
 template <class Texts, class Coefficients>
 auto read_polynomials(Fields& fields, std::string_view name, const Texts& texts,
                       const Coefficients& coefficients) {
@@ -28,7 +29,7 @@ auto read_polynomials(Fields& fields, std::string_view name, const Texts& texts,
 /// `mismatched_dimensions` where there is nothing but a weight.
 PointForm read_polynomial_form(Fields& fields, std::size_t coordinates, bool scalar, bool has_denominator);
 
-/// "(1 - t^2, 2t) / (1 + t^2)", of one text a coordinate.
+/// "(1 - t^2, 2t) / (1 + t^2)", from one text per coordinate.
 std::string coordinates_text(std::vector<std::string> texts, const PointForm& form);
 
 }  // namespace blossom::protocol

@@ -9,7 +9,7 @@
 
 namespace blossom::protocol {
 
-/// Values of a map that is not known otherwise, of which the inverse formula makes a curve of a degree.
+/// Values of an unknown polynomial of a given degree, which the inverse formula determines.
 struct Samples {
     std::size_t degree;
     Interval interval;

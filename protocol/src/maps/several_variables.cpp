@@ -14,7 +14,7 @@ namespace blossom::protocol {
 
 namespace {
 
-/// One polynomial a coordinate.
+/// One polynomial per coordinate.
 struct Coordinatewise {
     std::vector<SparsePolynomial> coordinates;
     bool scalar = true;
@@ -113,7 +113,7 @@ std::size_t actual_degree(const Coordinatewise& map, std::optional<std::size_t> 
     return degree;
 }
 
-/// By a total degree or by one degree per variable; without either by the actual total degree.
+/// The shape of a total degree or of one degree per variable; by default the actual total degree.
 NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& names, const Limits& limits) {
     const auto degrees = fields.optional("degrees", [&](const Json& value) {
         return read_each_direction(value, names.size(), "degrees",
@@ -131,17 +131,16 @@ NetShape read_shape(Fields& fields, const Coordinatewise& map, const Names& name
     return within("degree", [&] { return NetShape::simplex(names.size(), total, limits); });
 }
 
-/// The exponents that occur in any of the coordinates, with one coefficient a coordinate.
+/// The exponents that occur in any of the coordinates, with one coefficient per coordinate.
 std::map<std::vector<std::size_t>, Coordinates> terms_of(const PolynomialPatch& patch) {
     const std::size_t variables = patch.shape().dimension();
     std::map<std::vector<std::size_t>, Coordinates> terms;
     for (std::size_t j = 0; j < patch.dimension(); ++j) {
         const SparsePolynomial polynomial = patch.coordinate(j);
         for (std::size_t term = 0; term < polynomial.size(); ++term) {
-            std::vector<std::size_t> exponents;
-            for (std::size_t i = 0; i < variables; ++i) {
-                exponents.push_back(i < polynomial.variables() ? polynomial.exponent(term, i) : 0);
-            }
+            std::vector<std::size_t> exponents(variables);
+            for (std::size_t i = 0; i < std::min(variables, polynomial.variables()); ++i)
+                exponents[i] = polynomial.exponent(term, i);
             Coordinates& point = terms[exponents];
             point.resize(patch.dimension());
             point[j] = polynomial.coefficient(term);
@@ -165,7 +164,7 @@ Members members_in_several_variables() {
                     "a polynomial in these variables, or one per coordinate")},
           {required(
               "terms", terms,
-              "pairs of exponents and a point; for x^2 + 3xy this is `[[[2, 0], \"1\"], [[1, 1], \"3\"]]`")}},
+              R"(pairs of exponents and a point; for x^2 + 3xy this is `[[[2, 0], "1"], [[1, 1], "3"]]`)")}},
          {{optional(
               "degree", ValueKind::count,
               "the formal total degree, by default the actual one; the blossom takes this many points")},

@@ -2,7 +2,7 @@
 
 #include "map.hpp"
 
-/// Polynomials in several variables: what the kind patch is made of besides control nets.
+/// Polynomials in several variables, which a `Patch` holds like control nets.
 
 namespace blossom::protocol {
 

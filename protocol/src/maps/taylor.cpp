@@ -11,7 +11,7 @@ namespace blossom::protocol {
 
 namespace {
 
-/// The coefficients of the denominator as the last coordinate, filled up with zeros to a common length.
+/// Appends the coefficients of the denominator as last coordinate, padded with zeros to a common length.
 void append_denominator(std::vector<Coordinates>& coefficients, std::vector<Rational> denominator) {
     if (std::ranges::all_of(denominator, &Rational::is_zero)) {
         throw Error(ErrorCode::zero_denominator, "the denominator is the polynomial 0");

@@ -10,7 +10,7 @@ namespace blossom::protocol {
 
 namespace {
 
-/// How many entries the first of the nested arrays on each level has.
+/// The length of the first of the nested arrays on each level.
 std::vector<std::size_t> counts_of(const Json& net, std::size_t levels) {
     const Json::Array& elements = read_array(net);
     if (elements.empty()) refuse_net("a control net has at least one point");

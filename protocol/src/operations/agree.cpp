@@ -70,7 +70,7 @@ struct Agree {
     }
 
 private:
-    /// `expanded` are the members before the expansion, and the names of the symbolic arguments in it.
+    /// `expanded` holds the members before the expansion and the names of its symbolic arguments.
     Json answer(const auto& value, const auto& map, const auto& expanded) const {
         const auto arguments = request.optional(
             "arguments", [&](const Json& written) { return read_arguments(written, value, form, limits); });

@@ -35,14 +35,14 @@ Shape audited_shape(std::string_view field, ValueKind kind) {
         {kind, Shape::object({{required("left", kind, "at a"), required("right", kind, "at b")}})});
 }
 
-/// The members of an object with some numbers of a map.
+/// The members of an object that contain numbers of a map.
 FieldList audited_fields(ValueKind kind) {
     return mapped(std::span(audited), [&](std::string_view field) {
         return optional(field, audited_shape(field, kind), "the numbers of this member of the map");
     });
 }
 
-/// What another program has computed, with or without values at parameters.
+/// The results of another program, with or without values at parameters.
 Shape computed_shape(bool with_values) {
     FieldList fields = audited_fields(ValueKind::doubles);
     fields.pop_back();
@@ -53,7 +53,7 @@ Shape compared_shape() {
     return Shape::object({.fields = audited_fields(ValueKind::nested_points), .some = true});
 }
 
-/// Those that are multiplied by weights, or divided by a denominator.
+/// The members that are multiplied by weights or divided by a denominator.
 constexpr std::string_view divided[] = {"control_points", "control_net",  "left",
                                         "right",          "coefficients", "terms"};
 
@@ -64,15 +64,15 @@ Json values_of(const Map& map, const Json& at, const Limits& limits) {
     return written_at(values_at(map, read_parameters(fields, parameter_form(map), limits), limits), map.form);
 }
 
-/// What is compared with what.
+/// The two sides of the comparison.
 struct Sides {
     Json exact;
     Json computed;                          ///< members with numbers
-    const ForeignFormat* format = nullptr;  ///< of the document that they come from
-    const Json* document = nullptr;         ///< as it is given
+    const ForeignFormat* format = nullptr;  ///< the format of the document
+    const Json* document = nullptr;         ///< the document of the request
     std::string_view without_weights;       ///< the side whose weights are taken to be 1
 
-    /// Where the request has what lies at `of_numbers` of the computed side. A document may leave knots out.
+    /// The place in the request of the computed number at `of_numbers`. A document may leave knots out.
     Place place(const Place& of_numbers) const {
         if (!format) return Place{"computed"}.around(of_numbers);
         return Place{"document"}.around(present_part(*document, place_in_document(*format, of_numbers)));
@@ -122,7 +122,7 @@ Sides read_computed(Request& request, const Map& map, const Limits& limits) {
     return sides;
 }
 
-/// The weights 1 of a curve without weights.
+/// The weights of a curve without weights, all 1.
 Json weights_of_one(const Json& curve) {
     return Json::Array(curve.find("control_points")->array()->size(), Rational(1));
 }

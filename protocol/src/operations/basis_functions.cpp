@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view convention_names[] = {"textbook", "polar"};
 
-/// As many control points as the knots are for in this convention.
+/// The number of control points that belongs to the knots in this convention.
 KnotVector read_knots(Fields& request, const Limits& limits) {
     const std::size_t degree =
         request.required("degree", [&](const Json& value) { return read_count(value, limits); });

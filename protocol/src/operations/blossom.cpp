@@ -16,7 +16,7 @@ namespace blossom::protocol {
 
 namespace {
 
-/// By the construction asked for, or the one that suits the map.
+/// The value by the requested construction, or by the natural one for the map.
 template <OnePolynomial Curve>
 Coordinates value_of(const Curve& curve, std::span<const Argument> arguments,
                      std::optional<Construction> construction, const Limits& limits) {
@@ -34,7 +34,7 @@ Coordinates value_of(const Patch& patch, const PatchArguments& arguments,
     return std::visit([&](const auto& one) { return blossom_value(one, arguments, limits); }, patch.map);
 }
 
-/// Reads what the value is asked at, and computes it.
+/// Reads the arguments and computes the value.
 struct Value {
     Fields& request;
     const PointForm& form;

@@ -22,12 +22,13 @@ std::vector<Argument> read_arguments(const Json& value, const OnePolynomial auto
                                      const Limits& limits) {
     return read_arguments(value, form, limits);
 }
-/// Those of a patch: for a simplex or a total degree a list of points [..], {"vector": [..]} or
+/// The arguments for a patch: for a simplex or a total degree a list of points [..], {"vector": [..]} or
 /// {"homogeneous": [.., mass]}; for a tensor product one list per direction as for a curve.
 PatchArguments read_arguments(const Json& value, const Patch& patch, const PointForm& form,
                               const Limits& limits);
 
-/// Runs `action`; where the engine names factor 0 of a simplex, the request has no such level.
+/// Runs `action`, and removes factor 0 of a simplex from the place of an error: the request has no such
+/// level.
 template <class Action>
 auto at_arguments(const Patch& patch, const Action& action) {
     try {
@@ -51,7 +52,7 @@ Construction read_construction(const Json& value);
 
 /// Field "arguments": numbers, vectors or pairs; of a patch points, or one list per direction.
 Field arguments_field(Presence presence, std::string documentation);
-/// --at, for this field.
+/// The option --at for this field.
 Option arguments_option(std::string help);
 
 }  // namespace blossom::protocol

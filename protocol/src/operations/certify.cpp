@@ -28,7 +28,7 @@ PolynomialCurve with_degree(const PolynomialCurve& curve, std::size_t degree) {
     return PolynomialCurve(coefficients);
 }
 
-/// A request that has been answered, and what it was about.
+/// A request with its answer and its map.
 struct Question {
     const Json& request;
     const Answer& answer;
@@ -41,11 +41,11 @@ struct Question {
     const PolynomialCurve& curve() const { return certificate.maps.back().curve; }
     std::size_t degree() const { return curve().degree(); }
     const BSplineCurve* spline() const { return std::get_if<BSplineCurve>(&map().value); }
-    /// What follows is about the polynomial of the span of a B-spline that holds `t`.
+    /// Selects the polynomial of a B-spline on the span that contains `t`.
     void turn_to(const Rational& t) const {
         certificate.maps.push_back(certified_map(map(), spline()->knots().span_at(t), limits));
     }
-    /// A value at `arguments`; of a rational map its homogeneous point, with the weight there.
+    /// States a value at `arguments`; for a rational map its homogeneous point, with the weight there.
     Coordinates point(const Json& value, std::span<const Argument> arguments) const {
         if (!map().form.separate_weights()) return read_point(value, map().form, curve().dimension(), limits);
         Coordinates point = read_point(value, {.scalar = map().form.scalar}, curve().dimension() - 1, limits);
@@ -116,7 +116,7 @@ struct CertifyPoints {
             (*this)(segment(curve, span));
         }
     }
-    /// Later claims are about the same polynomial with a higher formal degree.
+    /// Raises the formal degree of the polynomial for the later claims.
     void raise_to(std::size_t degree) const {
         if (degree > question.degree())
             question.certificate.maps.push_back({with_degree(question.curve(), degree), {}});
@@ -185,7 +185,7 @@ Certificate certificate_of(const Json& request, const Limits& limits) {
     const Map& map = answer.given.front();
     Certificate certificate{std::string(entry.operation), {}};
     const auto span = read_span(fields, map, limits);
-    // The polynomials of a spline are taken where they are asked about.
+    // The polynomials of a spline are selected by the parameters of the request.
     if (!std::holds_alternative<BSplineCurve>(map.value))
         certificate.maps.push_back(certified_map(map, span, limits));
     entry.certify({request, answer, span, certificate, limits});
@@ -203,7 +203,7 @@ Answer answer(Request& request, const Limits& limits) {
 
 std::string render(const Answered& answered) { return *answered.result().find("document")->text(); }
 
-/// One request a line.
+/// One request per line.
 void apply_requests(Json& request, const std::vector<std::string>& values, const Limits& limits) {
     Json::Array requests;
     for (const std::string& value : values) {

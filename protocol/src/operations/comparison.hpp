@@ -10,7 +10,7 @@
 
 namespace blossom::protocol {
 
-/// What is found of a number, or of an array or object of them, in the same shape.
+/// The result of a comparison, in the shape of the compared numbers.
 struct Difference {
     Json error;  ///< computed - exact
     Json ulps;   ///< its size in units in the last place of the exact value
@@ -19,10 +19,10 @@ struct Difference {
 /// Whether a value is a list of pairs of an index, or exponents, and a number or point.
 bool is_indexed(const Json& value);
 
-/// Compares computed numbers with exact ones of the same shape, and counts what it finds.
+/// Compares computed numbers with exact ones of the same shape, and counts the wrong ones.
 class Comparison {
 public:
-    /// With `sparse`, an index that only one of two lists has stands for a zero in the other.
+    /// With `sparse`, an index that is missing in one list stands for a zero.
     Comparison(bool sparse, const Limits& limits) : sparse_(sparse), limits_(limits) {}
 
     /// Errors: those of `read_double`; `mismatched_dimensions` for values of another shape; `incomplete_net`;
@@ -37,7 +37,7 @@ private:
     Difference of_numbers(const Json& exact, const Json& computed);
     Difference of_elements(const Json& exact, const Json& computed);
     Difference of_members(const Json& exact, const Json& computed);
-    /// The entries of both lists by their index: those of the exact one in its order, and then the others.
+    /// The entries of both lists by index: first those of the exact list in its order, then the others.
     Difference of_entries(const Json& exact, const Json& computed);
     /// Where the computed list has the entry of each index of the exact one, or its size for none, and then
     /// the entries of other indices.

@@ -36,7 +36,7 @@ Json agreement_for_all(const Agreement<std::vector<SparsePolynomial>>& agreement
         return expansion_texts(coordinates, form, names);
     });
     result.emplace_back("expansion", expansions.object()->front().second);
-    // Where they differ, each of them is needed to see how.
+    // If they differ, all of them are shown.
     if (!agreement.agree()) result.emplace_back("expansions", std::move(expansions));
     result.emplace_back("skipped", skipped_constructions(agreement));
     return result;

@@ -22,7 +22,7 @@ Json skipped_constructions(const Agreement<Value>& agreement) {
     return list;
 }
 
-/// By the name of each construction that was run what it gave.
+/// The results by the names of the constructions that were run.
 template <class Value, class Write>
 Json construction_values(const Agreement<Value>& agreement, const Write& write) {
     Json::Object values;
@@ -32,15 +32,15 @@ Json construction_values(const Agreement<Value>& agreement, const Write& write) 
     return values;
 }
 
-/// What all of them gave at arguments; `degree` is the member of this name, or "degrees".
+/// The values by all constructions at the arguments; `degree` is the member "degree" or "degrees".
 Json agreement_at_arguments(const Agreement<Coordinates>& agreement, const Json::Object& degree,
                             const PointForm& form);
 
-/// One text a coordinate, or the text of the only one. A rational map has one more, its denominator.
+/// One text per coordinate, or the text of the only one. A rational map has one more, its denominator.
 Json expansion_texts(const std::vector<SparsePolynomial>& coordinates, const PointForm& form,
                      const std::vector<std::string>& names);
 
-/// What they gave on symbolic arguments with these names. `members` are the degree and what else is said
+/// The expansions in symbolic arguments with these names. `members` are the degree and the other members
 /// before the expansion.
 Json agreement_for_all(const Agreement<std::vector<SparsePolynomial>>& agreement, Json::Object members,
                        const PointForm& form, const std::vector<std::string>& names);

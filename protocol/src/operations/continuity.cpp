@@ -33,7 +33,7 @@ Json arguments_json(std::span<const Argument> arguments) {
     return list;
 }
 
-/// Points all of them; of a simplex one list.
+/// The arguments as points; one list for a simplex.
 Json arguments_json(const PatchArguments& arguments, bool tensor) {
     Json::Array lists;
     for (const auto& list : arguments) {
@@ -74,7 +74,7 @@ Json answer_of(const PatchContact& contact, const PointForm& form, bool tensor) 
                         [&](const auto& arguments) { return arguments_json(arguments, tensor); });
 }
 
-/// Of maps that are divided by their weights. Blossom values of these are not compared, but derivatives.
+/// The contact of maps that are divided by their weights, by their derivatives.
 Json answer_of(const ProjectedContact& contact, const PointForm& form, const Rational& s) {
     Json result = Json::Object{{"order", order_json(contact.order)}};
     if (!contact.order) {
@@ -132,7 +132,7 @@ PlacedPatch required_net(const Map& map, std::size_t i) {
         Place{"maps"} / i);
 }
 
-/// Along what their domains share.
+/// The continuity of patches along the common part of their domains.
 Json continuity_of_patches(const std::vector<Map>& maps, const Limits& limits) {
     const PlacedPatch left = required_net(maps[0], 0);
     const PlacedPatch right = required_net(maps[1], 1);
@@ -164,7 +164,7 @@ Json continuity_of_maps(Fields& request, const Limits& limits) {
     return patches ? continuity_of_patches(maps, limits) : continuity_of_curves(maps, *s, limits);
 }
 
-/// At a knot; in several directions "at" has null for the others.
+/// The continuity at a knot; in several directions "at" has null for the others.
 struct AtKnot {
     Fields& request;
     const PointForm& form;

@@ -12,13 +12,13 @@ namespace blossom::protocol {
 
 namespace {
 
-/// What control points are wanted of.
+/// The degrees and the domain of the requested control net.
 struct WantedDomain {
     bool tensor;
-    std::vector<BarycentricFrame> frames;  ///< none: those of the map
+    std::vector<BarycentricFrame> frames;  ///< empty for those of the map
 };
 
-/// The degrees of the map as simplex or tensor form asks for: kept, or turned into each other.
+/// The degrees of the map, converted between simplex and tensor form if necessary.
 std::vector<std::size_t> default_degrees(const NetShape& shape, bool tensor) {
     std::vector<std::size_t> degrees = degrees_of(shape);
     const std::size_t total = std::accumulate(degrees.begin(), degrees.end(), std::size_t{0});
@@ -27,7 +27,7 @@ std::vector<std::size_t> default_degrees(const NetShape& shape, bool tensor) {
     return degrees;
 }
 
-/// The degrees asked for, or the default ones. Errors: `wrong_arity`.
+/// The requested degrees, or the default ones. Errors: `wrong_arity`.
 std::vector<std::size_t> read_degrees(Fields& request, const NetShape& shape, bool tensor,
                                       const Limits& limits) {
     std::vector<std::size_t> usual = default_degrees(shape, tensor);
@@ -43,7 +43,7 @@ std::vector<std::size_t> read_degrees(Fields& request, const NetShape& shape, bo
     return degrees.value_or(usual);
 }
 
-/// By monomial coefficients in a shape that may group the variables otherwise.
+/// Converts by monomial coefficients to a shape that may group the variables differently.
 PolynomialPatch monomials_in(const Patch& patch, const NetShape& shape, const Limits& limits) {
     if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
         return regrouped(*polynomial, shape, limits);

@@ -41,7 +41,7 @@ struct CurvePoints {
         return std::visit(*this, polynomial_map(curve, limits));
     }
     AnyMap operator()(const Samples& samples) const { return (*this)(curve_of_samples(samples, limits)); }
-    /// A Bezier curve where there is only one polynomial, otherwise a spline.
+    /// A Bezier curve if there is only one polynomial, otherwise a spline.
     AnyMap operator()(const BSplineCurve& curve) const {
         BSplineCurve part =
             interval ? within("interval", [&] { return restricted(curve, *interval, limits); }) : curve;
@@ -53,7 +53,7 @@ struct CurvePoints {
     }
 };
 
-/// The part over intervals, one per direction.
+/// The part of a map over intervals, one per direction.
 TensorBSpline part_of(TensorBSpline spline, std::span<const Interval> intervals, const Limits& limits) {
     within("intervals", [&] {
         for (std::size_t d = 0; d < intervals.size(); ++d) {
@@ -79,7 +79,7 @@ TensorBSpline elevated_to(TensorBSpline spline, std::span<const std::size_t> deg
     return spline;
 }
 
-/// Reads over what and of which degree the control points are wanted.
+/// Reads the domain and the degree of the control points.
 struct ControlPoints {
     Fields& request;
     const Limits& limits;
@@ -97,7 +97,7 @@ struct ControlPoints {
         return CurvePoints{degree, interval, limits}(curve);
     }
     AnyMap operator()(const Patch& patch) const { return net_over(request, patch, {}, limits); }
-    /// A tensor map where there is only one polynomial, otherwise a spline.
+    /// A tensor map if there is only one polynomial, otherwise a spline.
     AnyMap operator()(const TensorBSpline& spline) const {
         const auto each = [&](std::string_view name, const auto& read) {
             return request.optional(name, [&](const Json& value) {
@@ -125,7 +125,7 @@ Answer answer(Request& request, const Limits& limits) {
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, ControlPoints{request, limits})));
 }
 
-/// A B-spline has to say its degree, so that --degree says this one.
+/// A B-spline states its own degree, so --degree is the degree of the result.
 void apply_degree(Json& request, const std::vector<std::string>& values, const Limits&) {
     Json& owner = has_knots(request) ? request["map"] : request;
     owner["degree"] = count(values.front());

@@ -52,7 +52,7 @@ struct CurveConversion {
     AnyMap operator()(const BSplineCurve& curve) const {
         if (keeps_splines) return curve;
         const std::size_t chosen = chosen_span(curve, span);
-        // Of degree 0, a segment by itself has no knots that say where it is.
+        // A segment of degree 0 has no knots of its own that determine its interval.
         const Interval own(curve.knots()[chosen], curve.knots()[chosen + 1]);
         return convert(polynomial_map(segment(curve, chosen), limits), own, limits);
     }
@@ -94,10 +94,10 @@ TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
 
 enum class PatchForm { monomial, bspline, bernstein, tensor, simplex };
 constexpr std::string_view patch_form_names[] = {"monomial", "bspline", "bernstein", "tensor", "simplex"};
-/// Those that are control nets.
+/// The targets that are control nets.
 constexpr std::span net_form_names = std::span(patch_form_names).last<3>();
 
-/// Reads the target and what else belongs to it.
+/// Reads the target and its own fields.
 struct Conversion {
     Fields& request;
     const Map& map;
@@ -133,7 +133,7 @@ struct Conversion {
         }
         return net_over(request, patch, to == PatchForm::tensor, limits);
     }
-    /// Of the polynomial of field "segment"; to bspline it is what it is.
+    /// Converts the polynomial of the field "segment"; the target bspline leaves a B-spline unchanged.
     AnyMap operator()(const TensorBSpline& spline) const {
         const auto to = request.optional("to", [](const Json& value) { return value; });
         const std::string* word = to ? to->text() : nullptr;
@@ -149,7 +149,7 @@ Answer answer(Request& request, const Limits& limits) {
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, Conversion{request, map, limits})));
 }
 
-/// Of each target its own fields.
+/// The fields of each target.
 Members request() {
     const std::string basis = "the new basis; tensor and simplex are forms of patches";
     Choice targets;

@@ -18,10 +18,10 @@ struct DecidedLine {
 
 /// The decisions of all lines of a statement. Errors: the first one in it, with its offset.
 std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits& limits) {
-    // The place is part of the message, for those who read no offset.
+    // The message contains the place, because a response has no offset.
     const auto refuse = [&](const Error& error) {
         if (!error.offset()) throw Error(error);
-        const auto [line, column] = proofs::place_of(statement, *error.offset());
+        const auto [line, column] = proofs::line_and_column(statement, *error.offset());
         throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), {},
                     error.offset());
     };
@@ -31,7 +31,8 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     std::vector<DecidedLine> decisions;
     for (const proofs::Block& block : document.blocks) {
         for (proofs::Decision& decision : proofs::decide(block, limits)) {
-            // A limit in one case leaves the others; what means nothing at all is an error of the request.
+            // If one case exceeds a limit, the others are still decided; any other error is an error of the
+            // request.
             const bool nothing = decision.verdict() == proofs::Verdict::undecided ||
                                  decision.verdict() == proofs::Verdict::disagreement;
             if (nothing) refuse(*decision.error());
@@ -41,7 +42,7 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     return decisions;
 }
 
-/// Those of one text, or of several.
+/// The decisions on one text or on several.
 std::vector<DecidedLine> all_decisions(const Json& value, const Limits& limits) {
     if (!value.array()) return decisions_of(read_text(value), limits);
     std::vector<DecidedLine> decisions;
@@ -56,7 +57,7 @@ Answer answer(Request& request, const Limits& limits) {
     const auto decisions =
         request.required("statement", [&](const Json& value) { return all_decisions(value, limits); });
     request.finish();
-    // Of several lines the first that is refuted speaks for all.
+    // The first refuted line determines the verdict.
     const auto refuted = std::ranges::find_if(decisions, [](const DecidedLine& line) {
         return line.decision.verdict() == proofs::Verdict::refuted;
     });

@@ -36,7 +36,7 @@ struct RootsOf {
             return roots(numerator(polynomial_map(curve, limits), form, limits), where, width, limits);
         });
     }
-    /// A root at a joint is that of the segment on its right, as the spline is evaluated.
+    /// A root at a joint belongs to the segment on its right, as in evaluation.
     std::vector<Root> operator()(const BSplineCurve& curve) const {
         const Interval domain = curve.knots().domain();
         const Interval where = increasing(interval.value_or(domain));

@@ -21,7 +21,7 @@ inline Field maps_member(std::string documentation) {
 inline Shape numbers_shape() { return Shape::list(ValueKind::number); }
 inline Shape tuples_shape() { return Shape::list(numbers_shape()); }
 inline Shape counts_shape() { return Shape::list(ValueKind::count); }
-/// A number for a curve, and one number or null a direction for a tensor product.
+/// A number for a curve, and one number or null per direction for a tensor product.
 inline Shape cut_shape() { return Shape::list(Shape::one_of({ValueKind::number, ValueKind::null})); }
 /// Parameters of a curve, or of a patch.
 inline Shape parameters_shape() { return Shape::one_of({numbers_shape(), tuples_shape()}); }
@@ -34,7 +34,7 @@ inline Field degrees_member() {
     return optional("degrees", counts_shape(), "instead of `degree`: the formal degrees of a tensor product");
 }
 
-/// Over which domain control points are wanted, and in which degrees.
+/// The domain and the degrees of control points.
 inline Field vertices_field() {
     return optional("vertices", tuples_shape(), "for a patch: the vertices of the new simplex");
 }

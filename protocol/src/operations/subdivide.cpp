@@ -57,7 +57,7 @@ std::vector<Patch> parts_of_simplex(const Patch& patch, const Json& at, const Li
     return as_parameter(Part::at, [&] { return pieces_at(patch, 0, point.front(), limits); });
 }
 
-/// Two parts, before and behind, in each direction for which there is a parameter: split(part, d, t).
+/// Splits a map in two in each direction that has a parameter: split(part, d, t).
 template <class Value, class Split>
 std::vector<Value> parts_of_box(const Value& whole, std::size_t directions, const Json& at,
                                 const Limits& limits, const Split& split) {
@@ -79,7 +79,7 @@ std::vector<Value> parts_of_box(const Value& whole, std::size_t directions, cons
     return parts;
 }
 
-/// The parts of a map, which the field "at" divides.
+/// The parts of a map that is divided at the field "at".
 struct Subdivide {
     Fields& request;
     const Limits& limits;

@@ -6,7 +6,7 @@
 
 namespace blossom::protocol {
 
-/// What the parameters are mapped to, in the coordinates of the engine; prepared if there are many of them.
+/// The values at the parameters, in the coordinates of the engine; the map is prepared if there are many.
 /// Errors: `wrong_kind`; `limit_exceeded` for too many; those of the values, below the field "at".
 std::vector<Coordinates> values_at(const Map& map, const Parameters& parameters, const Limits& limits);
 

@@ -8,7 +8,7 @@
 
 namespace blossom::protocol {
 
-/// What a picture has along an edge of a grid.
+/// The kind of line along an edge of a grid.
 using GridLine = worked::PictureFace::Edge;
 
 /// A triangle or a quadrilateral of a grid: its corners in order, and the line from each to the next.
@@ -30,7 +30,7 @@ struct BoxSide {
     std::size_t steps = 1;       ///< cells along it
     std::size_t line_every = 1;  ///< steps from one line of the picture to the next
     bool begins = true;          ///< whether the greater box begins here
-    bool ends = true;            ///< and ends here
+    bool ends = true;            ///< whether it ends here
 };
 
 /// The grid on the faces of the greater box that lie in this one. Errors: `limit_exceeded` beyond

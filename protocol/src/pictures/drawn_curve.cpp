@@ -49,7 +49,7 @@ private:
         const Role own = role == Role::before ? role : Role::control;
         std::size_t dots = 0;
         for (auto& places : worked::lines_through(points, rational)) {
-            for (const worked::Place& place : places) {
+            for (const worked::PlanePoint& place : places) {
                 if (dots++ < most_dots) picture.points.push_back({place, worked::words(""), own});
             }
             picture.lines.push_back({std::move(places), own});

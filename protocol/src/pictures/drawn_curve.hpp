@@ -9,9 +9,9 @@
 
 namespace blossom::protocol {
 
-/// Of all pictures, in pixels.
+/// The width of all pictures in pixels.
 inline constexpr std::size_t picture_width = 544;
-/// Beyond so many points or curves, names would hide more than they tell.
+/// With more points or curves, names are left out.
 inline constexpr std::size_t most_names = 16;
 
 /// Draws the curve in the plane: its first two coordinates, or its graph where it has only one, with its

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t steps = 16;       ///< along a side of a box
 constexpr std::size_t most_lines = 12;  ///< along a side with several spans
 
-/// One polynomial of what is shown, over its part of the domain.
+/// One polynomial of the map, over its part of the domain.
 struct Piece {
     Patch patch;
     DomainGrid grid;
@@ -144,7 +144,7 @@ std::optional<SpacePoint> place_of_value(const Map& map, const Json& parameter, 
     const auto* patch = std::get_if<Patch>(&map.value);
     if (patch && patch->is_barycentric())
         numbers = parameters_of(*patch, engine_arguments(*patch, numbers, 1));
-    // Only homogeneous values carry their weight.
+    // Only homogeneous values contain their weight.
     return placed(answered_point(value), map.form.homogeneous, numbers);
 }
 

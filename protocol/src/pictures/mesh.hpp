@@ -17,7 +17,7 @@ struct SpacePoint {
     Rational z;
 };
 
-/// What the places of a mesh are.
+/// The meaning of the places of a mesh.
 enum class MeshSpace : unsigned char {
     plane,        ///< points of the plane, z is 0
     space,        ///< points of space
@@ -25,7 +25,7 @@ enum class MeshSpace : unsigned char {
     graph,        ///< (u, v, P(u, v))
 };
 
-/// A patch as something to look at: places on the faces of its domain that have two dimensions, with the
+/// A patch as a mesh: places on the two-dimensional faces of its domain, with the
 /// cells between them, and the control net.
 struct Mesh {
     MeshSpace space = MeshSpace::space;
@@ -58,7 +58,7 @@ std::optional<SpacePoint> placed(Coordinates value, bool rational, const Coordin
 /// The parameters of a point of the domain; without vertices those of the unit simplex.
 Coordinates parameters_of(const Patch& patch, const PatchPoint& point);
 
-/// Where a value of the map is, as a result gives it for a parameter of a request; none at infinity.
+/// The place of a value of a result at a parameter of the request; none at infinity.
 std::optional<SpacePoint> place_of_value(const Map& map, const Json& parameter, const Json& value,
                                          const Limits& limits);
 

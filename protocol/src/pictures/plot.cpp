@@ -79,7 +79,7 @@ SurfacePicture surfaces(const std::string& title, const std::vector<Map>& maps, 
     return picture;
 }
 
-/// Whether the map has a net of its own to be painted before another.
+/// Whether the net of the map can be painted below that of the result.
 bool has_net(const Map& map) {
     const auto* patch = std::get_if<Patch>(&map.value);
     return is_surface(map) && !(patch && patch->is_polynomial());

@@ -14,7 +14,7 @@ std::string plot_of_values(const Answered& answered);
 /// The map of the request, faint, and the members "map" or "maps" of the result.
 std::string plot_of_maps(const Answered& answered);
 
-/// The maps of the result alone: where they are other curves than the map of the request.
+/// The maps of the result alone, for results that are other curves than the map of the request.
 std::string plot_of_result(const Answered& answered);
 
 }  // namespace blossom::protocol

@@ -18,7 +18,7 @@ constexpr std::array<Colour, 6> surface_colours = {{{0x1a, 0x73, 0xe8},
                                                     {0x12, 0x9e, 0xaf}}};
 constexpr std::size_t white = 255;
 
-/// So many hundredths of the colour, the rest the other shade of grey.
+/// A mixture of a colour with the grey `other`; `hundredths` is the part of the colour.
 std::string mixed(const Colour& colour, std::size_t hundredths, std::size_t other) {
     std::string text = "#";
     for (const std::size_t part : colour) {

@@ -5,7 +5,7 @@
 
 namespace blossom::protocol {
 
-/// How steeply light falls on a face, from 0 for along it to `greatest_tilt` for straight on it.
+/// The greatest tilt of a face: 0 is a face parallel to the light, this one perpendicular to it.
 inline constexpr std::size_t greatest_tilt = 12;
 
 /// The fill of a face of surface number i.

@@ -15,7 +15,7 @@ namespace {
 using worked::Role;
 
 constexpr std::size_t most_net_edges = 5000;
-/// Those edges of the box that what is in it does not hide, or not all of.
+/// The edges of the box that are visible at least in part.
 constexpr std::pair<std::size_t, std::size_t> box_edges[] = {{0, 1}, {1, 3}, {3, 2}, {2, 0}, {0, 4},
                                                              {2, 6}, {3, 7}, {6, 7}, {4, 6}};
 
@@ -36,8 +36,8 @@ bool lies_in_plane(const Mesh& mesh) {
     return mesh.space == MeshSpace::plane || mesh.space == MeshSpace::plane_graph;
 }
 
-/// How the places of a picture of surfaces are seen: parallel to the direction (-2/5, 1, -3/10), or, when all
-/// of them lie in the plane, as they are.
+/// The projection of a picture of surfaces: parallel to the direction (-2/5, 1, -3/10), or, if all
+/// places lie in the plane, the identity.
 class SurfacePainting {
 public:
     explicit SurfacePainting(const SurfacePicture& picture)
@@ -103,8 +103,8 @@ private:
     /// The numbers at the ends of an edge of the box along one coordinate, and its name between them.
     void range(std::size_t first, std::size_t last, int right, int below) {
         const std::size_t i = last - first == 4 ? 2 : last - first - 1;
-        const worked::Place a = place(corner(first));
-        const worked::Place b = place(corner(last));
+        const worked::PlanePoint a = place(corner(first));
+        const worked::PlanePoint b = place(corner(last));
         const auto& [least, greatest] = bounds_[i];
         drawing_.words.push_back({a, worked::short_text(least), right, below});
         drawing_.words.push_back({{(a.x + b.x) / 2, (a.y + b.y) / 2}, names_[i], right, below});
@@ -163,7 +163,7 @@ private:
         return {point.x * scales_[0], point.y * scales_[1], point.z * scales_[2]};
     }
 
-    worked::Place place(const SpacePoint& point) const {
+    worked::PlanePoint place(const SpacePoint& point) const {
         if (plane_) return {point.x, point.y};
         const SpacePoint at = scaled(point);
         return {at.x + Rational(2, 5) * at.y, at.z + Rational(3, 10) * at.y};
@@ -177,7 +177,7 @@ private:
         return {end(0), end(1), end(2)};
     }
 
-    /// How steeply light falls on a cell.
+    /// The angle of the light on a cell.
     std::size_t tilt(const Mesh& mesh, const GridCell& cell) const {
         if (plane_) return greatest_tilt;
         // From above, from the left and from the front.

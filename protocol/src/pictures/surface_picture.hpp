@@ -13,11 +13,11 @@ struct SpaceMark {
     std::string label;
 };
 
-/// What is shown of some patches.
+/// The contents of a picture of patches.
 struct SurfacePicture {
     std::string title;
     std::vector<Mesh> meshes;
-    std::optional<Mesh> before;  ///< of which only the control net is painted, faintly
+    std::optional<Mesh> before;  ///< only its control net is painted, faintly
     std::vector<SpaceMark> points;
 };
 
@@ -25,7 +25,7 @@ struct SurfacePicture {
 /// into the plane as they are, otherwise in an oblique view, x to the right, z up and y into the picture. A
 /// graph is stretched to a box.
 ///
-/// What lies behind is painted over, cell by cell from the back. Numbers are rounded to hundredths of a pixel
+/// Cells are painted from the back to the front. Numbers are rounded to hundredths of a pixel
 /// in the last step.
 std::string svg_of(const SurfacePicture& picture);
 

@@ -6,11 +6,11 @@
 
 #include <blossom/protocol/json.hpp>
 
-/// How results are written for a person.
+/// Results as text for a person.
 
 namespace blossom::protocol {
 
-/// Emphasis, where it is wanted.
+/// The style of a text, with or without emphasis.
 class Style {
 public:
     Style() = default;

@@ -14,19 +14,19 @@ namespace blossom::worked {
 
 namespace {
 
-/// The most terms of an expansion that are written out.
+/// The greatest number of terms of an expansion that is written out.
 constexpr std::size_t most_terms = 24;
 
 [[noreturn]] void refuse(std::string_view statement, const Error& error) {
     if (!error.offset()) throw Error(error);
-    const auto [line, column] = proofs::place_of(statement, *error.offset());
+    const auto [line, column] = proofs::line_and_column(statement, *error.offset());
     throw Error(
         error.code(),
         "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + error.message(),
         error.place(), error.offset());
 }
 
-/// The case of the counterexample, written out where it can be.
+/// The case of the counterexample, written out if possible.
 std::optional<WrittenCase> case_of(const proofs::Block& block, const proofs::Counterexample& found,
                                    const Limits& limits) {
     for (const auto& parameters : proofs::parameter_choices(block, limits)) {
@@ -55,7 +55,7 @@ void append_general(Document& document, const proofs::Block& block, const proofs
     if (!claim.after.empty()) document.general.say(std::move(claim.after));
 }
 
-/// The case that is written out, where it does not look like the general statement.
+/// The case that is written out, if it differs from the general statement.
 void append_case(Document& document, const WrittenCase& written) {
     const Display shown{{question(written)}};
     const auto is_shown = [&](const Block& block) {
@@ -74,7 +74,7 @@ void append_case(Document& document, const WrittenCase& written) {
     document.statement.add(shown);
 }
 
-/// The page of one claim; `written` is a case of it that can be read.
+/// The page of one claim; `written` is a case of it that is short enough to read.
 Document page_of(const DecidedClaim& claim, std::optional<WrittenCase> written, const Limits& limits) {
     const bool proved = claim.decision.verdict() == proofs::Verdict::proved;
     Document document;

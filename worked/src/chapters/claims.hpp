@@ -9,7 +9,7 @@
 
 namespace blossom::worked {
 
-/// A claim that was decided, with the block that it stands in.
+/// A decided claim with its block.
 struct DecidedClaim {
     const proofs::Block& block;
     const proofs::Decision& decision;
@@ -21,13 +21,13 @@ struct WrittenCase {
     proofs::Relation relation;
 };
 
-/// The statement as it was given, a line each, with one of its claims.
+/// The lines of the statement with one of its claims.
 Table statement_table(const DecidedClaim& claim);
 
 /// "for n = 3" in words, or "" without parameters.
 Text parameters_text(const std::vector<std::pair<std::string, long long>>& parameters);
 
-/// A letter for the parameter of the maps that is none of the variables.
+/// A letter for the parameter of the maps that is not one of the variables.
 std::string free_letter(const proofs::GroundBlock& block);
 
 /// The two sides with the sign that asks whether they are equal.
@@ -36,7 +36,7 @@ Formula question(const WrittenCase& written);
 /// The applications of maps in both sides, each once as it is written.
 std::vector<proofs::NodeId> applications_of(const WrittenCase& written);
 
-/// What is shown of a proof, and of a refutation; `document` has the statement.
+/// Appends the proof or the refutation to a document that contains the statement.
 void append_proof(Document& document, const DecidedClaim& claim, const std::optional<WrittenCase>& written,
                   const Limits& limits);
 void append_refutation(Document& document, const DecidedClaim& claim,

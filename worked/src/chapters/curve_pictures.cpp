@@ -59,9 +59,9 @@ std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits&) {
     return std::visit([](const auto& curve) { return PlaneMap{graph_of(curve), true}; }, map);
 }
 
-Place place_of(const Coordinates& point) { return {point[0], point[1]}; }
+PlanePoint place_of(const Coordinates& point) { return {point[0], point[1]}; }
 
-std::vector<Place> places_of(const PointArray& points) { return mapped(points.to_points(), place_of); }
+std::vector<PlanePoint> places_of(const PointArray& points) { return mapped(points.to_points(), place_of); }
 
 void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& points, Role role,
                  const Naming& name, bool named) {
@@ -125,9 +125,9 @@ std::optional<Picture> construction_picture(const PolynomialMap& map, std::span<
         "named by its blossom value, and the curve.";
     const std::size_t n = bezier.degree();
     for (std::size_t r = 0; r <= n; ++r) {
-        const std::vector<Place> places = places_of(pyramid.levels[r]);
+        const std::vector<PlanePoint> places = places_of(pyramid.levels[r]);
         if (r < n) picture.lines.push_back({places, role_of(r, n)});
-        // Beyond some 15 points names hide more than they tell.
+        // More than about 15 names would cover the picture.
         const bool named = n <= 4 || r == 0 || r == n;
         for (std::size_t i = 0; named && i < places.size(); ++i) {
             picture.points.push_back(

@@ -23,8 +23,8 @@ struct PlaneMap {
 };
 std::optional<PlaneMap> plane_map(const PolynomialMap& map, const Limits& limits);
 
-Place place_of(const Coordinates& point);
-std::vector<Place> places_of(const PointArray& points);
+PlanePoint place_of(const Coordinates& point);
+std::vector<PlanePoint> places_of(const PointArray& points);
 
 /// Adds the polygon through `points`, the control points of `curve` in the plane, with their blossom values
 /// as names where it is `named`.
@@ -34,7 +34,7 @@ void add_polygon(Picture& picture, const BezierCurve& curve, const PointArray& p
 /// Whether all arguments are points, so that every node of a pyramid is a point.
 bool all_points(std::span<const Argument> arguments);
 
-/// What a triangle of blossom values is made from: node i of level r is the value at `label`, a combination
+/// A triangle of blossom values: node i of level r is the value at `label`, a combination
 /// of nodes i and i + 1 of the level before with `weights`.
 struct TriangleRule {
     std::size_t degree = 0;

@@ -19,7 +19,7 @@ Picture construction(const PlaneSpline& plane, std::size_t span, std::span<const
         const Role role = r == n ? Role::result : Role::construction;
         PictureLine line{{}, role};
         for (const PyramidNode& node : triangle.levels[r]) {
-            const Place place{node.value.parts[0].value, node.value.parts[1].value};
+            const PlanePoint place{node.value.parts[0].value, node.value.parts[1].value};
             line.places.push_back(place);
             if (r > 0 && (n <= 3 || r == n)) picture.points.push_back({place, node.label, role});
         }
@@ -28,7 +28,7 @@ Picture construction(const PlaneSpline& plane, std::size_t span, std::span<const
     return picture;
 }
 
-/// The value by the Bezier curve of the segment, another road.
+/// The value by the Bezier curve of the segment, as a check.
 Check de_boor_check(const BSplineCurve& curve, std::size_t span, const Parameter& t, const Coordinates& value,
                     const Limits& limits) {
     const BezierCurve bezier = sablonniere(curve, span, limits);

@@ -27,7 +27,7 @@ std::string raised_name(std::size_t step) {
     return step == 1 ? "q" : "q" + std::to_string(step);
 }
 
-/// The mean of p over the ways to leave one argument out.
+/// The mean of the values of p that leave one argument out.
 Formula mean_formula(std::size_t m, const std::string& old_name, const std::string& new_name) {
     const std::vector<Formula> all = numbered_symbols("u", m);
     std::vector<std::pair<Rational, Formula>> terms;

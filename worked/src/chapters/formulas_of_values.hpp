@@ -14,7 +14,7 @@
 
 namespace blossom::worked {
 
-/// A number, or the tuple of several.
+/// A number, or a tuple of several numbers.
 Formula point_formula(const Coordinates& point);
 
 /// 2, delta, 3 delta, or the pair (u, v).
@@ -24,7 +24,7 @@ std::vector<Formula> argument_formulas(std::span<const Argument> arguments);
 /// p(arguments).
 Formula value_of_blossom(std::span<const Argument> arguments, const std::string& name = "p");
 
-/// How the value of a blossom at given arguments is written.
+/// The formula of a blossom value at given arguments.
 using Naming = std::function<Formula(std::span<const Argument>)>;
 Naming named_by(std::string blossom);
 
@@ -37,7 +37,7 @@ Formula map_at_variable(const GivenMap& given);
 /// The weighted sum; a weight 1 is not written.
 Formula combination(const std::vector<std::pair<Rational, Formula>>& terms);
 
-/// What defines the map: its equation, or its control points as blossom values over their interval.
+/// The definition of the map: its equation, or its control points as blossom values over their interval.
 Display definition_of(const GivenMap& given);
 
 /// The map by its control points: as given, or over [0, 1].
@@ -57,7 +57,7 @@ Formula polynomial_equation(const PolynomialMap& map, const std::string& variabl
 /// The division of the first coordinates by the last: its inverse times a point.
 Formula division(const Coordinates& homogeneous);
 
-/// A document with what every chapter on one polynomial map has: title, source, map and definition.
+/// The beginning of a document on one polynomial map: title, source, map and definition.
 /// Errors: `limit_exceeded` for a degree above `page_degree`.
 Document begun(const GivenMap& given, std::string title, std::string source);
 

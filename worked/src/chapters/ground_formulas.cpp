@@ -71,7 +71,7 @@ Formula GroundFormulas::operator()(proofs::NodeId id) {
     return {};
 }
 
-/// A number stands in front, or as a denominator below.
+/// Writes a number as a factor in front, or as a denominator.
 Formula GroundFormulas::product_formula(const proofs::Node& node) {
     std::vector<Formula> factors;
     Rational constant(1);

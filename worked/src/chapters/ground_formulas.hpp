@@ -12,7 +12,7 @@
 namespace blossom::worked {
 
 /// Whether every map of a ground statement has one argument, a number, so that its values can be written, no
-/// number is called like a coefficient, and nothing but maps is differentiated.
+/// number has the name of a coefficient, and only maps are differentiated.
 bool is_written(const proofs::GroundBlock& block);
 
 /// The nodes of a ground statement as formulas, in its variables or with numbers for them.

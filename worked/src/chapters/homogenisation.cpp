@@ -13,7 +13,7 @@ namespace {
 
 using Symbolic = std::vector<SparsePolynomial>;
 
-/// The degree up to which the 2^n terms are written.
+/// The greatest degree at which the 2^n terms are written.
 constexpr std::size_t written_degree = 5;
 
 /// Variables 0..n-1 are the parameters u, n..2n-1 the masses v.
@@ -45,7 +45,7 @@ SparsePolynomial homogenised(const SparsePolynomial& blossom, std::size_t n) {
     return result;
 }
 
-/// The polarization of the form sum c_k t^k w^(n-k), which knows nothing of the affine blossom.
+/// The polarization of the form sum c_k t^k w^(n-k), computed without the affine blossom.
 SparsePolynomial polarized_form(const Polynomial& polynomial, std::size_t n) {
     std::vector<HomogeneousPair<SparsePolynomial>> arguments;
     arguments.reserve(n);

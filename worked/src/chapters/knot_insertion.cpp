@@ -35,7 +35,7 @@ Picture insertion_picture(const PlaneSpline& before, const PlaneSpline& after, c
         spline_picture(before, "The old control polygon and the new one, nearer to the curve.", limits);
     PictureLine line{{}, Role::result};
     for (std::size_t j = 0; j < after.curve.control_points().size(); ++j) {
-        const Place place = place_of(after.curve.control_points()[j]);
+        const PlanePoint place = place_of(after.curve.control_points()[j]);
         line.places.push_back(place);
         const bool old = std::ranges::any_of(picture.points,
                                              [&](const PicturePoint& point) { return point.place == place; });

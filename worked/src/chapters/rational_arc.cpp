@@ -10,7 +10,7 @@ namespace blossom::worked {
 
 namespace {
 
-Place projected_place(const Coordinates& homogeneous) { return place_of(projected(homogeneous)); }
+PlanePoint projected_place(const Coordinates& homogeneous) { return place_of(projected(homogeneous)); }
 
 /// The coordinates one by one, as scalar maps that only meanings name: x1, x2, ... and the weight w.
 std::string coordinate_name(std::size_t j, std::size_t dimension) {
@@ -29,7 +29,7 @@ void name_coordinates(Document& document, const BezierCurve& curve) {
     }
 }
 
-/// The value at the arguments divided by its weight, in these names.
+/// The value at the arguments divided by its weight, as formulas in these names.
 Formula divided(const BezierCurve& curve, std::span<const Argument> arguments) {
     std::vector<Formula> coordinates;
     const Formula weight = value_of_blossom(arguments, "w");
@@ -40,7 +40,7 @@ Formula divided(const BezierCurve& curve, std::span<const Argument> arguments) {
     return coordinates.size() == 1 ? coordinates.front() : tuple(std::move(coordinates));
 }
 
-/// The points P_k = (w P, w) as they stand in the plane, with their weights.
+/// The points P_k = (w P, w), projected to the plane, with their weights.
 Table weight_table(const BezierCurve& curve) {
     Table table{
         "The control points, divided by their weights.", {"value", "homogeneous", "weight", "point"}, {}};
@@ -68,7 +68,7 @@ std::optional<Picture> arc_picture(const BezierCurve& curve, const Parameter& t,
     for (std::size_t k = 0; k <= curve.degree(); ++k) {
         const Coordinates point = curve.control_points()[k];
         if (point.back().is_zero()) return std::nullopt;
-        const Place place = projected_place(point);
+        const PlanePoint place = projected_place(point);
         polygon.places.push_back(place);
         const auto arguments = end_arguments(curve, k);
         picture.points.push_back(

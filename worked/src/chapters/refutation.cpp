@@ -58,7 +58,7 @@ Formula value_equation(const Formula& name, const PolynomialCurve& curve, std::s
     return equation(std::move(sides));
 }
 
-/// What stands on a side, its values with numbers, and the number that it is.
+/// A side, the same with numbers for its values, and the result.
 void append_side(Blocks& step, const WrittenCase& written, std::span<const Rational> values,
                  const std::vector<proofs::NodeId>& applications, proofs::NodeId side) {
     GroundFormulas numbers(written.block, values);
@@ -113,7 +113,7 @@ void append_counterexample(Document& document, const WrittenCase& written,
     if (!numbers.empty()) step.say("with").show(std::move(numbers));
 }
 
-/// A side with its value; an expression in variables without a rational value as it is written.
+/// A side with its value; an expression in variables without a rational value is unchanged.
 Formula side_formula(const proofs::Counterexample& found, const std::string& side) {
     return found.roots.empty() ? number(parse_rational(side)) : symbol(side);
 }

@@ -83,7 +83,7 @@ Picture spline_picture(const PlaneSpline& plane, std::string caption, const Limi
     picture.graph = plane.graph;
     PictureLine polygon{{}, Role::control};
     for (std::size_t j = 0; j < plane.curve.control_points().size(); ++j) {
-        const Place place = place_of(plane.curve.control_points()[j]);
+        const PlanePoint place = place_of(plane.curve.control_points()[j]);
         polygon.places.push_back(place);
         picture.points.push_back(
             {place, spline_value(window_arguments(plane.curve.knots(), j)), Role::control});

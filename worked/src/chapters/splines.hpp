@@ -12,7 +12,7 @@
 
 namespace blossom::worked {
 
-/// f(arguments) of the segment on a span; without one at consecutive knots, where all segments agree.
+/// f(arguments) of the segment on a span; without a span at consecutive knots, where all segments agree.
 Formula spline_value(std::span<const Argument> arguments, std::optional<std::size_t> span = {});
 
 Naming named_on(std::size_t span);

@@ -16,11 +16,12 @@ namespace blossom::worked {
 
 namespace {
 
-/// The most terms of one elementary symmetric function that are written out, and rows of a table.
+/// The greatest number of terms of an elementary symmetric function, and of rows of a table, that is written
+/// out.
 constexpr std::size_t terms_written = 35;
 constexpr std::size_t rows_written = 130;
 
-/// The product of the u of a subset and the masses of the rest, as it is written: masses 1 are left out.
+/// The product of the u of a subset and the masses of the rest; masses 1 are left out.
 Formula elementary_term(std::span<const Argument> arguments, const std::vector<std::size_t>& subset) {
     std::vector<Formula> factors;
     for (std::size_t i = 0; i < arguments.size(); ++i) {

@@ -8,7 +8,7 @@ namespace blossom::worked {
 
 namespace {
 
-/// The degree up to which the Bernstein polynomials of the check are written out.
+/// The greatest degree at which the Bernstein polynomials of the check are written out.
 constexpr std::size_t bernstein_degree = 3;
 
 Picture construction(const GivenTriangle& given, const TriangleNet& net) {

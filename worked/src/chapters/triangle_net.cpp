@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<const char*, 3> vertex_names{"r", "s", "t"};
 
-/// The control net over the triangle; of a polynomial that over the origin and the ends of the unit vectors.
+/// The control net over the triangle; for a polynomial, over the origin and the ends of the unit vectors.
 BezierPatch net_of(const PatchMap& map, const Limits& limits) {
     const NetShape& shape =
         std::visit([](const auto& patch) -> const NetShape& { return patch.shape(); }, map);

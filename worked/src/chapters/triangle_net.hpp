@@ -12,7 +12,7 @@
 
 namespace blossom::worked {
 
-/// The control net of a triangle with the point u that a page is about: blossom values at copies of u and of
+/// The control net of a triangle and the point u of a page: blossom values at copies of u and of
 /// the vertices r, s, t, with their names.
 class TriangleNet {
 public:
@@ -29,9 +29,9 @@ public:
     /// The value at i_0 copies of r, i_1 of s, i_2 of t, and u in all other arguments.
     Coordinates value(const MultiIndex& index) const;
     Formula name(const MultiIndex& index) const;
-    /// The name with its value behind.
+    /// The name, followed by its value.
     Formula known(const MultiIndex& index) const;
-    /// The name as a combination of the three of the level before, with its value.
+    /// The name as a combination of three names of the level before, with its value.
     Formula made(const MultiIndex& index) const;
     /// All values of a level, those with `level` copies of u.
     std::vector<MultiIndex> indices(std::size_t level) const;
@@ -49,14 +49,14 @@ Document begun(const GivenTriangle& given, const TriangleNet& net, std::string t
 /// The steps that both chapters begin with: the control net of a polynomial, and the levels one by one.
 void append_levels(Document& document, const GivenTriangle& given, const TriangleNet& net);
 
-/// u = 1/2 r + 1/4 s + 1/4 t, and where the vertices have coordinates those of u.
+/// u = 1/2 r + 1/4 s + 1/4 t, and the coordinates of u if the vertices have coordinates.
 Display point_display(const GivenTriangle& given, const TriangleNet& net);
 
 /// Where names are drawn: the values of a map into the plane themselves, into space in a parallel projection,
 /// otherwise the names over the triangle.
 class TrianglePicture {
 public:
-    /// Beyond some 15 points names hide more than they tell: the degree up to which all are named.
+    /// The greatest degree at which all points are named; more names would cover the picture.
     static constexpr std::size_t named_degree = 2;
 
     TrianglePicture(const GivenTriangle& given, const TriangleNet& net, std::string caption);
@@ -74,8 +74,8 @@ private:
     using Name = std::array<std::size_t, 4>;  ///< copies of r, s, t and u
     /// The rows of the net over three of r, s, t and u.
     void add_rows(const std::array<std::size_t, 3>& members, std::size_t level, Role role);
-    Place place(const Name& name) const;
-    Place shown(const Coordinates& value) const;
+    PlanePoint place(const Name& name) const;
+    PlanePoint shown(const Coordinates& value) const;
 
     const TriangleNet& net_;
     Picture picture_;

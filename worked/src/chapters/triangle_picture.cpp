@@ -13,7 +13,7 @@ namespace blossom::worked {
 namespace {
 
 /// The corners of the drawn triangle where its vertices have no coordinates: nearly equilateral.
-std::vector<Place> drawn_corners(const GivenTriangle& given) {
+std::vector<PlanePoint> drawn_corners(const GivenTriangle& given) {
     if (given.frame && given.frame->space_dimension() == 2) {
         return mapped(given.frame->vertices(), place_of);
     }
@@ -38,7 +38,7 @@ TrianglePicture::TrianglePicture(const GivenTriangle& given, const TriangleNet& 
         "their blossom values.";
 }
 
-Place TrianglePicture::shown(const Coordinates& value) const {
+PlanePoint TrianglePicture::shown(const Coordinates& value) const {
     if (picture_.projection.empty()) return place_of(value);
     const auto row = [&](const Coordinates& weights) {
         return std::inner_product(value.begin(), value.end(), weights.begin(), Rational(0));
@@ -46,13 +46,13 @@ Place TrianglePicture::shown(const Coordinates& value) const {
     return {row(picture_.projection[0]), row(picture_.projection[1])};
 }
 
-Place TrianglePicture::place(const Name& name) const {
+PlanePoint TrianglePicture::place(const Name& name) const {
     std::vector<Coordinates> arguments;
     for (std::size_t k = 0; k < 4; ++k) {
         arguments.insert(arguments.end(), name[k], k < 3 ? net_.vertices()[k] : net_.u());
     }
     if (picture_.corners.empty()) return shown(blossom_value(net_.patch(), {arguments}, net_.limits()));
-    Place mean{0, 0};
+    PlanePoint mean{0, 0};
     const Rational share = Rational(1) / Rational(arguments.size());
     for (const Coordinates& argument : arguments) {
         for (std::size_t k = 0; k < 3; ++k) {
@@ -93,7 +93,7 @@ void TrianglePicture::add_side(std::size_t from, std::size_t to, Role role) {
         Name name{};
         name[from] = net_.degree() - i;
         name[to] += i;
-        const Place at = place(name);
+        const PlanePoint at = place(name);
         points.push_back({at.x, at.y});
     }
     std::ranges::move(curves_over(BezierCurve(points), Interval(), role, net_.limits()),

@@ -11,6 +11,9 @@
 
 namespace blossom::worked {
 
+/// The nearest integer.
+Integer rounded(const Rational& value);
+
 /// The height of a line of labels.
 constexpr Length label_height = 180;
 

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "paper.hpp"
+#include "drawing.hpp"
 
 namespace blossom::worked {
 
@@ -15,8 +15,8 @@ std::string role_name(Role role) {
     return names[static_cast<std::size_t>(role)];
 }
 
-std::vector<std::vector<Place>> lines_through(std::span<const Coordinates> points, bool rational) {
-    std::vector<std::vector<Place>> lines;
+std::vector<std::vector<PlanePoint>> lines_through(std::span<const Coordinates> points, bool rational) {
+    std::vector<std::vector<PlanePoint>> lines;
     bool broken = true;
     for (const Coordinates& point : points) {
         const Rational weight = rational ? point.back() : 1;

@@ -106,7 +106,7 @@ public:
         }
     }
 
-    /// Vertices are called the same in every problem.
+    /// Vertices have the same names in every problem.
     static bool is_vertex(const NamedPoint& point) {
         return std::ranges::count(point.barycentric, Rational(1)) == 1 &&
                std::ranges::count(point.barycentric, Rational(0)) == 2;
@@ -194,7 +194,7 @@ Document renamed(Document document, const std::string& index) {
     return document;
 }
 
-/// Everything of a document as the blocks of one step, its own steps under their titles.
+/// The contents of a document as the blocks of one step, each of its steps under its title.
 Step solution(const Document& document, std::string title) {
     Step step{std::move(title), document.statement};
     const auto append = [&](const std::string& heading, const std::vector<Block>& blocks) {
@@ -207,7 +207,7 @@ Step solution(const Document& document, std::string title) {
     return step;
 }
 
-/// Whether two problems would be the same to who solves them.
+/// Whether two problems have the same formulas.
 bool alike(const Document& a, const Document& b) {
     const auto what = [](const Document& document) {
         std::vector<Formula> formulas;
@@ -247,9 +247,8 @@ Sheet exercise_sheet(const SheetRequest& request) {
     sheet.solutions.title = title + ": solutions";
     for (std::size_t i = 0; i < problems.size(); ++i) {
         const Document problem = renamed(problems[i], std::to_string(i + 1));
-        const std::string heading = "Problem " + std::to_string(i + 1);
-        sheet.problems.steps.push_back({heading, problem.statement});
-        sheet.solutions.steps.push_back(solution(problem, heading));
+        sheet.problems.steps.push_back({"Problem", problem.statement});
+        sheet.solutions.steps.push_back(solution(problem, "Problem"));
         for (Document* document : {&sheet.problems, &sheet.solutions}) {
             const auto& maps = problem.maps;
             const auto end = document == &sheet.problems ? maps.begin() + 1 : maps.end();

@@ -45,9 +45,9 @@ Json numbers(const std::vector<Rational>& list) { return Json::Array(list.begin(
 
 Json points(const std::vector<Coordinates>& list) { return list_of(list, numbers); }
 
-Json coordinates(const Place& place) { return Json::Array{place.x, place.y}; }
+Json coordinates(const PlanePoint& place) { return Json::Array{place.x, place.y}; }
 
-Json places(const std::vector<Place>& list) { return list_of(list, coordinates); }
+Json places(const std::vector<PlanePoint>& list) { return list_of(list, coordinates); }
 
 struct DefinitionWriter {
     Json operator()(const PolynomialCurve& curve) const {

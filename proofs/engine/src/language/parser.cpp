@@ -224,7 +224,7 @@ void require_claim(const Document& document) {
     throw Error(ErrorCode::syntax, R"(there is nothing to decide: no line begins with "claim" or "refute")");
 }
 
-Place place_of(std::string_view text, std::size_t offset) {
+LineAndColumn line_and_column(std::string_view text, std::size_t offset) {
     offset = std::min(offset, text.size());
     const std::size_t start = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
     const auto lines = static_cast<std::size_t>(std::ranges::count(text.substr(0, offset), '\n'));
@@ -235,7 +235,7 @@ std::string diagnostic(std::string_view file, std::string_view text, const Error
     if (!error.offset()) return std::string(file) + ": " + error.message() + "\n";
     constexpr std::size_t line_width = 100;
     const std::size_t offset = std::min(*error.offset(), text.size());
-    const Place place = place_of(text, offset);
+    const LineAndColumn place = line_and_column(text, offset);
     std::size_t first = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
     if (offset - first > line_width / 2) first = offset - line_width / 2;
     while (first < offset && continues_character(text[first])) ++first;

@@ -11,7 +11,7 @@
 
 namespace blossom::protocol {
 
-/// How a request ended, as the exit status of the program. Of several requests the greatest counts.
+/// How a request ended, as the exit status of the program. For several requests it is the greatest.
 enum class Outcome { success = 0, refused = 1, wrong_usage = 2, disagreement = 3 };
 
 /// One line of JSON, without a line end.
@@ -30,7 +30,7 @@ struct Response {
 /// Cost: that of the operation, within `limits`.
 Response answer(std::string_view request, const Limits& limits = {});
 
-/// The same for a request, and a response, that are values.
+/// The same for a request and a response as values.
 Json answer_to(const Json& request, const Limits& limits);
 template <std::same_as<Json> Value>  // no text is taken for a JSON string
 Json answer(const Value& request, const Limits& limits = {}) {

@@ -15,11 +15,11 @@
 
 namespace blossom::worked {
 
-/// The formal degree up to which pages are made; beyond, nobody reads them. Errors of all chapters:
-/// `limit_exceeded`, and those of the computation that is shown.
+/// The greatest formal degree for which pages are made; larger ones would be unreadable. Errors of all
+/// chapters: `limit_exceeded`, and those of the computation that is shown.
 constexpr std::size_t page_degree = 12;
 
-/// A polynomial map and what its parameter is called.
+/// A polynomial map and the name of its parameter.
 struct GivenMap {
     PolynomialMap map;
     std::string variable = "t";
@@ -64,7 +64,7 @@ Document spline_to_bezier(const BSplineCurve& curve, const Limits& limits = {});
 Document knots_inserted(const BSplineCurve& curve, std::span<const Rational> knots,
                         const Limits& limits = {});
 
-/// How smoothly the segments on both sides of a parameter meet, from both blossoms. Source: DeRose,
+/// The order of contact of the segments at a parameter, from their blossoms. Source: DeRose,
 /// theorem 2.
 Document continuity_at(const BSplineCurve& curve, const Rational& knot, const Limits& limits = {});
 

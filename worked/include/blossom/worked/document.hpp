@@ -16,7 +16,7 @@
 
 namespace blossom::worked {
 
-/// Words with formulas between them.
+/// Text with formulas in it.
 class Text {
 public:
     using Part = std::variant<std::string, Formula>;
@@ -46,8 +46,8 @@ struct Display {
     std::vector<Formula> formulas;
 };
 
-/// A cell of a table. What is `shown` may stand for the value of `meaning`, which is not repeated in each
-/// row; words may say that the relation `meaning` holds.
+/// A cell of a table. `shown` may be only the value of `meaning`, so that the rows do not repeat
+/// the formula; words may state that the relation `meaning` holds.
 struct Cell {
     Text shown;
     std::optional<Formula> meaning;
@@ -67,15 +67,15 @@ struct Table {
 
 /// One node of a pyramid; those of level 0 have no weights.
 struct PyramidNode {
-    Formula label;  ///< the blossom value that it is
+    Formula label;  ///< the blossom value at the node
     Formula value;
     std::optional<Formula> left_weight;   ///< on the arrow from node i of the level before
-    std::optional<Formula> right_weight;  ///< on that from node i + 1
+    std::optional<Formula> right_weight;  ///< on the arrow from node i + 1
     bool on_left_edge = false;            ///< marked as a point of the left result
     bool on_right_edge = false;
 };
 
-/// De Casteljau's, de Boor's or another triangle: levels[r][i] is made of levels[r-1][i] and
+/// De Casteljau's, de Boor's or another triangle: levels[r][i] is a combination of levels[r-1][i] and
 /// levels[r-1][i+1].
 struct TrianglePyramid {
     std::string caption;
@@ -84,7 +84,7 @@ struct TrianglePyramid {
 
 using Block = std::variant<Paragraph, Display, Table, TrianglePyramid, Picture>;
 
-/// What stands on a page, in order.
+/// The contents of a page, in order.
 struct Blocks : std::vector<Block> {
     using std::vector<Block>::vector;
 
@@ -94,7 +94,7 @@ struct Blocks : std::vector<Block> {
         push_back(std::move(block));
         return *this;
     }
-    /// Nothing where there is no picture.
+    /// No block if there is no picture.
     Blocks& add_if(std::optional<Picture> picture) { return picture ? add(std::move(*picture)) : *this; }
 };
 
@@ -107,7 +107,7 @@ struct Step {
 struct Check {
     Blocks blocks;
     bool holds = true;
-    std::string verdict = "This holds exactly.";  ///< what is said where it holds
+    std::string verdict = "This holds exactly.";  ///< the last sentence if it holds
 };
 
 /// The sentence at the end of a check.
@@ -119,7 +119,7 @@ struct TriangleMap {
     std::optional<BarycentricFrame> frame;
 };
 
-/// Any polynomial map, by what its coefficients are called.
+/// An arbitrary polynomial map, by the name of its coefficients.
 struct SymbolicMap {
     std::vector<Formula> coefficients;
 };
@@ -141,17 +141,17 @@ struct NamedPoint {
 /// One worked example.
 struct Document {
     std::string title;
-    std::string source;  ///< where the literature has it
+    std::string source;  ///< the place in the literature
     std::vector<NamedMap> maps;
     std::vector<NamedPoint> points;
-    std::vector<std::string> symbols;  ///< letters that its formulas define
-    /// What is claimed in general, in formulas with indices and ranges instead of numbers.
+    std::vector<std::string> symbols;  ///< the symbols that its formulas define
+    /// The general claim, in formulas with indices and ranges instead of numbers.
     Blocks general;
     Blocks statement;
     std::vector<Step> steps;
     Blocks result;
     std::optional<Check> check;  ///< a sheet of problems has none, and no result
-    /// How blossom values are written unless a reader chooses: where a blossom has the name of its map it
+    /// The default notation of blossom values: if a blossom has the name of its map, it
     /// needs brackets.
     BlossomStyle style = BlossomStyle::parentheses;
 

@@ -10,7 +10,7 @@
 
 namespace blossom::worked {
 
-/// What a sheet is about.
+/// The topic, number and difficulty of a sheet.
 struct SheetRequest {
     std::string topic;
     std::uint64_t seed = 1;
@@ -28,9 +28,9 @@ struct Sheet {
 std::vector<std::string_view> exercise_topics();
 
 /// Problems with small numbers, no two alike, none degenerate: leading coefficients are not zero, parameters
-/// are no ends of intervals, control polygons do not lie on a line. The same request gives the same sheet on
-/// every platform. Errors: `unknown_op` for a topic that is not known; `wrong_arity` for a level that is
-/// none; `limit_exceeded` for more than `most_problems`.
+/// are not ends of intervals, control polygons do not lie on a line. The same request gives the same sheet on
+/// every platform. Errors: `unknown_op` for an unknown topic; `wrong_arity` for another
+/// level; `limit_exceeded` for more than `most_problems`.
 Sheet exercise_sheet(const SheetRequest& request);
 constexpr std::size_t most_problems = 40;
 

@@ -10,7 +10,7 @@
 
 namespace blossom::worked {
 
-/// What a formula says at its top.
+/// The kind of the root of a formula.
 enum class FormulaKind {
     number,       ///< `value`
     symbol,       ///< `name`, a letter or a word; "delta" and other Greek letters are drawn as such
@@ -41,7 +41,7 @@ enum class FormulaKind {
     relation,     ///< parts connected by `name`, for instance "="
 };
 
-/// A formula as a tree of what it means. Text, LaTeX and MathML are printed from it, and a test computes it
+/// A formula as a tree of its meaning. Text, LaTeX and MathML are printed from it, and a test evaluates it
 /// again: a relation between sides without free symbols is a claim about numbers.
 struct Formula {
     FormulaKind kind = FormulaKind::number;
@@ -56,9 +56,9 @@ Formula number(Rational value);
 /// "t", "delta"; a letter followed by digits, "u12", is the letter with an index.
 Formula symbol(std::string name);
 inline Formula words(std::string text) { return {FormulaKind::words, 0, std::move(text), {}}; }
-/// Of one part that part, of none 0.
+/// The sum of the parts: a single part unchanged, 0 if there are none.
 Formula sum(std::vector<Formula> parts);
-/// Of one part that part, of none 1.
+/// The product of the parts: a single part unchanged, 1 if there are none.
 Formula product(std::vector<Formula> parts);
 inline Formula fraction(Formula numerator, Formula denominator) {
     return {FormulaKind::fraction, 0, "", {std::move(numerator), std::move(denominator)}};
@@ -86,7 +86,7 @@ inline Formula binomial_of(Formula n, Formula k) {
 inline Formula factorial_of(Formula n) { return {FormulaKind::factorial, 0, "", {std::move(n)}}; }
 Formula application(Formula head, std::vector<Formula> arguments);
 inline Formula tuple(std::vector<Formula> parts) { return {FormulaKind::tuple, 0, "", std::move(parts)}; }
-/// Of one part that part.
+/// A single part is returned unchanged.
 Formula list_of(std::vector<Formula> parts, std::string separator = ",");
 inline Formula repeated(Formula argument, Formula times) {
     return {FormulaKind::repeated, 0, "", {std::move(argument), std::move(times)}};
@@ -105,7 +105,7 @@ inline Formula interval_of(Formula begin, Formula end) {
 Formula summation(Formula below, Formula of);
 /// The sum or product, by its sign "∑" or "∏", from `below` to `above`, if there is one.
 Formula summation(std::string sign, Formula below, std::optional<Formula> above, Formula of);
-/// sides[0] = sides[1] = ...; of one side that side.
+/// sides[0] = sides[1] = ...; a single side is returned unchanged.
 Formula equation(std::vector<Formula> sides);
 Formula relation(std::string sign, std::vector<Formula> sides);
 

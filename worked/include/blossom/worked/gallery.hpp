@@ -13,7 +13,7 @@ struct GalleryPage {
     Document document;
 };
 
-/// All chapters, in the order in which one would teach them.
+/// All chapters, in the order of teaching.
 std::vector<GalleryPage> gallery_pages();
 
 /// A file by its path within a folder.

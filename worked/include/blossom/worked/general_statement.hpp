@@ -16,11 +16,11 @@ namespace blossom::worked {
 /// indices and functions as in the literature.
 Formula formula_of(const proofs::Block& block, const proofs::Expression& expression);
 
-/// "b[0, t] != 0", a relation or an expression, as the prover writes it, as a formula; words where it is
-/// none.
+/// A relation or an expression of the prover, such as "b[0, t] != 0", as a formula; as words if it is
+/// not one.
 Formula formula_of_text(std::string_view text);
 
-/// What the lines before the claims say: "Let b be a polynomial of formal degree n. Suppose that a ≠ b."
+/// The declarations of a block in words: "Let b be a polynomial of formal degree n. Suppose that a ≠ b."
 /// Empty for a block that declares nothing.
 Text declarations_in_words(const proofs::Block& block);
 
@@ -38,7 +38,7 @@ Text verdict_in_words(const proofs::Block& block, const proofs::Decision& decisi
 
 /// The theorem of a block with the verdict on each of its claims, for a document that takes it in with
 /// \\input and has amsmath: the title, the declarations, each claim as a displayed formula with its ranges,
-/// what the prover says of it, and a counterexample where it is refuted.
+/// its verdict, and a counterexample if it is refuted.
 std::string render_latex_theorem(const proofs::Block& block, const std::vector<proofs::Decision>& decisions);
 
 /// "For n = 2, b(t) = t^2 of degree 2 and a = 0 the left side is 1 and the right side 2."

@@ -14,10 +14,10 @@
 
 namespace blossom {
 
-/// A JSON value: what requests, responses and documents as data are made of.
+/// A JSON value, for requests, responses and documents.
 ///
-/// Numbers keep the text they were written with, so that integers of any size are exact and an `id` is echoed
-/// as it came. An exact number of a result is a `Rational`; it is written as a string. Members keep their
+/// Numbers keep their text, so that integers of any size are exact and an `id` is returned
+/// unchanged. An exact number of a result is a `Rational`; it is written as a string. Members keep their
 /// order.
 class Json {
 public:
@@ -30,7 +30,7 @@ public:
     struct NewMember;
     struct Object : std::vector<Member> {
         Object() = default;
-        /// Moves the values, which a list of members in braces would copy.
+        /// Moves the values; an initializer list would copy them.
         Object(std::initializer_list<NewMember> members);
     };
 
@@ -46,7 +46,7 @@ public:
     Json(Object value) : value_(std::move(value)) {}                    // NOLINT(google-explicit-constructor)
 
     bool is_null() const { return std::holds_alternative<std::monostate>(value_); }
-    /// The alternative asked for, or nullptr.
+    /// The value of this alternative, or nullptr.
     const bool* boolean() const { return std::get_if<bool>(&value_); }
     const Number* number() const { return std::get_if<Number>(&value_); }
     const Rational* exact() const { return std::get_if<Rational>(&value_); }
@@ -56,9 +56,9 @@ public:
     Array* array() { return std::get_if<Array>(&value_); }
     Object* object() { return std::get_if<Object>(&value_); }
 
-    /// The member of an object, or nullptr when there is none, or this is no object.
+    /// The member of an object, or nullptr if there is none or the value is not an object.
     const Json* find(std::string_view name) const;
-    /// The member of an object, made (null) when there is none; a null becomes an object.
+    /// The member of an object, added as null if there is none; a null becomes an object.
     Json& operator[](std::string_view name);
 
     /// Becomes null.
@@ -80,7 +80,8 @@ inline Json::Object::Object(std::initializer_list<NewMember> members) {
     for (const NewMember& member : members) emplace_back(member.name, std::move(member.value));
 }
 
-/// As valid UTF-8: on one line, or with `indent` spaces a level and a line for each element and member.
+/// The value as valid UTF-8: on one line, or with `indent` spaces per level and one line per element and
+/// member.
 std::string to_text(const Json& value, std::optional<std::size_t> indent = {});
 /// On one line; what is written is freed at once, so that a large value and its text are not held together.
 std::string to_text(Json&& value);

@@ -6,7 +6,7 @@
 
 namespace blossom::worked {
 
-/// How the value of a blossom is written.
+/// The notation of a blossom value.
 enum class BlossomStyle {
     parentheses,     ///< p(u, v, w), as Goldman and Ramshaw do
     brackets,        ///< p[u, v, w], as Farin and Fernandez-Jambrina do
@@ -16,7 +16,7 @@ enum class BlossomStyle {
 /// The notation of a whole document.
 struct Notation {
     BlossomStyle style = BlossomStyle::parentheses;
-    /// Equal arguments once, with their multiplicity: t^<3>, as Farin does.
+    /// Whether equal arguments are written once, with their multiplicity: t^<3>, as in Farin.
     bool multiplicities = false;
 
     friend bool operator==(const Notation&, const Notation&) = default;
@@ -28,7 +28,7 @@ std::string to_text(const Formula& formula, const Notation& notation = {});
 /// For LaTeX's mathematical mode, with nothing beyond its own commands and amsmath's.
 std::string to_latex(const Formula& formula, const Notation& notation = {});
 
-/// One element <math>, as text. `display`: in the larger style of a formula on its own line.
+/// An element <math> as text. `display` selects the larger style of a formula on its own line.
 std::string to_mathml(const Formula& formula, const Notation& notation = {}, bool display = false);
 
 }  // namespace blossom::worked

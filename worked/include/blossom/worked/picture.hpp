@@ -14,20 +14,20 @@
 
 namespace blossom::worked {
 
-/// A place in the plane, exactly.
-struct Place {
+/// The exact coordinates of a point in the plane.
+struct PlanePoint {
     Rational x;
     Rational y;
 
-    friend bool operator==(const Place&, const Place&) = default;
+    friend bool operator==(const PlanePoint&, const PlanePoint&) = default;
 };
 
-/// What an element of a picture is, from which its colour and width follow.
+/// The role of an element of a picture, which determines its colour and width.
 enum class Role {
-    before,        ///< what was before, faint
+    before,        ///< the map before the operation, faint
     control,       ///< the given control polygon
     construction,  ///< intermediate points and lines
-    result,        ///< the point or polygon that was wanted
+    result,        ///< the computed point or polygon
     second,        ///< a second result beside the first
 };
 
@@ -36,21 +36,21 @@ std::string role_name(Role role);
 
 /// A point with the formula that names it; without parts and words it has no name.
 struct PicturePoint {
-    Place place;
+    PlanePoint place;
     Formula label;
     Role role = Role::construction;
-    /// What the place is where it is not the value of the label.
+    /// The formula for the place, if it is not the label.
     std::optional<Formula> meaning = {};  // NOLINT(readability-redundant-member-init): may be left out
 };
 
 struct PictureLine {
-    std::vector<Place> places;
+    std::vector<PlanePoint> places;
     Role role = Role::construction;
 };
 
 /// A curve through places, or as cubic Bezier arcs: 3 k + 1 control points of k arcs.
 struct PictureCurve {
-    std::vector<Place> places;
+    std::vector<PlanePoint> places;
     bool cubic = false;
     Role role = Role::control;
     std::string name = {};  // NOLINT(readability-redundant-member-init): of the legend, may be left out
@@ -60,15 +60,15 @@ struct PictureCurve {
 struct PictureFace {
     enum class Edge : unsigned char { none, inner, border };
 
-    std::vector<Place> places;
+    std::vector<PlanePoint> places;
     std::vector<Edge> edges;
     std::string fill;
     std::string line;
 };
 
-/// Words so many pixels to the right of a place and below it.
+/// Words at a distance in pixels to the right of a place and below it.
 struct PictureWords {
-    Place place;
+    PlanePoint place;
     std::string words;
     int right = 0;
     int below = 0;
@@ -77,17 +77,18 @@ struct PictureWords {
 /// A drawing in the plane. Renderings choose the scale and put labels where they cover nothing.
 struct Picture {
     std::string caption;
-    std::string description;  ///< in words, for who does not see it
+    std::string description;  ///< a text alternative for screen readers
     std::vector<PictureCurve> curves;
     std::vector<PictureLine> lines;
     std::vector<PicturePoint> points;
-    bool graph = false;  ///< of a function: both axes are drawn, each with its own scale
-    /// Of points in space: two rows that make a place of a point.
+    bool graph =
+        false;  ///< the picture is the graph of a function: both axes are drawn, each with its own scale
+    /// For points in space: the two rows of the projection to the plane.
     std::vector<Coordinates> projection = {};  // NOLINT(readability-redundant-member-init): may be left out
     /// Of arguments, not values: where the vertices of the triangle are drawn. A point is at the mean of the
     /// arguments of its name.
-    std::vector<Place> corners = {};       // NOLINT(readability-redundant-member-init): may be left out
-    bool grid = false;                     ///< lines at round numbers behind it, also where it is no graph
+    std::vector<PlanePoint> corners = {};  // NOLINT(readability-redundant-member-init): may be left out
+    bool grid = false;  ///< lines at round numbers behind the picture, also if it is not a graph
     std::vector<PictureFace> faces = {};   // NOLINT(readability-redundant-member-init): in order of painting
     std::vector<PictureWords> words = {};  // NOLINT(readability-redundant-member-init): may be left out
     std::size_t width = 360;               ///< in pixels, without margins
@@ -95,14 +96,15 @@ struct Picture {
 
 /// The first two coordinates, of rational points divided by the weight, in lines that end at each point at
 /// infinity.
-std::vector<std::vector<Place>> lines_through(std::span<const Coordinates> points, bool rational = false);
+std::vector<std::vector<PlanePoint>> lines_through(std::span<const Coordinates> points,
+                                                   bool rational = false);
 
 /// The curve over an interval: an exact cubic arc up to degree 3, otherwise and for a rational curve lines
 /// through exact points, `steps` parts of the interval.
 std::vector<PictureCurve> curves_over(const PolynomialMap& map, const Interval& interval, Role role,
                                       const Limits& limits, bool rational = false, std::size_t steps = 96);
 
-/// The number, rounded to four digits where it is long.
+/// The number, rounded to four digits if it is long.
 std::string short_text(const Rational& value);
 
 }  // namespace blossom::worked

@@ -8,7 +8,7 @@
 
 namespace blossom::worked {
 
-/// What the prover makes of each claim of a statement, worked out: first the claim in general, with its
+/// The proof or refutation of each claim of a statement: first the claim in general, with its
 /// indices and ranges; then for a proof the expansion of every value, and with it of both sides, in the
 /// largest case that can be read; for a refutation the counterexample with both sides computed from it.
 ///

@@ -11,8 +11,8 @@
 
 namespace blossom::worked {
 
-/// For a terminal: pyramids stand in columns where they fit into `width`, otherwise level by level. Pictures
-/// are given by their points.
+/// Text for a terminal: pyramids are printed in columns if they fit into `width`, otherwise level by level.
+/// Pictures are lists of points.
 std::string render_text(const Document& document, const Notation& notation = {}, std::size_t width = 79);
 
 /// Markdown with formulas in LaTeX between dollar signs; pyramids are drawn as text. Picture number k,
@@ -24,19 +24,19 @@ std::string render_markdown(const Document& document, const Notation& notation =
 /// The pictures of a document in their order, each as an SVG file of its own.
 std::vector<std::string> render_pictures(const Document& document, const Notation& notation = {});
 
-/// LaTeX: a complete document of several examples, or the fragment that an own one takes in with \input after
+/// LaTeX: a complete document of several examples, or a fragment for \input into another document after
 /// the preamble of `latex_preamble`.
 std::string render_latex(std::span<const Document> documents, const Notation& notation = {});
 std::string render_latex_fragment(const Document& document, const Notation& notation = {});
 std::string latex_preamble();
 
-/// A link of a page to another.
+/// A link from a page to another.
 struct Link {
     std::string target;
     std::string text;
 };
 
-/// One file of HTML with one or more examples that needs no other: formulas in MathML, pyramids and pictures
+/// A self-contained file of HTML with one or more examples: formulas in MathML, pyramids and pictures
 /// in SVG, no script.
 std::string render_html(std::span<const Document> documents, const Notation& notation = {},
                         const std::vector<Link>& links = {});

@@ -9,17 +9,17 @@
 #include <string>
 #include <vector>
 
-/// The chapters on triangles: each takes any map on one.
+/// The chapters on triangles: each takes any map on a triangle.
 
 namespace blossom::worked {
 
-/// The formal degree up to which these pages are made: nodes are as many as tetrahedral numbers.
+/// The greatest formal degree for which these pages are made: the number of nodes grows with its cube.
 constexpr std::size_t triangle_page_degree = 5;
 
 /// A map on a triangle with the vertices r, s, t.
 struct GivenTriangle {
     PatchMap map;  ///< a polynomial in two variables is read over the origin and the ends of the unit vectors
-    std::optional<BarycentricFrame> frame;  ///< the vertices of a control net, where they have coordinates
+    std::optional<BarycentricFrame> frame;  ///< the vertices of a control net, if they have coordinates
     std::vector<std::string> variables;     ///< of a polynomial
     bool weighted = false;                  ///< the last coordinate of the values is a weight
 };

@@ -29,11 +29,11 @@ Document parse(std::string_view text, const Limits& limits = {});
 void require_claim(const Document& document);
 
 /// Line and column of an offset, both from 1; columns count characters of UTF-8.
-struct Place {
+struct LineAndColumn {
     std::size_t line;
     std::size_t column;
 };
-Place place_of(std::string_view text, std::size_t offset);
+LineAndColumn line_and_column(std::string_view text, std::size_t offset);
 
 /// "file:3:7: message", the line, and a caret below the place.
 std::string diagnostic(std::string_view file, std::string_view text, const Error& error);
