@@ -10,10 +10,11 @@ and more sizes of memory, and takes some minutes.
 """
 
 import json
-import os
 import resource
 import subprocess
 import sys
+
+from measured import run_alone
 
 FULL = "--full" in sys.argv[2:]
 PROGRAM = sys.argv[1]
@@ -50,6 +51,7 @@ def costly():
     yield {"op": "prove", "statement": "\n".join(f"given a{i}*b{i} == c{i}" for i in range(31)) + "\nclaim a0*b0*x == c0*x"}
     yield {"op": "prove", "statement": f"claim {continued} == {continued.replace('x3 ', 'x4 ')}"}
     yield {"op": "prove", "statement": "claim " + " + ".join(map(str, range(50000))) + " == 3"}
+    yield {"op": "prove", "statement": "claim x == x\n" * 200000}
     yield {"op": "evaluate", "map": {"kind": "polynomial", "text": "((t+1)^100)^100"}, "at": [2]}
     yield {"op": "derivative", "map": {"kind": "polynomial", "text": "1 + t^3", "denominator": "1 + t^2"}, "order": 10000, "at": ["1/3"]}
     yield {"op": "roots", "map": {"kind": "polynomial", "text": "t^3 - 2"}, "interval": [0, 2], "width": "1e-100000"}
@@ -67,26 +69,16 @@ def small():
     yield {"op": "blossom", "map": {"kind": "polynomial", "text": "1 + t", "degree": 4096}, "arguments": ["1/2"] * 4096}
     yield {"op": "evaluate", "map": {"kind": "polynomial", "text": "1 + t^2", "degree": 4096}, "at": ["1/2"]}
     yield {"op": "subdivide", "map": {"kind": "bezier", "control_points": [i * i % 199 for i in range(801)]}, "at": "1/3"}
+    yield {"op": "prove", "statement": "claim x == x\n" * 3000}
     if FULL:
         yield {"op": "subdivide", "map": {"kind": "bezier", "control_points": [i * i % 199 for i in range(5000)]}, "at": "1/2"}
 
 
-def run_alone(request):
-    """The response, the processor time in seconds and the greatest resident size in bytes."""
-    with subprocess.Popen([PROGRAM, "batch", *OPTIONS], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
-        process.stdin.write(json.dumps(request).encode() + b"\n")
-        process.stdin.close()
-        output = process.stdout.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-    return output, process.returncode, usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024
-
-
 def check_costly(failures):
-    floor = run_alone({"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": [1]})[3]
+    floor = run_alone(PROGRAM, [], b'{"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": [1]}').size
     for must_answer, requests in ((False, costly()), (True, small())):
         for request in requests:
-            output, status, seconds, size = run_alone(request)
+            output, status, seconds, size = run_alone(PROGRAM, OPTIONS, json.dumps(request).encode())
             name = f"{request['op']} {json.dumps(request)[:90]}"
             if status not in (0, 1) or output.count(b"\n") != 1:
                 failures.append(f"{name}: exit status {status}, {len(output)} bytes")

@@ -2,6 +2,7 @@
 #include <blossom/proofs/parser.hpp>
 
 #include <algorithm>
+#include <memory>
 
 #include "decisions.hpp"
 #include "table.hpp"
@@ -12,7 +13,7 @@ namespace {
 
 /// A line of a statement with the block that it stands in.
 struct DecidedLine {
-    proofs::Block block;
+    std::shared_ptr<const proofs::Block> block;
     proofs::Decision decision;
 };
 
@@ -25,12 +26,13 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
         throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), {},
                     error.offset());
     };
-    const proofs::Document document = proofs::parse(statement, limits);
+    proofs::Document document = proofs::parse(statement, limits);
     if (!document.errors.empty()) refuse(document.errors.front());
     proofs::require_claim(document);
     std::vector<DecidedLine> decisions;
-    for (const proofs::Block& block : document.blocks) {
-        for (proofs::Decision& decision : proofs::decide(block, limits)) {
+    for (proofs::Block& one : document.blocks) {
+        const auto block = std::make_shared<const proofs::Block>(std::move(one));
+        for (proofs::Decision& decision : proofs::decide(*block, limits)) {
             // If one case exceeds a limit, the others are still decided; any other error is an error of the
             // request.
             const bool nothing = decision.verdict() == proofs::Verdict::undecided ||
@@ -62,10 +64,10 @@ Answer answer(Request& request, const Limits& limits) {
         return line.decision.verdict() == proofs::Verdict::refuted;
     });
     const DecidedLine& first = refuted == decisions.end() ? decisions.front() : *refuted;
-    Json result = to_json(first.block, first.decision);
+    Json result = to_json(*first.block, first.decision);
     if (decisions.size() == 1) return result;
     Json::Array lines;
-    for (const DecidedLine& line : decisions) lines.push_back(to_json(line.block, line.decision));
+    for (const DecidedLine& line : decisions) lines.push_back(to_json(*line.block, line.decision));
     result["lines"] = std::move(lines);
     return result;
 }

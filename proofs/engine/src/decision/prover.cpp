@@ -82,12 +82,14 @@ private:
             return add_errors(parameters, resource_error(problem));
         }
         for (const Relation& relation : grounded->claims) {
-            const auto decision = std::ranges::find(decisions_, relation.statement, &Decision::statement);
+            const auto decision =
+                std::ranges::lower_bound(decisions_, relation.statement, {}, &Decision::statement);
             CaseDecision decided;
             decided.parameters = parameters;
             decided.parameters.insert(decided.parameters.end(), relation.parameters.begin(),
                                       relation.parameters.end());
             try {
+                check_resources();  // when nothing is left, nothing is begun
                 decide_claim(*grounded, *block_case, relation,
                              opinion_.case_of(relation.statement, decided.parameters), decided);
             } catch (const Error& error) {
