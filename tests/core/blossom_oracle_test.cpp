@@ -62,6 +62,17 @@ TEST_CASE("the blossom of degree 0 is the constant", "[blossom]") {
     }
 }
 
+TEST_CASE("the least number of 64 bits, whose magnitude is beyond them", "[blossom]") {
+    const Rational least(-(Integer(1) << 63));
+    const std::vector<Coordinates> line{{0}, {least}};
+    for (const auto& [name, construct] : every_construction()) {
+        CAPTURE(name);
+        CHECK(construct(PolynomialCurve(line), {Direction(-1)}) == Coordinates{-least});
+        CHECK(construct(PolynomialCurve(line), {Direction(1)}) == Coordinates{least});
+        CHECK(construct(BezierCurve(line, Interval(0, 1)), {Argument(-1, -1)}) == Coordinates{-least});
+    }
+}
+
 TEST_CASE("the same polynomial has different blossoms for different formal degrees", "[blossom]") {
     const Polynomial t = Polynomial::monomial(1);
     CHECK(Blossom(PolynomialCurve(t))({Parameter(3)}) == Coordinates{3});

@@ -128,8 +128,8 @@ private:
         const Rational middle = (piece.lower + piece.upper) / 2;
         const Rational slope = slope_(middle);
         if (slope.is_zero()) return std::nullopt;
-        const Rational target = middle - Rational(changes) * factor_(middle) / slope;
-        if (target < piece.lower || piece.upper < target) return std::nullopt;
+        const Rational target =
+            std::clamp(middle - Rational(changes) * factor_(middle) / slope, piece.lower, piece.upper);
         const Rational cell = (piece.upper - piece.lower) / Rational(Integer(1) << (piece.speed + 2));
         const Rational cells = (target - piece.lower) / cell;
         const Rational begin = piece.lower + Rational(cells.numerator() / cells.denominator() - 1) * cell;
