@@ -1,5 +1,6 @@
 // Curves and splines prepared to be evaluated at many parameters, with numbers that end where words do.
 
+#include <blossom/core/curve/subdivision.hpp>
 #include <blossom/core/spline/curve_values.hpp>
 
 #include "each_case.hpp"
@@ -65,5 +66,37 @@ TEST_CASE("spline values: knots and points that end where words do", "[different
             const auto place = batch.begin() + static_cast<std::ptrdiff_t>(i * values.dimension());
             CHECK(std::equal(value.begin(), value.end(), place));
         }
+    });
+}
+
+TEST_CASE("subdivision: control points of both parts by de Casteljau's steps", "[differential]") {
+    each_case("subdivision", [&](Random& random) {
+        const std::size_t n = random.below(14);
+        const std::size_t dimension = 1 + random.below(3);
+        const std::size_t bits = random.below(80);
+        const std::size_t t_bits = 1 + random.below(random.one_in(4) ? 70 : 20);
+        std::vector<Coordinates> points(n + 1, Coordinates(dimension));
+        for (Coordinates& point : points) {
+            for (Rational& coordinate : point) coordinate = rational_near(random, bits, random.below(30));
+        }
+        const Rational a = rational_near(random, 8, 4);
+        const Rational b = a + 1 + abs(rational_near(random, 8, 4));
+        const Rational t = rational_near(random, t_bits, t_bits);
+        if (t == a || t == b) return;
+
+        std::vector<Coordinates> left, right, level = points;
+        while (true) {
+            left.push_back(level.front());
+            right.insert(right.begin(), level.back());
+            if (level.size() == 1) break;
+            for (std::size_t j = 0; j + 1 < level.size(); ++j) {
+                for (std::size_t c = 0; c < dimension; ++c)
+                    level[j][c] = ((b - t) * level[j][c] + (t - a) * level[j + 1][c]) / (b - a);
+            }
+            level.pop_back();
+        }
+        const auto halves = subdivide(BezierCurve(points, {a, b}), t);
+        CHECK(halves.first == BezierCurve(left, {a, t}));
+        CHECK(halves.second == BezierCurve(right, {t, b}));
     });
 }

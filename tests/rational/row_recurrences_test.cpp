@@ -28,6 +28,30 @@ void check_fold(const std::vector<Integer>& row, const Weights& weights) {
           fold_triangle<Integer>(row, weights.own, weights.neighbours));
 }
 
+/// Level after level, as it is written down.
+TriangleEdges edges_by_levels(std::vector<Integer> level, const Integer& left, const Integer& right) {
+    TriangleEdges edges;
+    std::vector<Integer> last;
+    for (;;) {
+        edges.left.push_back(level.front());
+        last.push_back(level.back());
+        if (level.size() == 1) break;
+        std::vector<Integer> next;
+        for (std::size_t j = 0; j + 1 < level.size(); ++j)
+            next.push_back(left * level[j] + right * level[j + 1]);
+        level = next;
+    }
+    edges.right.assign(last.rbegin(), last.rend());
+    return edges;
+}
+
+void check_edges(const std::vector<Integer>& row, const Integer& left, const Integer& right) {
+    const TriangleEdges expected = edges_by_levels(row, left, right);
+    const TriangleEdges edges = triangle_edges(row, left, right);
+    CHECK(edges.left == expected.left);
+    CHECK(edges.right == expected.right);
+}
+
 /// A weight of at most `bits` bits; now and then zero or the extreme of that width.
 Integer weight(Random& random, std::size_t bits) {
     if (random.one_in(12)) return 0;
@@ -174,4 +198,18 @@ TEST_CASE("with constants 1 the product holds the elementary symmetric functions
     const std::vector<Integer> ones(4, 1);
     const std::vector<Integer> slopes{2, -3, 5, 7};
     CHECK(product_of_linear_factors(ones, slopes) == std::vector<Integer>{1, 11, 17, -107, -210});
+}
+
+TEST_CASE("the edges of a triangle agree with its levels, for weights of words and beyond") {
+    Random random(20261129);
+    for (int i = 0; i < 400; ++i) {
+        const std::size_t bits = random.one_in(8) ? 70 : 1 + random.below(63);
+        const auto row = row_of_bits(random, 1 + random.below(12), random.below(260));
+        check_edges(row, weight(random, bits), weight(random, bits));
+    }
+    const Integer least = std::numeric_limits<std::int64_t>::min();
+    check_edges({1, -1, 3}, least, 1);
+    check_edges({1, -1, 3}, 1, least);
+    check_edges({least, least, least}, -1, -1);
+    check_edges({7}, 2, 3);
 }

@@ -52,7 +52,36 @@ std::optional<WordWeights> word_weights(std::span<const Integer> own, std::span<
     return WordWeights{std::move(*first), std::move(*second)};
 }
 
+template <class Row, class R, class Entry>
+TriangleEdges edges_of(Row& row, std::size_t n, const R& left, const R& right, const Entry& entry) {
+    TriangleEdges edges;
+    edges.left.reserve(n + 1);
+    edges.right.resize(n + 1);
+    row_recurrences::shrink(row, n, left, right, [&](std::size_t i) {
+        edges.left.push_back(entry(0));
+        edges.right[i] = entry(i);
+    });
+    return edges;
+}
+
 }  // namespace
+
+TriangleEdges triangle_edges(std::span<const Integer> entries, const Integer& left, const Integer& right) {
+    const std::size_t n = entries.size() - 1;
+    const Integer weights[] = {left, right};
+    const auto words = as_words(weights);
+    if (!words) {
+        row_recurrences::RingRow<Integer> row({entries.begin(), entries.end()});
+        return edges_of(row, n, left, right, [&](std::size_t k) { return row.entries()[k]; });
+    }
+    const std::size_t start_bits = greatest_bit_length(entries);
+    BitBound bound(start_bits);
+    for (std::size_t i = 0; i < n; ++i)
+        bound.multiply(UInt128{magnitude((*words)[0])} + magnitude((*words)[1]));
+    LimbRow row(n + 1, start_bits, bound.bits());
+    for (std::size_t k = 0; k <= n; ++k) row.set(k, entries[k]);
+    return edges_of(row, n, (*words)[0], (*words)[1], [&](std::size_t k) { return row.integer(k); });
+}
 
 std::vector<Integer> product_of_linear_factors(std::span<const Integer> constants,
                                                std::span<const Integer> slopes) {

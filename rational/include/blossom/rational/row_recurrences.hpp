@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-/// The two recurrences in which every entry of a row becomes a combination of itself and one neighbour. They
-/// are written for any commutative ring; for integers an overload runs the same recurrence on fixed-width
+/// The recurrences in which every entry of a row becomes a combination of itself and one neighbour. They are
+/// written for any commutative ring; for integers an overload runs the same recurrence on fixed-width
 /// words.
 
 namespace blossom {
@@ -61,7 +61,32 @@ void fold(Row& row, std::span<const R> left, std::span<const R> right) {
     }
 }
 
+/// The triangle over entries 0..n whose levels all have these weights; edges(i) is called when the entries
+/// 0..i are those of level n - i, from i = n down to 0.
+template <class Row, class R>
+void shrink(Row& row, std::size_t n, const R& left, const R& right, const auto& edges) {
+    edges(n);
+    for (std::size_t i = n; i-- > 0;) {
+        row.set_weights(left, right);
+        for (std::size_t j = 0; j <= i; ++j) row.combine(j, j + 1);
+        edges(i);
+    }
+}
+
 }  // namespace row_recurrences
+
+/// The edges of a triangle over n + 1 entries: `left[i]` is the first entry of level i, `right[i]` the last
+/// one of level n - i.
+struct TriangleEdges {
+    std::vector<Integer> left;
+    std::vector<Integer> right;
+};
+
+/// The edges of the triangle over `row` whose levels all map neighbours (x, y) to left x + right y: the
+/// control points of both parts of a curve that is subdivided.
+///
+/// Cost: n^2 / 2 multiply-adds, on words of the width that the level needs.
+TriangleEdges triangle_edges(std::span<const Integer> row, const Integer& left, const Integer& right);
 
 /// The coefficients of prod_i (constants[i] + slopes[i] X), lowest first, n + 1 of them for n factors.
 /// With constants 1 they are the elementary symmetric functions of the slopes.
