@@ -7,21 +7,33 @@ namespace blossom {
 
 namespace {
 
-RationalVector transposed(std::span<const Coordinates> points) {
-    if (points.empty()) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
-    const std::size_t dimension = points.front().size();
-    std::vector<Rational> numbers(points.size() * dimension);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        if (points[i].size() != dimension || dimension == 0) {
-            throw Error(ErrorCode::mismatched_dimensions,
-                        "point " + std::to_string(i) + " has " + std::to_string(points[i].size()) +
-                            " coordinates; every point needs the same number, at least 1, and point 0 has " +
-                            std::to_string(dimension),
-                        Place{i});
-        }
-        for (std::size_t j = 0; j < dimension; ++j) numbers[j * points.size() + i] = points[i][j];
+void require_points(std::size_t count) {
+    if (count == 0) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
+}
+
+/// coordinate(i, j) of `count` points, row by row.
+template <class Coordinate>
+RationalVector row_by_row(std::size_t count, std::size_t dimension, const Coordinate& coordinate) {
+    std::vector<Rational> numbers;
+    numbers.reserve(count * dimension);
+    for (std::size_t j = 0; j < dimension; ++j) {
+        for (std::size_t i = 0; i < count; ++i) numbers.push_back(coordinate(i, j));
     }
     return RationalVector(numbers);
+}
+
+RationalVector transposed(std::span<const Coordinates> points) {
+    require_points(points.size());
+    const std::size_t dimension = points.front().size();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (points[i].size() == dimension && dimension > 0) continue;
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "point " + std::to_string(i) + " has " + std::to_string(points[i].size()) +
+                        " coordinates; every point needs the same number, at least 1, and point 0 has " +
+                        std::to_string(dimension),
+                    Place{i});
+    }
+    return row_by_row(points.size(), dimension, [&](std::size_t i, std::size_t j) { return points[i][j]; });
 }
 
 }  // namespace
@@ -31,6 +43,13 @@ PointArray::PointArray(std::span<const Coordinates> points)
 
 PointArray::PointArray(std::size_t dimension, RationalVector numbers)
     : dimension_(dimension), numbers_(std::move(numbers)) {}
+
+PointArray PointArray::point_by_point(std::size_t dimension, std::span<const Rational> numbers) {
+    require_points(numbers.size());
+    if (dimension == 1) return {1, RationalVector(numbers)};
+    return {dimension, row_by_row(numbers.size() / dimension, dimension,
+                                  [&](std::size_t i, std::size_t j) { return numbers[i * dimension + j]; })};
+}
 
 std::vector<std::span<const Integer>> PointArray::rows() const {
     std::vector<std::span<const Integer>> rows;

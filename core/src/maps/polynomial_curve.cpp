@@ -18,10 +18,11 @@ void require_formal_degree(std::size_t actual, std::size_t formal) {
 }
 
 PointArray padded(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree) {
-    const PointArray given(coefficients);
+    PointArray given(coefficients);
     std::size_t actual = given.size() - 1;
+    const std::size_t formal = degree.value_or(actual);
+    if (formal == actual) return given;
     while (actual > 0 && std::ranges::all_of(coefficients[actual], &Rational::is_zero)) --actual;
-    const std::size_t formal = degree.value_or(given.size() - 1);
     require_formal_degree(actual, formal);
 
     std::vector<Integer> numerators;
@@ -68,10 +69,13 @@ PolynomialCurve::PolynomialCurve(const Polynomial& polynomial, std::optional<std
     : coefficients_(stacked({&polynomial, 1}, degree)) {}
 
 std::size_t PolynomialCurve::actual_degree() const {
-    std::size_t k = degree();
-    const auto vanishes = [&](std::span<const Integer> row) { return row[k].is_zero(); };
-    while (k > 0 && std::ranges::all_of(coefficients_.rows(), vanishes)) --k;
-    return k;
+    std::size_t actual = 0;
+    for (std::size_t j = 0; j < dimension(); ++j) {
+        std::size_t k = degree();
+        while (k > actual && coefficients_.coordinate(j)[k].is_zero()) --k;
+        actual = k;
+    }
+    return actual;
 }
 
 Polynomial PolynomialCurve::coordinate(std::size_t j) const {

@@ -55,7 +55,9 @@ Map spline(std::size_t degree, std::vector<Rational> knots, std::vector<Coordina
         PointForm form{.scalar = false};
         if (weights) {
             form.rational = true;
-            within("weights", [&] { append_weights(points, *weights); });
+            within("weights", [&] { require_weights(*weights, points.size()); });
+            for (std::size_t i = 0; i < points.size(); ++i)
+                points[i] = homogeneous_point(points[i], (*weights)[i]);
         }
         return {BSplineCurve(degree, std::move(knots), std::move(points)), form};
     } catch (const Error& error) {

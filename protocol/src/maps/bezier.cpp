@@ -15,7 +15,7 @@ Map read_bezier(Fields& fields, const Limits& limits) {
         fields.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
     check_degree(fields, read.points.size(), limits);
     within("control_points", [&] { require_degree(read.points.size(), limits); });
-    return {BezierCurve(read.points, interval.value_or(Interval())), read.form};
+    return {BezierCurve(read.points.array(), interval.value_or(Interval())), read.form};
 }
 
 Json write(const BezierCurve& curve, const PointForm& form) {

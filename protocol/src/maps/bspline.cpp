@@ -15,8 +15,8 @@ Map read_bspline(Fields& fields, const Limits& limits) {
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
     std::vector<Rational> knots =
         fields.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
-    WeightedPoints read = read_control_points(fields, limits);
-    return {BSplineCurve(degree, std::move(knots), std::move(read.points)), read.form};
+    const WeightedPoints read = read_control_points(fields, limits);
+    return {BSplineCurve(degree, std::move(knots), read.points.list()), read.form};
 }
 
 Json write(const BSplineCurve& curve, const PointForm& form) {

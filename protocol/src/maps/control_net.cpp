@@ -111,12 +111,12 @@ Map read_tensor(Fields& fields, const Limits& limits) {
                                counts[level]);
         });
     };
-    WeightedPoints read = read_net(fields, limits, visit);
+    const WeightedPoints read = read_net(fields, limits, visit);
     auto frames = fields.optional(
         "intervals", [&](const Json& value) { return read_intervals(value, degrees.size(), limits); });
     if (!frames) frames.emplace(degrees.size(), BarycentricFrame::standard(1));
-    require_numbers(read.points.size(), read.points.front().size(), limits);
-    return {Patch{BezierPatch(shape, read.points), true, std::move(*frames), {}}, read.form};
+    require_numbers(read.points.size(), read.points.dimension, limits);
+    return {Patch{BezierPatch(shape, read.points.array()), true, std::move(*frames), {}}, read.form};
 }
 
 /// {"kind": "simplex", "degree", "control_net", "vertices"?, "weights"?, "homogeneous"?}
@@ -140,7 +140,7 @@ Map read_simplex(Fields& fields, const Limits& limits) {
         });
         visit_indexed(value, dimension, degree, limits, leaf);
     };
-    WeightedPoints read = read_net(fields, limits, visit);
+    const WeightedPoints read = read_net(fields, limits, visit);
     std::vector<BarycentricFrame> frames;
     const auto vertices = fields.optional("vertices", [&](const Json& value) {
         BarycentricFrame frame = read_vertices(value, limits);
@@ -152,8 +152,8 @@ Map read_simplex(Fields& fields, const Limits& limits) {
                 dimension, dimension + 1, dimension, frame.dimension() + 1, frame.space_dimension()));
     });
     if (vertices) frames.push_back(*vertices);
-    require_numbers(read.points.size(), read.points.front().size(), limits);
-    return {Patch{BezierPatch(NetShape::simplex(dimension, degree, limits), read.points),
+    require_numbers(read.points.size(), read.points.dimension, limits);
+    return {Patch{BezierPatch(NetShape::simplex(dimension, degree, limits), read.points.array()),
                   false,
                   std::move(frames),
                   {}},

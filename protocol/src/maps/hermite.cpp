@@ -20,18 +20,17 @@ struct Ends {
 /// The points of one end; none for an empty list.
 Points read_end(Fields& fields, std::string_view name, const Limits& limits) {
     return fields.required(name, [&](const Json& value) {
-        return read_array(value).empty() ? Points{{}, true} : read_points(value, limits);
+        return read_array(value).empty() ? Points() : read_points(value, limits);
     });
 }
 
 /// The points of both ends, all of one form.
 Points read_ends(Fields& fields, Ends& ends, const Limits& limits) {
-    Points left = read_end(fields, "left", limits);
-    Points right = read_end(fields, "right", limits);
-    ends = {left.points, right.points};
-    if (left.points.empty()) return right;
-    if (!right.points.empty() &&
-        (left.scalar != right.scalar || left.points[0].size() != right.points[0].size())) {
+    const Points left = read_end(fields, "left", limits);
+    const Points right = read_end(fields, "right", limits);
+    ends = {left.list(), right.list()};
+    if (left.empty()) return right;
+    if (!right.empty() && (left.scalar != right.scalar || left.dimension != right.dimension)) {
         throw Error(ErrorCode::mismatched_dimensions,
                     "the points at the right end are not of the form of those at the left end; all are "
                     "numbers, or all are arrays of the same length of at least 1",
@@ -76,7 +75,7 @@ Map read_hermite(Fields& fields, const Limits& limits) {
                     Part::left);
     }
     require_degree(count, limits);
-    require_numbers(count, first.points.front().size(), limits);
+    require_numbers(count, first.dimension, limits);
     check_degree(fields, count, limits);
     const auto interval =
         fields.optional("interval", [&](const Json& value) { return read_interval(value, limits); });

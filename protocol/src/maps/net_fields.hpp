@@ -19,24 +19,26 @@ namespace blossom::protocol {
 template <class Visit>
 WeightedPoints read_net(Fields& fields, const Limits& limits, const Visit& visit) {
     Points points = fields.required("control_net", [&](const Json& value) {
-        PointReader read(limits);
-        visit(value, [&](const Json& leaf) { read.add(leaf); });
-        return std::move(read).finish();
+        Points read;
+        visit(value, [&](const Json& leaf) { read_next_point(leaf, read, limits); });
+        return read;
     });
     PointForm form{.scalar = points.scalar};
     if (read_homogeneous(fields)) {
         form = within("control_net", [&] { return homogeneous_form(points); });
         refuse_weights(fields);
-        return {std::move(points.points), form};
+        return {std::move(points), form};
     }
-    std::size_t place = 0;
-    const auto read_weights = [&](const Json& value) {
-        visit(value,
-              [&](const Json& leaf) { append_weight(points.points[place++], read_number(leaf, limits)); });
-        return true;
-    };
-    form.rational = fields.optional("weights", read_weights).value_or(false);
-    return {std::move(points.points), form};
+    const auto weights = fields.optional("weights", [&](const Json& value) {
+        std::vector<Rational> read;
+        visit(value, [&](const Json& leaf) { read.push_back(read_weight(leaf, limits)); });
+        return read;
+    });
+    if (weights) {
+        form.rational = true;
+        append_weights(points, *weights);
+    }
+    return {std::move(points), form};
 }
 
 /// Calls leaf(value) for each entry of nested arrays with counts[d] elements on level d; `rule(d, count)` is

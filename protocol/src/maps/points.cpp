@@ -9,6 +9,13 @@ namespace blossom::protocol {
 
 namespace {
 
+void require_weight(const Rational& weight) {
+    if (!weight.is_zero()) return;
+    throw Error(
+        ErrorCode::zero_weight,
+        "the weight is 0; with \"homogeneous\": true, points carry their weight and may have weight 0");
+}
+
 Coordinates read_coordinates(const Json& value, bool scalar, const Limits& limits) {
     if (scalar) return {read_number(value, limits)};
     return read_numbers(value, limits);
@@ -32,22 +39,31 @@ std::string joined(const std::vector<std::string>& texts) {
 
 }  // namespace
 
-void append_weight(Coordinates& point, const Rational& weight) {
-    if (weight.is_zero()) {
-        throw Error(ErrorCode::zero_weight,
-                    "the weight is 0; with \"homogeneous\": true, points carry their weight and may have "
-                    "weight 0");
-    }
-    point = homogeneous_point(point, weight);
+Rational read_weight(const Json& value, const Limits& limits) {
+    Rational weight = read_number(value, limits);
+    require_weight(weight);
+    return weight;
 }
 
-void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights) {
-    if (weights.size() != points.size()) {
+void require_weights(std::span<const Rational> weights, std::size_t points) {
+    if (weights.size() != points) {
         throw Error(ErrorCode::wrong_arity, std::to_string(weights.size()) + " weights for " +
-                                                std::to_string(points.size()) +
+                                                std::to_string(points) +
                                                 " control points; one each is needed");
     }
-    for (std::size_t i = 0; i < points.size(); ++i) within(i, [&] { append_weight(points[i], weights[i]); });
+    for (std::size_t i = 0; i < weights.size(); ++i) within(i, [&] { require_weight(weights[i]); });
+}
+
+void append_weights(Points& points, std::span<const Rational> weights) {
+    std::vector<Rational> numbers;
+    numbers.reserve(points.numbers.size() + weights.size());
+    auto coordinate = points.numbers.begin();
+    for (const Rational& weight : weights) {
+        for (std::size_t j = 0; j < points.dimension; ++j) numbers.push_back(*coordinate++ * weight);
+        numbers.push_back(weight);
+    }
+    points.numbers = std::move(numbers);
+    ++points.dimension;
 }
 
 Json to_json(const Coordinates& point, const PointForm& form) {
@@ -77,26 +93,49 @@ Coordinates read_point(const Json& value, const PointForm& form, std::size_t dim
                                                       " coordinates, not " + std::to_string(dimension));
 }
 
-void PointReader::add(const Json& value) {
-    const bool scalar = !value.array();
-    if (points_.empty()) scalar_ = scalar;
-    Coordinates point = read_coordinates(value, scalar, limits_);
-    if (scalar != scalar_ || point.empty() || (!points_.empty() && point.size() != points_.front().size())) {
-        throw Error(ErrorCode::mismatched_dimensions,
-                    "the point is not of the form of those before; all are numbers, or all are arrays of the "
-                    "same length of at least 1");
+std::vector<Coordinates> Points::list() const {
+    std::vector<Coordinates> list;
+    list.reserve(size());
+    for (auto begin = numbers.begin(); begin != numbers.end();) {
+        const auto end = begin + static_cast<std::ptrdiff_t>(dimension);
+        list.emplace_back(begin, end);
+        begin = end;
     }
-    points_.push_back(std::move(point));
+    return list;
+}
+
+void read_next_point(const Json& value, Points& points, const Limits& limits) {
+    const Json::Array* coordinates = value.array();
+    const std::size_t dimension = coordinates ? coordinates->size() : 1;
+    if (points.empty()) {
+        points.scalar = !coordinates;
+        points.dimension = dimension;
+    }
+    if (points.scalar == !coordinates && dimension == points.dimension && dimension > 0) {
+        if (!coordinates) {
+            points.numbers.push_back(read_number(value, limits));
+        } else {
+            for (std::size_t j = 0; j < dimension; ++j)
+                points.numbers.push_back(within(j, [&] { return read_number((*coordinates)[j], limits); }));
+        }
+        return;
+    }
+    // A number that is none is said before the form.
+    read_coordinates(value, !coordinates, limits);
+    throw Error(ErrorCode::mismatched_dimensions,
+                "the point is not of the form of those before; all are numbers, or all are arrays of the "
+                "same length of at least 1");
 }
 
 Points read_points(const Json& value, const Limits& limits) {
     const Json::Array& elements = read_array(value);
     if (elements.empty()) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
-    PointReader read(limits, elements.size());
-    for (std::size_t i = 0; i < elements.size(); ++i) within(i, [&] { read.add(elements[i]); });
-    Points result = std::move(read).finish();
-    require_numbers(result.points.size(), result.points.front().size(), limits);
-    return result;
+    Points points;
+    points.numbers.reserve(elements.size());
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        within(i, [&] { read_next_point(elements[i], points, limits); });
+    require_numbers(points.size(), points.dimension, limits);
+    return points;
 }
 
 WeightedPoints read_control_points(Fields& fields, const Limits& limits) {
@@ -110,9 +149,10 @@ WeightedPoints read_control_points(Fields& fields, const Limits& limits) {
         form = within("control_points", [&] { return homogeneous_form(points); });
     } else if (weights) {
         form.rational = true;
-        within("weights", [&] { append_weights(points.points, *weights); });
+        within("weights", [&] { require_weights(*weights, points.size()); });
+        append_weights(points, *weights);
     }
-    return {std::move(points.points), form};
+    return {std::move(points), form};
 }
 
 void write_coefficients(Json& map, std::vector<Coordinates> coefficients, const PointForm& form) {
@@ -146,7 +186,7 @@ Field homogeneous_field() {
 bool read_homogeneous(Fields& fields) { return fields.optional("homogeneous", read_boolean).value_or(false); }
 
 PointForm homogeneous_form(const Points& points) {
-    if (points.scalar || points.points.front().size() < 2) {
+    if (points.scalar || points.dimension < 2) {
         throw Error(
             ErrorCode::mismatched_dimensions,
             "with \"homogeneous\": true a point is an array of its coordinates, at least 1, and its weight");

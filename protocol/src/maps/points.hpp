@@ -36,41 +36,34 @@ Coordinates answered_point(const Json& value);
 /// Errors: `mismatched_dimensions` unless it has `dimension` numbers.
 Coordinates read_point(const Json& value, const PointForm& form, std::size_t dimension, const Limits& limits);
 
-/// Reads the points of a request: all numbers, or all arrays of one length.
+/// The points of a request: all numbers, or all arrays of one length.
 struct Points {
-    std::vector<Coordinates> points;
-    bool scalar;
-};
-/// Reads points one after the other; all must have the form of the first.
-class PointReader {
-public:
-    explicit PointReader(const Limits& limits, std::size_t expected = 0) : limits_(limits) {
-        points_.reserve(expected);
-    }
+    std::vector<Rational> numbers;  ///< the coordinates of point after point
+    std::size_t dimension = 0;      ///< 0 while there is no point
+    bool scalar = true;
 
-    /// Errors: `mismatched_dimensions` for a point of another form.
-    void add(const Json& value);
-    Points finish() && { return {std::move(points_), scalar_}; }
-
-private:
-    const Limits& limits_;
-    std::vector<Coordinates> points_;
-    bool scalar_ = true;
+    bool empty() const { return numbers.empty(); }
+    std::size_t size() const { return empty() ? 0 : numbers.size() / dimension; }
+    PointArray array() const { return PointArray::point_by_point(dimension, numbers); }
+    std::vector<Coordinates> list() const;
 };
+/// Reads one point more, of the form of those before. Errors: `mismatched_dimensions`.
+void read_next_point(const Json& value, Points& points, const Limits& limits);
 
 /// Errors: `wrong_arity` for none, `mismatched_dimensions`, `limit_exceeded` for more than `limits.numbers`.
 Points read_points(const Json& value, const Limits& limits);
 
 /// Points of a map with their weights, as homogeneous coordinates where the form is rational.
 struct WeightedPoints {
-    std::vector<Coordinates> points;
+    Points points;
     PointForm form;
 };
-/// Multiplies a point by its weight and appends the weight. Errors: `zero_weight`.
-void append_weight(Coordinates& point, const Rational& weight);
-/// Makes (w_i P_i, w_i) of every point. Errors: `wrong_arity` unless there is one weight per point;
-/// `zero_weight`.
-void append_weights(std::vector<Coordinates>& points, const std::vector<Rational>& weights);
+/// A number that is not 0. Errors: `zero_weight`.
+Rational read_weight(const Json& value, const Limits& limits);
+/// Errors: `wrong_arity` unless there is one weight per point; `zero_weight`.
+void require_weights(std::span<const Rational> weights, std::size_t points);
+/// Makes (w_i P_i, w_i) of every point.
+void append_weights(Points& points, std::span<const Rational> weights);
 
 /// The fields "control_points", "weights" and "homogeneous".
 /// Errors: `wrong_arity` unless there is one weight per point; `zero_weight`; `wrong_kind` for both "weights"

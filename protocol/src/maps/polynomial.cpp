@@ -43,8 +43,8 @@ Written read_texts(const Json& value, const Limits& limits) {
 
 Written read_coefficients(const Json& value, const Limits& limits) {
     const Points points = read_points(value, limits);
-    require_degree(points.points.size(), limits);
-    return {PolynomialCurve(points.points), points.scalar, ""};
+    require_degree(points.size(), limits);
+    return {PolynomialCurve(points.array()), points.scalar, ""};
 }
 
 Polynomial read_denominator(const Json& value, std::string& variable, const Limits& limits) {

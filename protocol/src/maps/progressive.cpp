@@ -13,7 +13,7 @@ Map read_progressive(Fields& fields, const Limits& limits) {
     const WeightedPoints read = read_control_points(fields, limits);
     check_degree(fields, read.points.size(), limits);
     within("control_points", [&] { require_degree(read.points.size(), limits); });
-    return {ProgressiveCurve(std::move(knots), read.points), read.form};
+    return {ProgressiveCurve(std::move(knots), read.points.list()), read.form};
 }
 
 Json write(const ProgressiveCurve& curve, const PointForm& form) {

@@ -26,23 +26,24 @@ void append_denominator(std::vector<Coordinates>& coefficients, std::vector<Rati
 Map read_taylor(Fields& fields, const Limits& limits) {
     const Rational center =
         fields.required("center", [&](const Json& value) { return read_number(value, limits); });
-    Points read =
+    const Points read =
         fields.required("coefficients", [&](const Json& value) { return read_points(value, limits); });
     const auto denominator =
         fields.optional("denominator", [&](const Json& value) { return read_numbers(value, limits); });
     const auto degree =
         fields.optional("degree", [&](const Json& value) { return read_count(value, limits); });
     PointForm form{.scalar = read.scalar, .rational = denominator.has_value()};
-    if (denominator) within("denominator", [&] { append_denominator(read.points, *denominator); });
+    std::vector<Coordinates> coefficients = read.list();
+    if (denominator) within("denominator", [&] { append_denominator(coefficients, *denominator); });
     if (read_homogeneous(fields)) {
         form = denominator ? PointForm{.scalar = false, .rational = true, .homogeneous = true}
                            : within("coefficients", [&] { return homogeneous_form(read); });
     }
-    within("coefficients", [&] { require_degree(read.points.size(), limits); });
-    const PolynomialCurve given(read.points);
+    within("coefficients", [&] { require_degree(coefficients.size(), limits); });
+    const PolynomialCurve given(coefficients);
     const std::size_t formal = degree.value_or(given.actual_degree());
     require_numbers(formal + 1, given.dimension(), limits);
-    return {TaylorCurve{center, PolynomialCurve(read.points, formal).coefficients()}, form};
+    return {TaylorCurve{center, PolynomialCurve(coefficients, formal).coefficients()}, form};
 }
 
 Json write(const TaylorCurve& curve, const PointForm& form) {

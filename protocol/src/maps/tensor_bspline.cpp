@@ -51,9 +51,9 @@ Map read_tensor_bspline(Fields& fields, const Limits& limits) {
         visit_nested(value, counts, leaf,
                      [&](std::size_t level, std::size_t count) { return rule_of(count, counts[level]); });
     };
-    WeightedPoints read = read_net(fields, limits, visit);
-    require_numbers(read.points.size(), read.points.front().size(), limits);
-    return {TensorBSpline(std::move(knots), std::move(read.points)), read.form};
+    const WeightedPoints read = read_net(fields, limits, visit);
+    require_numbers(read.points.size(), read.points.dimension, limits);
+    return {TensorBSpline(std::move(knots), read.points.list()), read.form};
 }
 
 Json write(const TensorBSpline& spline, const PointForm& form) {

@@ -20,6 +20,8 @@ public:
     explicit PointArray(std::span<const Coordinates> points);
     /// `numbers` holds `dimension` rows of equal length, one per coordinate.
     PointArray(std::size_t dimension, RationalVector numbers);
+    /// `numbers` holds the coordinates of point after point. Errors: `wrong_arity` if there is none.
+    static PointArray point_by_point(std::size_t dimension, std::span<const Rational> numbers);
 
     std::size_t size() const { return numbers_.size() / dimension_; }
     std::size_t dimension() const { return dimension_; }
