@@ -10,6 +10,16 @@
 
 namespace blossom {
 
+namespace {
+
+Coordinates natural_value(const auto& curve, std::span<const Argument> arguments, const Limits& limits) {
+    require_arity(curve.degree(), arguments.size());
+    if (auto value = value_in_words(curve, arguments, limits)) return *std::move(value);
+    return Blossom(curve, limits)(arguments);
+}
+
+}  // namespace
+
 std::string_view construction_name(Construction construction) {
     switch (construction) {
         case Construction::symmetric:
@@ -32,17 +42,30 @@ void throw_wrong_arity(std::size_t degree, std::size_t arguments) {
                 Part::arguments);
 }
 
+Coordinates blossom_value(const PolynomialCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits) {
+    return natural_value(curve, arguments, limits);
+}
+
+Coordinates blossom_value(const BezierCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits) {
+    return natural_value(curve, arguments, limits);
+}
+
 Coordinates blossom_value(const PolynomialMap& map, std::span<const Argument> arguments,
                           Construction construction, const Limits& limits) {
     require_arity(degree_of(map), arguments.size());
-    if (auto value = value_in_words(map, arguments, construction, limits)) return *std::move(value);
+    const auto* curve = std::get_if<PolynomialCurve>(&map);
+    const auto* bezier = std::get_if<BezierCurve>(&map);
     if (construction == Construction::symmetric) {
-        if (const auto* bezier = std::get_if<BezierCurve>(&map))
-            return Blossom(monomial_form(*bezier, limits), limits)(arguments);
-        return Blossom(map, limits)(arguments);
+        return curve ? blossom_value(*curve, arguments, limits)
+                     : blossom_value(monomial_form(*bezier, limits), arguments, limits);
     }
     if (construction != Construction::casteljau)
         return polarization_value(map, arguments, construction, limits);
+    if (bezier) {
+        if (auto value = value_in_words(*bezier, arguments, limits)) return *std::move(value);
+    }
     const ClearedArguments cleared = cleared_one_by_one(arguments);
     require_result_bits(numerator_bits(map) + cleared.bits + arguments.size() * frame_bits(map), limits);
     return reduced(run_construction(map, construction, cleared.pairs, limits), cleared.denominator());

@@ -136,9 +136,8 @@ struct Blossom::Shared {
     /// One value without the prepared form, its coordinates from row `first` on.
     void evaluate_once(std::span<const Argument> arguments, std::size_t first,
                        std::span<Rational> coordinates) const {
-        const auto construction =
-            std::holds_alternative<BezierCurve>(map) ? Construction::casteljau : Construction::symmetric;
-        if (auto value = value_in_words(map, arguments, construction, limits)) {
+        const auto in_words = [&](const auto& curve) { return value_in_words(curve, arguments, limits); };
+        if (auto value = std::visit(in_words, map)) {
             std::move(value->begin() + static_cast<std::ptrdiff_t>(first),
                       value->begin() + static_cast<std::ptrdiff_t>(first + coordinates.size()),
                       coordinates.begin());

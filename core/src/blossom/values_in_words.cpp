@@ -43,7 +43,9 @@ struct Factors {
     std::span<const WordFactor> span() const { return {words, size}; }
 };
 
-bool read(const WordFrame& frame, std::span<const Argument> arguments, Factors& factors) {
+bool read(const WordFrame& frame, std::span<const Argument> arguments, const Limits& limits,
+          Factors& factors) {
+    if (arguments.size() > most_factors || most_bits / 3 >= limits.digits) return false;
     factors.size = arguments.size();
     return frame.read(arguments, factors.words);
 }
@@ -81,22 +83,19 @@ std::optional<Coordinates> values(const PointArray& numbers, std::span<const std
 
 }  // namespace
 
-std::optional<Coordinates> value_in_words(const PolynomialMap& map, std::span<const Argument> arguments,
-                                          Construction construction, const Limits& limits) {
-    if (arguments.size() > most_factors || most_bits / 3 >= limits.digits) return std::nullopt;
-    const auto* curve = std::get_if<PolynomialCurve>(&map);
-    const auto* bezier = std::get_if<BezierCurve>(&map);
+std::optional<Coordinates> value_in_words(const PolynomialCurve& curve, std::span<const Argument> arguments,
+                                          const Limits& limits) {
     Factors factors;
-    if (construction == Construction::symmetric && curve) {
-        if (!read(WordFrame(), arguments, factors)) return std::nullopt;
-        return values(curve->coefficients(), binomial_weights(arguments.size()), factors,
-                      BlossomSums::sum_in_words);
-    }
-    if (construction == Construction::casteljau && bezier) {
-        if (!read(WordFrame(cleared(bezier->interval())), arguments, factors)) return std::nullopt;
-        return values(bezier->control_points(), {}, factors, BlossomSums::apex_in_words);
-    }
-    return std::nullopt;
+    if (!read(WordFrame(), arguments, limits, factors)) return std::nullopt;
+    return values(curve.coefficients(), binomial_weights(arguments.size()), factors,
+                  BlossomSums::sum_in_words);
+}
+
+std::optional<Coordinates> value_in_words(const BezierCurve& curve, std::span<const Argument> arguments,
+                                          const Limits& limits) {
+    Factors factors;
+    if (!read(WordFrame(cleared(curve.interval())), arguments, limits, factors)) return std::nullopt;
+    return values(curve.control_points(), {}, factors, BlossomSums::apex_in_words);
 }
 
 }  // namespace blossom

@@ -6,9 +6,12 @@
 
 namespace blossom {
 
-/// The value by symmetric functions from monomial coefficients or by de Casteljau's algorithm from control
-/// points, if words and sums of 128 bits hold all numbers on the way: no memory is taken but for the result.
-std::optional<Coordinates> value_in_words(const PolynomialMap& map, std::span<const Argument> arguments,
-                                          Construction construction, const Limits& limits);
+/// The value by symmetric functions, if words and sums of 128 bits hold all numbers on the way: no memory is
+/// taken but for the result.
+std::optional<Coordinates> value_in_words(const PolynomialCurve& curve, std::span<const Argument> arguments,
+                                          const Limits& limits);
+/// The value by de Casteljau's algorithm, likewise.
+std::optional<Coordinates> value_in_words(const BezierCurve& curve, std::span<const Argument> arguments,
+                                          const Limits& limits);
 
 }  // namespace blossom

@@ -20,12 +20,13 @@ namespace {
 template <OnePolynomial Curve>
 Coordinates value_of(const Curve& curve, std::span<const Argument> arguments,
                      std::optional<Construction> construction, const Limits& limits) {
-    if constexpr (std::is_same_v<Curve, ProgressiveCurve>) {
-        if (!construction) return blossom_value(curve, arguments, limits);
+    if (construction) return blossom_value(polynomial_map(curve, limits), arguments, *construction, limits);
+    if constexpr (requires { blossom_value(curve, arguments, limits); }) {
+        return blossom_value(curve, arguments, limits);
+    } else {
+        const auto natural = [&](const auto& one) { return blossom_value(one, arguments, limits); };
+        return std::visit(natural, polynomial_map(curve, limits));
     }
-    PolynomialMap map = polynomial_map(curve, limits);
-    return construction ? blossom_value(map, arguments, *construction, limits)
-                        : Blossom(std::move(map), limits)(arguments);
 }
 
 Coordinates value_of(const Patch& patch, const PatchArguments& arguments,

@@ -79,6 +79,15 @@ private:
     std::shared_ptr<const Shared> shared_;  ///< by copies
 };
 
+/// p(arguments) once, as a `Blossom` computes it: while words hold all numbers nothing is copied and no
+/// memory is taken but for the result.
+///
+/// Errors: those of `Blossom`.
+Coordinates blossom_value(const PolynomialCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits = {});
+Coordinates blossom_value(const BezierCurve& curve, std::span<const Argument> arguments,
+                          const Limits& limits = {});
+
 /// p(arguments) by one named construction, each from its own source: symmetric functions from monomial
 /// coefficients, polarization from values of the map alone, de Casteljau from control points (over [0, 1] for
 /// a `PolynomialCurve`).
