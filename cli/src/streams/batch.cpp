@@ -19,6 +19,9 @@ struct Part {
     std::vector<Response> responses = {};
 };
 
+/// In bytes.
+constexpr std::size_t long_response = 4096;
+
 /// How many lines make up a part: the more, the shorter their responses are, so that threads and writes wait
 /// less for each other, and what is held stays small.
 class PartSize {
@@ -26,7 +29,6 @@ public:
     std::size_t lines() const { return lines_.load(std::memory_order_relaxed); }
     void adapt(const Part& part) {
         constexpr std::size_t most_lines = 64;
-        constexpr std::size_t long_response = 4096;
         const bool is_long = std::ranges::any_of(
             part.responses, [](const Response& response) { return response.text.size() > long_response; });
         lines_.store(is_long ? 1 : std::min(2 * part.lines.size(), most_lines), std::memory_order_relaxed);
@@ -45,11 +47,15 @@ constexpr std::string_view no_memory =
     R"({"ok": false, "error": {"code": "limit_exceeded", "message": "the memory of this machine does not suffice", "at": ""}})"
     "\n";
 
-/// Without more memory than the text has: a long response may have taken the last.
+/// Without a copy of a long text: it may have taken the last memory.
 bool write_line(const Sink& sink, std::string& text) {
     if (text.empty()) return sink(no_memory);
-    if (text.size() == text.capacity()) return sink(text) && sink("\n");
-    text += '\n';
+    if (text.size() == text.capacity() && text.size() > long_response) return sink(text) && sink("\n");
+    try {
+        text += '\n';
+    } catch (const std::bad_alloc&) {
+        return sink(text) && sink("\n");
+    }
     return sink(text);
 }
 

@@ -35,15 +35,19 @@ std::size_t read_whole(const Json& value, const Limits& limits, std::size_t most
 
 Fields::Fields(const Json& value) : object_(value) {
     if (!value.object()) wrong_kind("an object", value);
-    constexpr std::size_t usual_size = 8;
-    asked_.reserve(usual_size);
 }
 
-bool Fields::is_asked(std::string_view name) const { return std::ranges::find(asked_, name) != asked_.end(); }
+bool Fields::is_asked(std::string_view name) const {
+    return std::ranges::find(asked(), name) != asked().end();
+}
 
 const Json* Fields::ask(std::string_view name) {
-    asked_.push_back(name);
-    return object_.find(name);
+    const Json* member = object_.find(name);
+    if (!is_asked(name)) {
+        asked_.at(asked_count_++) = name;
+        if (member) ++found_count_;
+    }
+    return member;
 }
 
 void Fields::missing(std::string_view name) const {
@@ -58,10 +62,11 @@ void Fields::missing(std::string_view name) const {
 }
 
 void Fields::finish() const {
+    if (found_count_ == object_.object()->size()) return;
     for (const auto& [name, value] : *object_.object()) {
         if (is_asked(name)) continue;
         throw Error(ErrorCode::unknown_field,
-                    "the field " + quoted(name) + " is not known here" + suggestion(name, asked_),
+                    "the field " + quoted(name) + " is not known here" + suggestion(name, asked()),
                     Place{std::string(name)});
     }
 }

@@ -70,14 +70,16 @@ public:
     void finish() const;
 
     /// The names that were asked for, in this order.
-    const std::vector<std::string_view>& asked() const { return asked_; }
+    std::span<const std::string_view> asked() const { return {asked_.data(), asked_count_}; }
 
 private:
     const Json* ask(std::string_view name);
     bool is_asked(std::string_view name) const;
 
     const Json& object_;
-    std::vector<std::string_view> asked_;
+    std::array<std::string_view, 24> asked_;  ///< more than any object has fields
+    std::size_t asked_count_ = 0;
+    std::size_t found_count_ = 0;  ///< how many of them there are
 };
 
 /// An exact number: a string as `parse_rational` takes it, or a JSON integer.

@@ -16,11 +16,14 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Whether a character stands for itself in a string, and is one byte.
-constexpr std::array<bool, 256> plain_bytes = [] {
-    std::array<bool, 256> plain{};
-    for (std::size_t byte = 0x20; byte < 0x80; ++byte) plain[byte] = byte != '"' && byte != '\\';
-    return plain;
-}();
+bool is_plain(char c) {
+    static constexpr std::array<bool, 256> plain = [] {
+        std::array<bool, 256> bytes{};
+        for (std::size_t byte = 0x20; byte < 0x80; ++byte) bytes[byte] = byte != '"' && byte != '\\';
+        return bytes;
+    }();
+    return plain[static_cast<unsigned char>(c)];
+}
 
 void append_utf8(std::string& text, std::uint32_t code) {
     const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
@@ -42,94 +45,98 @@ void append_utf8(std::string& text, std::uint32_t code) {
 
 class Reader {
 public:
-    Reader(std::string_view text, const Limits& limits) : text_(text), limits_(limits) {
+    Reader(std::string_view text, const Limits& limits)
+        : begin_(text.data()), at_(begin_), end_(begin_ + text.size()), limits_(limits) {
         constexpr std::size_t usual_depth = 4;
         open_.reserve(usual_depth);
     }
 
     JsonReading read() {
         try {
-            if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // a byte order mark
+            take_word("\xEF\xBB\xBF");  // a byte order mark
             read_all();
         } catch (const Error& error) {
             // The outermost container is handed out with the members that were read whole.
             if (open_.size() > 1) remove_last(*open_.front());
-            return {read_.empty() ? Json() : std::move(read_.front()), error};
+            return {std::move(read_), error};
         }
-        return {std::move(read_.front()), std::nullopt};
+        return {std::move(read_), std::nullopt};
     }
 
 private:
     void read_all() {
-        read_value();
+        read_value(
+            [this](auto&& value) -> Json& { return read_ = Json(std::forward<decltype(value)>(value)); });
         while (!open_.empty()) {
-            if (open_.back()->array()) {
-                read_next_element();
+            Json& innermost = *open_.back();
+            if (Json::Array* elements = innermost.array()) {
+                read_elements(*elements);
             } else {
-                read_next_member();
+                read_members(*innermost.object());
             }
         }
         skip_spaces();
-        if (at_ < text_.size()) fail("the text goes on after its value");
+        if (at_ != end_) fail("the text goes on after its value");
     }
 
-    void read_next_element() {
-        const bool first = open_.back()->array()->empty();
-        if (take(']')) return close();
-        if (!first) expect(',', "expected ',' or ']' after an element");
-        read_value();
+    /// Goes on with an array until it ends, or a container in it begins.
+    void read_elements(Json::Array& elements) {
+        const auto add = [&](auto&& value) -> Json& {
+            return elements.emplace_back(std::forward<decltype(value)>(value));
+        };
+        do {
+            if (take(']')) return open_.pop_back();
+            if (!elements.empty()) expect(',', "expected ',' or ']' after an element");
+        } while (!read_value(add));
     }
 
-    void read_next_member() {
-        const bool first = open_.back()->object()->empty();
-        if (take('}')) {
-            require_distinct_names();
-            return close();
-        }
-        if (!first) expect(',', "expected ',' or '}' after a member");
+    /// Goes on with an object, likewise.
+    void read_members(Json::Object& members) {
+        std::string name;
+        const auto add = [&](auto&& value) -> Json& {
+            return members.emplace_back(std::move(name), std::forward<decltype(value)>(value)).second;
+        };
+        do {
+            if (take('}')) {
+                require_distinct_names(members);
+                return open_.pop_back();
+            }
+            if (!members.empty()) expect(',', "expected ',' or '}' after a member");
+            expect('"', "expected the name of a member in quotation marks");
+            name = read_string();
+            expect(':', "expected ':' after the name of a member");
+        } while (!read_value(add));
+    }
+
+    /// Reads a value, and puts it where it belongs by `add`; of a container its beginning, and then the
+    /// result is true. Containers that are open do not move: nothing is added to those around the innermost
+    /// one.
+    template <class Add>
+    bool read_value(const Add& add) {
         skip_spaces();
-        expect('"', "expected the name of a member in quotation marks");
-        name_ = read_string();
-        expect(':', "expected ':' after the name of a member");
-        read_value();
-    }
-
-    /// Reads a value, of a container its beginning.
-    void read_value() {
-        skip_spaces();
-        if (at_ == text_.size()) fail("a value is missing");
-        switch (text_[at_]) {
+        if (at_ == end_) fail("a value is missing");
+        switch (*at_) {
             case '{':
-                return open(Json::Object());
+                return open(Json::Object(), add);
             case '[':
-                return open(Json::Array());
+                return open(Json::Array(), add);
             case '"':
                 ++at_;
                 add(read_string());
-                return;
+                return false;
             case 't':
-                return read_word("true", true);
+                return read_word("true", true, add);
             case 'f':
-                return read_word("false", false);
+                return read_word("false", false, add);
             case 'n':
-                return read_word("null", Json());
+                return read_word("null", Json(), add);
             default:
                 add(Json::Number{read_number()});
+                return false;
         }
     }
 
-    /// Puts a value where the next one belongs. Containers that are open do not move: nothing is added to
-    /// those around the innermost one.
-    template <class Value>
-    Json& add(Value&& value) {
-        if (open_.empty()) return read_.emplace_back(std::forward<Value>(value));
-        if (Json::Array* elements = open_.back()->array())
-            return elements->emplace_back(std::forward<Value>(value));
-        return open_.back()->object()->emplace_back(std::move(name_), std::forward<Value>(value)).second;
-    }
-
-    template <class Container>
-    void open(Container container) {
+    bool open(auto container, const auto& add) {
         if (open_.size() >= limits_.nesting) {
             throw Error(ErrorCode::limit_exceeded,
                         "brackets nested deeper than the limit nesting = " + std::to_string(limits_.nesting));
@@ -138,9 +145,8 @@ private:
         container.reserve(usual_size);
         open_.push_back(&add(std::move(container)));
         ++at_;
+        return true;
     }
-
-    void close() { open_.pop_back(); }
 
     static void remove_last(Json& container) {
         if (Json::Array* elements = container.array()) {
@@ -150,8 +156,7 @@ private:
         }
     }
 
-    void require_distinct_names() const {
-        const Json::Object& members = *open_.back()->object();
+    void require_distinct_names(const Json::Object& members) const {
         constexpr std::size_t few = 8;
         if (members.size() <= few) {
             for (std::size_t i = 1; i < members.size(); ++i) {
@@ -177,15 +182,14 @@ private:
                     place);
     }
 
-    template <class Value>
-    void read_word(std::string_view word, Value value) {
-        if (!text_.substr(at_).starts_with(word)) fail("expected a value");
-        at_ += word.size();
+    bool read_word(std::string_view word, auto value, const auto& add) {
+        if (!take_word(word)) fail("expected a value");
         add(std::move(value));
+        return false;
     }
 
     std::string read_number() {
-        const std::size_t start = at_;
+        const char* const start = at_;
         if (peek() == '-') ++at_;
         if (!is_digit(peek())) fail(at_ == start ? "expected a value" : "expected a digit");
         if (peek() == '0') {
@@ -203,7 +207,7 @@ private:
             if (peek() == '+' || peek() == '-') ++at_;
             skip_digits();
         }
-        return std::string(text_.substr(start, at_ - start));
+        return {start, at_};
     }
 
     void skip_digits() {
@@ -213,20 +217,20 @@ private:
 
     /// Reads what follows a quotation mark up to the next one.
     std::string read_string() {
-        std::size_t start = at_;
+        const char* start = at_;
         skip_plain();
-        if (peek() == '"') return std::string(text_.substr(start, at_++ - start));
+        if (peek() == '"') return {start, at_++};
         std::string result;
         for (;;) {
-            result += text_.substr(start, at_ - start);
-            if (at_ == text_.size()) fail("the closing quotation mark is missing");
+            result.append(start, at_);
+            if (at_ == end_) fail("the closing quotation mark is missing");
             start = at_;
-            const char c = text_[at_];
+            const char c = *at_;
             if (c == '"') break;
             if (c == '\\') {
                 read_escape(result);
                 start = at_;
-            } else if (const std::size_t length = character_length(text_.substr(at_)); length > 1) {
+            } else if (const std::size_t length = character_length(rest()); length > 1) {
                 at_ += length;
             } else {
                 fail(length == 1 ? "a control character in a string; write it as an escape"
@@ -239,8 +243,7 @@ private:
     }
 
     void skip_plain() {
-        const auto is_plain = [](char c) { return plain_bytes[static_cast<unsigned char>(c)]; };
-        at_ = static_cast<std::size_t>(std::ranges::find_if_not(text_.substr(at_), is_plain) - text_.begin());
+        while (at_ != end_ && is_plain(*at_)) ++at_;
     }
 
     void read_escape(std::string& result) {
@@ -248,7 +251,7 @@ private:
         constexpr std::string_view letters = "\"\\/bfnrt";
         constexpr std::string_view meanings = "\"\\/\b\f\n\r\t";
         const char letter = peek();
-        if (const std::size_t i = letters.find(letter); at_ < text_.size() && i != std::string_view::npos) {
+        if (const std::size_t i = letters.find(letter); at_ != end_ && i != std::string_view::npos) {
             ++at_;
             result += meanings[i];
             return;
@@ -258,9 +261,7 @@ private:
         std::uint32_t code = read_unit();
         if (code >= 0xDC00 && code <= 0xDFFF) fail("the second half of a character without the first");
         if (code >= 0xD800 && code <= 0xDBFF) {
-            const bool escaped = text_.substr(at_).starts_with("\\u");
-            if (escaped) at_ += 2;
-            const std::uint32_t low = escaped ? read_unit() : 0;
+            const std::uint32_t low = take_word("\\u") ? read_unit() : 0;
             if (low < 0xDC00 || low > 0xDFFF) fail("the first half of a character without the second");
             code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
         }
@@ -270,7 +271,7 @@ private:
     /// The four hexadecimal digits of a unit of UTF-16.
     std::uint32_t read_unit() {
         constexpr std::size_t digits = 4;
-        const std::string_view written = text_.substr(at_, digits);
+        const std::string_view written = rest().substr(0, digits);
         std::uint32_t unit = 0;
         const auto [end, problem] =
             std::from_chars(written.data(), written.data() + written.size(), unit, 16);
@@ -280,11 +281,13 @@ private:
         return unit;
     }
 
+    std::string_view rest() const { return {at_, end_}; }
+
     /// The next byte; 0 at the end.
-    char peek() const { return at_ < text_.size() ? text_[at_] : '\0'; }
+    char peek() const { return at_ != end_ ? *at_ : '\0'; }
 
     void skip_spaces() {
-        while (at_ < text_.size() && is_space(text_[at_])) ++at_;
+        while (at_ != end_ && is_space(*at_)) ++at_;
     }
 
     bool take(char c) {
@@ -294,23 +297,30 @@ private:
         return true;
     }
 
+    bool take_word(std::string_view word) {
+        if (!rest().starts_with(word)) return false;
+        at_ += word.size();
+        return true;
+    }
+
     void expect(char c, const char* rule) {
         if (!take(c)) fail(rule);
     }
 
     [[noreturn]] void fail(std::string_view rule) const {
         const std::string found =
-            at_ < text_.size() ? ", found " + quoted(first_character(text_.substr(at_))) : ", the text ends";
-        throw Error(ErrorCode::syntax, "byte " + std::to_string(at_ + 1) + ": " + std::string(rule) + found,
-                    {}, at_);
+            at_ != end_ ? ", found " + quoted(first_character(rest())) : ", the text ends";
+        const auto place = static_cast<std::size_t>(at_ - begin_);
+        throw Error(ErrorCode::syntax, "byte " + std::to_string(place + 1) + ": " + std::string(rule) + found,
+                    {}, place);
     }
 
-    std::string_view text_;
+    const char* begin_;
+    const char* at_;
+    const char* end_;
     const Limits& limits_;
-    std::size_t at_ = 0;
-    Json::Array read_;         ///< the value, once it has begun
+    Json read_;                ///< the value, once it has begun
     std::vector<Json*> open_;  ///< the containers around the place that is being read
-    std::string name_;         ///< of the member whose value is being read
 };
 
 }  // namespace

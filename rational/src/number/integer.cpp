@@ -286,7 +286,10 @@ Integer pow(const Integer& base, std::size_t exponent) {
 }
 
 Integer divide_exactly(const Integer& a, const Integer& b) {
-    if (a.to_int64()) return a / b;
+    if (b.is_one()) return a;
+    const bool divides_words = a.is_word() && b.is_word() && b.word() > 0;
+    if (divides_words) return a.word() / b.word();
+    if (a.is_word()) return a / b;
     require_divisor(b);
     return IntegerAccess::visit(b, [&](const auto& divisor) {
         spend_work(words_of_product(words(IntegerAccess::large(a)), words(divisor)));

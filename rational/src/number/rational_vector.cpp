@@ -9,7 +9,7 @@ namespace blossom {
 
 RationalVector::RationalVector(std::span<const Rational> values) {
     for (const Rational& value : values) {
-        if (value.is_integer()) continue;
+        if (value.is_integer() || value.denominator() == denominator_) continue;
         const Integer factor = divide_exactly(value.denominator(), gcd(denominator_, value.denominator()));
         if (factor.is_one()) continue;
         denominator_ *= factor;

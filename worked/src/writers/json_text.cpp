@@ -3,6 +3,7 @@
 #include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
+#include <array>
 #include <type_traits>
 
 namespace blossom {
@@ -10,8 +11,10 @@ namespace blossom {
 const Json* Json::find(std::string_view name) const {
     const Object* members = object();
     if (!members) return nullptr;
-    const auto found = std::ranges::find(*members, name, &Member::first);
-    return found == members->end() ? nullptr : &found->second;
+    for (const auto& [own, value] : *members) {
+        if (own == name) return &value;
+    }
+    return nullptr;
 }
 
 Json& Json::operator[](std::string_view name) {
@@ -24,96 +27,127 @@ Json& Json::operator[](std::string_view name) {
 
 namespace {
 
-void append_escape(std::string& text, char c) {
+/// A text that grows; what is short gathers in a part of it that has no bounds to check.
+class GrowingText {
+public:
+    void put(char c) {
+        if (used_ == part_.size()) flush();
+        part_[used_++] = c;
+    }
+    void put(std::string_view characters) {
+        if (characters.size() > part_.size() - used_) flush();
+        if (characters.size() > part_.size()) {
+            text_ += characters;
+        } else {
+            std::ranges::copy(characters, part_.begin() + static_cast<std::ptrdiff_t>(used_));
+            used_ += characters.size();
+        }
+    }
+    std::string finish() && {
+        flush();
+        return std::move(text_);
+    }
+
+private:
+    void flush() {
+        text_.append(part_.data(), used_);
+        used_ = 0;
+    }
+
+    std::string text_;
+    std::array<char, 512> part_;  // NOLINT(cppcoreguidelines-pro-type-member-init): what is used has been put
+    std::size_t used_ = 0;
+};
+
+void put_escape(GrowingText& text, char c) {
     constexpr std::string_view meanings = "\"\\\b\f\n\r\t";
     constexpr std::string_view letters = "\"\\bfnrt";
-    text += '\\';
+    text.put('\\');
     if (const std::size_t i = meanings.find(c); i != std::string_view::npos) {
-        text += letters[i];
+        text.put(letters[i]);
     } else {
         constexpr std::string_view hex = "0123456789abcdef";
         const auto byte = static_cast<unsigned char>(c);
-        text += "u00";
-        text += hex[byte >> 4];
-        text += hex[byte & 15];
+        text.put("u00");
+        text.put(hex[byte >> 4]);
+        text.put(hex[byte & 15]);
     }
 }
 
-void append_string(std::string& text, std::string_view value) {
+void put_string(GrowingText& text, std::string_view value) {
     constexpr std::string_view replacement = "\uFFFD";
     const auto is_plain = [](char c) {
         return static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x80 && c != '"' &&
                c != '\\';
     };
-    text += '"';
+    text.put('"');
     while (!value.empty()) {
         const auto plain =
             static_cast<std::size_t>(std::ranges::find_if_not(value, is_plain) - value.begin());
-        text += value.substr(0, plain);
+        text.put(value.substr(0, plain));
         value.remove_prefix(plain);
         if (value.empty()) break;
         const std::size_t length = character_length(value);
         if (length == 1) {
-            append_escape(text, value.front());
+            put_escape(text, value.front());
         } else {
-            text += length == 0 ? replacement : value.substr(0, length);
+            text.put(length == 0 ? replacement : value.substr(0, length));
         }
         value.remove_prefix(std::max<std::size_t>(length, 1));
     }
-    text += '"';
+    text.put('"');
 }
 
 /// Writes a `Json`, or one that is not const and is emptied by it: each value is freed when it is written.
 template <class Value>
 class Writer {
 public:
-    explicit Writer(std::optional<std::size_t> indent) : indent_(indent) {
-        constexpr std::size_t usual_size = 120;
-        text.reserve(usual_size);
-    }
+    explicit Writer(std::optional<std::size_t> indent) : indent_(indent) {}
 
     void write(Value& value) {
         if (value.is_null()) {
-            text += "null";
+            text.put("null");
         } else if (const bool* truth = value.boolean()) {
-            text += *truth ? "true" : "false";
+            text.put(*truth ? "true" : "false");
         } else if (const Json::Number* number = value.number()) {
-            text += number->text;
+            text.put(number->text);
         } else if (const Rational* exact = value.exact()) {
-            text += '"';
-            text += to_string(*exact);
-            text += '"';
+            text.put('"');
+            text.put(to_string(*exact));
+            text.put('"');
         } else if (const std::string* characters = value.text()) {
-            append_string(text, *characters);
+            put_string(text, *characters);
         } else if (auto* elements = value.array()) {
             list("[]", *elements, [&](Value& element) { write(element); });
         } else {
             list("{}", *value.object(), [&](auto& member) {
-                append_string(text, member.first);
-                text += ": ";
+                put_string(text, member.first);
+                text.put(": ");
                 write(member.second);
             });
         }
         if constexpr (!std::is_const_v<Value>) value.clear();
     }
 
-    std::string text;
+    GrowingText text;
 
 private:
     void list(std::string_view brackets, auto& entries, const auto& write_entry) {
-        text += brackets[0];
+        text.put(brackets[0]);
         ++level_;
         for (auto& entry : entries) {
-            if (&entry != &entries.front()) text += indent_ ? "," : ", ";
+            if (&entry != &entries.front()) text.put(indent_ ? "," : ", ");
             begin_line();
             write_entry(entry);
         }
         --level_;
         if (!entries.empty()) begin_line();
-        text += brackets[1];
+        text.put(brackets[1]);
     }
     void begin_line() {
-        if (indent_) text.append(1, '\n').append(*indent_ * level_, ' ');
+        if (!indent_) return;
+        text.put('\n');
+        for (std::size_t i = 0; i < *indent_ * level_; ++i) text.put(' ');
     }
 
     std::optional<std::size_t> indent_;
@@ -125,13 +159,13 @@ private:
 std::string to_text(const Json& value, std::optional<std::size_t> indent) {
     Writer<const Json> writer(indent);
     writer.write(value);
-    return std::move(writer.text);
+    return std::move(writer.text).finish();
 }
 
 std::string to_text(Json&& value) {
     Writer<Json> writer({});
     writer.write(value);
-    return std::move(writer.text);
+    return std::move(writer.text).finish();
 }
 
 }  // namespace blossom
