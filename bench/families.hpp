@@ -6,6 +6,7 @@
 void measure_values(const Report& report);
 void measure_constructions(const Report& report);
 void measure_operations(const Report& report);
+void measure_curves(const Report& report);
 void measure_evaluation(const Report& report);
 void measure_splines(const Report& report);
 void measure_threads(const Report& report);

@@ -72,6 +72,7 @@ int main(int argc, char** argv) {
     measure_values(report);
     measure_constructions(report);
     measure_operations(report);
+    measure_curves(report);
     measure_evaluation(report);
     measure_splines(report);
     measure_threads(report);

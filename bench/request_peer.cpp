@@ -27,7 +27,7 @@ public:
     Numbers(const Numbers&) = delete;
     Numbers& operator=(const Numbers&) = delete;
     ~Numbers() {
-        _fmpz_vec_clear(numerators, capacity_);
+        _fmpz_vec_clear(numerators, static_cast<slong>(capacity_));
         fmpz_clear(denominator);
     }
 
@@ -40,16 +40,16 @@ public:
             fmpz* const more = _fmpz_vec_init(static_cast<slong>(2 * count));
             if (numerators) {
                 _fmpz_vec_set(more, numerators, static_cast<slong>(size));
-                _fmpz_vec_clear(numerators, capacity_);
+                _fmpz_vec_clear(numerators, static_cast<slong>(capacity_));
             }
             numerators = more;
-            capacity_ = static_cast<slong>(2 * count);
+            capacity_ = 2 * count;
         }
         size = count;
     }
 
 private:
-    slong capacity_ = 0;
+    std::size_t capacity_ = 0;
 };
 
 void set_text(fmpz* number, const char* first, const char* last) {
@@ -212,7 +212,6 @@ private:
         for (slong i = 1; i <= n; ++i) {
             for (slong k = n; k >= i; --k) fmpz_add(points + k, points + k, points + k - 1);
         }
-        // the sums above are of rows from the end; the first of each is final
         fmpz_mul(scratch_, coefficients_.denominator, binomials_.denominator);
         out += "\"map\": {\"kind\": \"bezier\", \"degree\": " + std::to_string(n) +
                ", \"interval\": [\"0\", \"1\"], \"control_points\": [";

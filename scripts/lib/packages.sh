@@ -24,6 +24,8 @@ latex file:/usr/share/texmf/tex/latex/lm/lmodern.sty lmodern texlive-lm mactex-n
 latex command:pdftoppm                    poppler-utils       poppler-utils       poppler
 bench header:flint/fmpq.h                libflint-dev        flint-devel         flint
 bench command:gp                          pari-gp             pari-gp             pari
+bench header:simdjson.h                libsimdjson-dev     simdjson-devel      simdjson
+bench command:valgrind                   valgrind            valgrind            valgrind
 bench python:sympy                        python3-sympy       python3-sympy       sympy
 ci    command:ccache                      ccache              ccache              ccache
 ci    command:clang++-19                  clang-19            clang               llvm@19
