@@ -64,10 +64,8 @@ TEST_CASE("lines are split wherever they arrive in pieces") {
     for (const std::size_t piece : std::vector<std::size_t>{1, 2, 3, 7, 100}) {
         LineReader reader(source_of("a\n\nbcd\r\nlast", piece), 4);
         std::vector<std::string> lines;
-        while (const auto line = reader.next()) {
-            CHECK_FALSE(line->too_long);
-            lines.push_back(line->text);
-        }
+        for (std::string line; reader.next(line) != LineReader::Found::end; line.clear())
+            lines.push_back(line);
         CHECK(lines == std::vector<std::string>{"a", "", "bcd\r", "last"});
     }
 }
@@ -75,12 +73,14 @@ TEST_CASE("lines are split wherever they arrive in pieces") {
 TEST_CASE("a line is too long from one byte beyond the limit") {
     for (const std::size_t piece : std::vector<std::size_t>{1, 3, 100}) {
         LineReader reader(source_of("1234\n12345\n123456789\n1\n12345", piece), 4);
-        std::vector<bool> too_long;
-        while (const auto line = reader.next()) {
-            too_long.push_back(line->too_long);
-            CHECK(line->text.capacity() <= 64);
-        }
-        CHECK(too_long == std::vector<bool>{false, true, true, false, true});
+        using enum LineReader::Found;
+        std::vector<LineReader::Found> found;
+        std::string text;
+        do found.push_back(reader.next(text));
+        while (found.back() != end);
+        CHECK(found == std::vector{line, too_long, too_long, line, too_long, end});
+        CHECK(text == "12341");
+        CHECK(text.capacity() <= 64);
     }
 }
 

@@ -15,12 +15,23 @@ namespace {
 
 /// Lines that have arrived together: one thread answers them, and their responses are written at once.
 struct Part {
-    std::vector<LineReader::Line> lines = {};
+    struct Line {
+        std::size_t end;  ///< its text begins where that of the line before ends
+        bool too_long;
+    };
+
+    std::string text = {};
+    std::vector<Line> lines = {};
     std::vector<Response> responses = {};
+
+    /// Where the text of the next line begins.
+    std::size_t end() const { return lines.empty() ? 0 : lines.back().end; }
 };
 
 /// In bytes.
 constexpr std::size_t long_response = 4096;
+
+constexpr std::size_t most_bytes_of_part = std::size_t{1} << 16;
 
 /// How many lines make up a part: the more, the shorter their responses are, so that threads and writes wait
 /// less for each other, and what is held stays small.
@@ -28,7 +39,7 @@ class PartSize {
 public:
     std::size_t lines() const { return lines_.load(std::memory_order_relaxed); }
     void adapt(const Part& part) {
-        constexpr std::size_t most_lines = 64;
+        constexpr std::size_t most_lines = 256;
         const bool is_long = std::ranges::any_of(
             part.responses, [](const Response& response) { return response.text.size() > long_response; });
         lines_.store(is_long ? 1 : std::min(2 * part.lines.size(), most_lines), std::memory_order_relaxed);
@@ -38,9 +49,7 @@ private:
     std::atomic<std::size_t> lines_{1};
 };
 
-bool is_blank(const LineReader::Line& line) {
-    return !line.too_long && line.text.find_first_not_of(" \t\r") == std::string::npos;
-}
+bool is_blank(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
 
 /// The response where there was no memory even to say so.
 constexpr std::string_view no_memory =
@@ -88,15 +97,19 @@ Outcome serve_batch(const LineReader::Source& source, const Sink& sink, const Li
     Outcome outcome = Outcome::success;
     PartSize size;
     const auto answer = [&](Part& part) {
+        std::size_t begin = 0;
         for (std::size_t i = 0; i < part.lines.size(); ++i) {
-            const LineReader::Line line = std::move(part.lines[i]);
+            const auto [end, too_long] = part.lines[i];
+            const std::string_view line = std::string_view(part.text).substr(begin, end - begin);
+            begin = end;
             try {
                 part.responses[i] =
-                    line.too_long ? protocol::refuse_long_line(limits) : protocol::answer(line.text, limits);
+                    too_long ? protocol::refuse_long_line(limits) : protocol::answer(line, limits);
             } catch (const std::bad_alloc&) {
                 part.responses[i] = {"", Outcome::refused};
             }
         }
+        std::string().swap(part.text);
         size.adapt(part);
     };
     const auto write = [&](Part& part) {
@@ -108,9 +121,17 @@ Outcome serve_batch(const LineReader::Source& source, const Sink& sink, const Li
     };
     OrderedWork<Part> work(jobs, answer, write);
     Part part;
-    while (auto line = reader.next()) {
-        if (!is_blank(*line)) part.lines.push_back(std::move(*line));
-        if (part.lines.empty() || (reader.has_next() && part.lines.size() < size.lines())) continue;
+    while (true) {
+        const LineReader::Found found = reader.next(part.text);
+        if (found == LineReader::Found::end) break;
+        const bool too_long = found == LineReader::Found::too_long;
+        if (!too_long && is_blank(std::string_view(part.text).substr(part.end()))) {
+            part.text.resize(part.end());
+        } else {
+            part.lines.push_back({part.text.size(), too_long});
+        }
+        const bool has_room = part.lines.size() < size.lines() && part.text.size() < most_bytes_of_part;
+        if (part.lines.empty() || (reader.has_next() && has_room)) continue;
         part.responses.resize(part.lines.size());
         if (!work.add(std::exchange(part, Part()))) break;
     }

@@ -9,22 +9,23 @@ bool LineReader::refill() {
     return !rest_.empty();
 }
 
-std::optional<LineReader::Line> LineReader::next() {
-    if (rest_.empty() && !refill()) return std::nullopt;
-    Line line;
+LineReader::Found LineReader::next(std::string& text) {
+    if (rest_.empty() && !refill()) return Found::end;
+    const std::size_t begin = text.size();
+    Found found = Found::line;
     while (true) {
         const std::size_t length = std::min(rest_.find('\n'), rest_.size());
-        if (line.too_long || line.text.size() + length > longest_) {
-            line.too_long = true;
-            std::string().swap(line.text);
+        if (found == Found::too_long || text.size() - begin + length > longest_) {
+            found = Found::too_long;
+            text.resize(begin);
         } else {
-            line.text.append(rest_, 0, length);
+            text.append(rest_, 0, length);
         }
         if (length < rest_.size()) {
             rest_.remove_prefix(length + 1);
-            return line;
+            return found;
         }
-        if (!refill()) return line;
+        if (!refill()) return found;
     }
 }
 

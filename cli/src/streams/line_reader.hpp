@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,15 +15,13 @@ public:
     /// Waits for bytes, writes them to the front of `room` and returns their number; 0 at the end.
     using Source = std::function<std::size_t(std::span<char> room)>;
 
-    struct Line {
-        std::string text;  ///< without its end; empty when too long
-        bool too_long = false;
-    };
+    enum class Found { line, too_long, end };
 
     LineReader(Source source, std::size_t longest) : source_(std::move(source)), longest_(longest) {}
 
-    /// The next line, as soon as its end has arrived, or nothing at the end. The last line needs no line end.
-    std::optional<Line> next();
+    /// Appends the next line to `text`, without its end and as soon as this has arrived; nothing of a line
+    /// that is too long. The last line needs no line end.
+    Found next(std::string& text);
     /// Whether the next line has already arrived.
     bool has_next() const { return rest_.find('\n') != std::string_view::npos; }
 

@@ -44,7 +44,8 @@ public:
             return take_(job);
         }
         std::unique_lock lock(mutex_);
-        has_room_.wait(lock, [&] { return jobs_.size() < most_jobs_; });
+        // Once full, several jobs at a time: each wait takes a processor from a thread.
+        if (jobs_.size() == most_jobs_) has_room_.wait(lock, [&] { return jobs_.size() <= most_jobs_ / 2; });
         jobs_.push_back({std::move(job), false});
         has_work_.notify_one();
         return wanted_;
@@ -105,7 +106,7 @@ private:
             }
             jobs_.pop_front();
             --started_;
-            has_room_.notify_one();
+            if (jobs_.size() <= most_jobs_ / 2) has_room_.notify_one();
         }
     }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <type_traits>
 
 namespace blossom {
@@ -59,6 +60,14 @@ private:
     std::size_t used_ = 0;
 };
 
+void put_integer(GrowingText& text, const Integer& value) {
+    if (!value.is_word()) return text.put(to_string(value));
+    constexpr std::size_t most_characters = 20;
+    std::array<char, most_characters> digits;  // NOLINT(cppcoreguidelines-pro-type-member-init)
+    const auto end = std::to_chars(digits.begin(), digits.end(), value.word()).ptr;
+    text.put(std::string_view(digits.data(), end));
+}
+
 void put_escape(GrowingText& text, char c) {
     constexpr std::string_view meanings = "\"\\\b\f\n\r\t";
     constexpr std::string_view letters = "\"\\bfnrt";
@@ -113,7 +122,11 @@ public:
             text.put(number->text);
         } else if (const Rational* exact = value.exact()) {
             text.put('"');
-            text.put(to_string(*exact));
+            put_integer(text, exact->numerator());
+            if (!exact->is_integer()) {
+                text.put('/');
+                put_integer(text, exact->denominator());
+            }
             text.put('"');
         } else if (const std::string* characters = value.text()) {
             put_string(text, *characters);
