@@ -10,3 +10,5 @@ void measure_evaluation(const Report& report);
 void measure_splines(const Report& report);
 void measure_threads(const Report& report);
 void measure_machine(const Report& report);
+/// A table in Markdown of times at several degrees, with the exponents; of one work alone, unless empty.
+void measure_growth(const std::string& only);
