@@ -24,12 +24,13 @@ BezierCurve bezier(std::size_t degree) {
     return BezierCurve(points, Interval());
 }
 
-/// A curve of degree n of three segments over the knots 0, 1, ..., whose control points are integers.
-BSplineCurve spline(std::size_t degree) {
-    constexpr std::size_t segments = 3;
+/// A curve of degree n of so many segments over knots of which each is greater than the last by at most
+/// `greatest_gap`, whose control points are integers.
+BSplineCurve spline(std::size_t degree, std::size_t segments, std::size_t greatest_gap) {
     std::mt19937_64 random(degree);
-    std::vector<Rational> knots;
-    for (std::size_t i = 0; i < segments + 2 * degree + 1; ++i) knots.emplace_back(i);
+    std::vector<Rational> knots{Rational(0)};
+    for (std::size_t i = 0; i < segments + 2 * degree; ++i)
+        knots.push_back(knots.back() + Rational(1 + random() % greatest_gap));
     std::vector<Coordinates> points;
     for (std::size_t i = 0; i < segments + degree; ++i)
         points.push_back({Rational(number(random, 7).numerator())});
@@ -49,45 +50,73 @@ std::function<void()> timed(Given given, Run run) {
     return [given = std::move(given), run] { run(given); };
 }
 
-std::function<std::function<void()>(std::size_t)> reduction(ReductionMethod method) {
-    return [method](std::size_t n) {
-        return timed(bezier(n), [n, method](const BezierCurve& curve) { reduce(curve, n - 1, method); });
+/// Reduction by one degree, or to half the degree.
+std::function<std::function<void()>(std::size_t)> reduction(ReductionMethod method, bool to_half = false) {
+    return [method, to_half](std::size_t n) {
+        const std::size_t m = to_half ? n / 2 : n - 1;
+        return timed(bezier(n), [m, method](const BezierCurve& curve) { reduce(curve, m, method); });
     };
 }
 
+/// The same of a spline of three segments over even and over uneven knots.
+template <class Run>
+void add_for_knots(std::vector<Growth>& list, const char* even, const char* uneven, double natural,
+                   const char* reason, Run run) {
+    for (const auto& [work, gap] : {std::pair(even, std::size_t{1}), std::pair(uneven, std::size_t{4})})
+        list.push_back(
+            {work, natural, reason, [run, gap](std::size_t n) { return timed(spline(n, 3, gap), run); }});
+}
+
+/// Two curves of degree n over [0, 1/3] and [1/3, 1] that meet with order n / 2.
+std::vector<BezierCurve> touching(std::size_t degree) {
+    const Case given = make_case(degree, 7);
+    std::vector<Rational> other = given.coefficients;
+    const Polynomial first{std::span<const Rational>(other)};
+    const Polynomial factor = Polynomial::monomial(1) - Polynomial(Rational(1, 3));
+    const Polynomial second = first + pow(factor, degree / 2 + 1);
+    const Interval left(Rational(0), Rational(1, 3));
+    const Interval right(Rational(1, 3), Rational(1));
+    return {control_points(PolynomialCurve({first}, degree), left),
+            control_points(PolynomialCurve({second}, degree), right)};
+}
+
 std::vector<Growth> operations() {
-    const auto middle = [](const BSplineCurve& curve) {
-        return curve.knots()[curve.knots().begin_index() + 1];
-    };
-    return {
+    std::vector<Growth> list{
         {"reduce, inverse formula", 3, "n^2 nodes", reduction(ReductionMethod::inverse_formula)},
+        {"reduce to half, inverse formula", 4, "n^2 products of n^2 bits",
+         reduction(ReductionMethod::inverse_formula, true)},
         {"reduce, least squares", 3, "n^2 products", reduction(ReductionMethod::least_squares)},
+        {"reduce to half, least squares", 3, "n^2 products", reduction(ReductionMethod::least_squares, true)},
         {"reduce, least squares with ends", 3, "n^2 products",
          reduction(ReductionMethod::least_squares_endpoints)},
         {"reduce, uniform", 3, "n^2 products", reduction(ReductionMethod::uniform)},
-        {"basis function", 4, "n pieces of n^2 combinations",
+        {"join, order n / 2", 3, "n^2 combinations",
          [](std::size_t n) {
-             return timed(spline(n), [n](const BSplineCurve& curve) { basis_function(curve.knots(), n); });
+             return timed(touching(n), [](const std::vector<BezierCurve>& pieces) { join(pieces); });
          }},
-        {"basis values", 3, "n^2 combinations",
+        {"join, order n - 1", 3, "n^2 combinations",
          [](std::size_t n) {
-             return timed(spline(n), [n](const BSplineCurve& curve) {
-                 basis_values(curve.knots(), Rational(3 * n + 1, 3));
-             });
-         }},
-        {"segments", 3, "n^2 combinations",
-         [](std::size_t n) {
-             return timed(spline(n), [](const BSplineCurve& curve) { bezier_segments(curve); });
-         }},
-        {"join", 3, "n^2 combinations",
-         [](std::size_t n) {
-             return timed(bezier_segments(spline(n)), [](const std::vector<BezierCurve>& pieces) { join(pieces); });
-         }},
-        {"continuity", 3, "n^2 combinations",
-         [middle](std::size_t n) {
-             return timed(spline(n), [middle](const BSplineCurve& curve) { contact(curve, middle(curve)); });
+             return timed(bezier_segments(spline(n, 3, 1)),
+                          [](const std::vector<BezierCurve>& pieces) { join(pieces); });
          }},
     };
+    for (const auto& [work, gap] : {std::pair("basis function, even knots", std::size_t{1}),
+                                    std::pair("basis function, uneven knots", std::size_t{4})})
+        list.push_back({work, 3, "n^2 combinations", [gap](std::size_t n) {
+                            return timed(spline(n, n + 1, gap), [n](const BSplineCurve& curve) {
+                                basis_function(curve.knots(), n);
+                            });
+                        }});
+    add_for_knots(list, "basis values, even knots", "basis values, uneven knots", 3, "n^2 combinations",
+                  [](const BSplineCurve& curve) {
+                      basis_values(curve.knots(), curve.knots().domain().a() + Rational(1, 3));
+                  });
+    add_for_knots(list, "segments, even knots", "segments, uneven knots", 3, "n^2 combinations",
+                  [](const BSplineCurve& curve) { bezier_segments(curve); });
+    add_for_knots(
+        list, "continuity, even knots", "continuity, uneven knots", 3, "n^2 combinations",
+        [](const BSplineCurve& curve) { contact(curve, curve.knots()[curve.knots().begin_index() + 1]); });
+    return list;
 }
 
 /// The slope of the line that is nearest to the logarithms of the times.
@@ -108,7 +137,7 @@ double exponent(const std::vector<std::pair<std::size_t, double>>& times) {
 }  // namespace
 
 void measure_growth(const std::string& only) {
-    constexpr double most_seconds = 2;
+    constexpr double most_seconds = 0.5;
     std::printf("| work | n = 50 | 100 | 200 | 400 | 800 | exponent | natural |\n");
     std::printf("| --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n");
     for (const Growth& growth : operations()) {

@@ -1,9 +1,14 @@
 // Curves and splines prepared to be evaluated at many parameters, with numbers that end where words do.
 
+#include <blossom/core/blossom/evaluation.hpp>
+#include <blossom/core/blossom/inverse_formula.hpp>
+#include <blossom/core/curve/degree_reduction.hpp>
+#include <blossom/core/curve/orthogonal_projection.hpp>
 #include <blossom/core/spline/curve_values.hpp>
 
 #include "each_case.hpp"
 #include "support/horner.hpp"
+#include "support/map_generators.hpp"
 #include "support/spline_generators.hpp"
 
 using namespace blossom;
@@ -15,7 +20,55 @@ Rational rational_near(Random& random, std::size_t bits, std::size_t denominator
     return {number_near(random, bits), abs(number_near(random, denominator_bits)) + 1};
 }
 
+/// The integral of a b (s (1 - s))^k over [0, 1].
+Rational inner_product(const Polynomial& a, const Polynomial& b, std::size_t k) {
+    const Polynomial s = Polynomial::monomial(1);
+    const Polynomial product = a * b * pow(s - s * s, k);
+    Rational sum;
+    for (std::size_t i = 0; i <= product.degree(); ++i) sum += product[i] / Rational(i + 1);
+    return sum;
+}
+
+/// By the monic orthogonal polynomials: Q_{j+1} = (s - 1/2) Q_j - (|Q_j|^2 / |Q_{j-1}|^2) Q_{j-1}.
+Polynomial projected(const Polynomial& polynomial, std::size_t m, std::size_t k) {
+    const Polynomial step = Polynomial::monomial(1) - Polynomial(Rational(1, 2));
+    Polynomial previous;
+    Polynomial current = 1;
+    Rational previous_norm = 1;
+    Polynomial projection;
+    for (std::size_t j = 0; j <= m; ++j) {
+        const Rational norm = inner_product(current, current, k);
+        projection += Polynomial(inner_product(polynomial, current, k) / norm) * current;
+        Polynomial next = step * current - Polynomial(norm / previous_norm) * previous;
+        previous = std::move(current);
+        current = std::move(next);
+        previous_norm = norm;
+    }
+    return projection;
+}
+
 }  // namespace
+
+TEST_CASE("projection: by orthogonal polynomials from below and from above", "[differential]") {
+    each_case("projection", [&](Random& random) {
+        const std::size_t n = random.below(random.one_in(8) ? 24 : 10);
+        const Polynomial given = polynomial(random, n, random.one_in(4) ? Size::any : Size::small);
+        const std::size_t m = random.below(n + 2);
+        const std::size_t k = random.below(4);
+        CHECK(project(given, m, k) == projected(given, m, k));
+    });
+}
+
+TEST_CASE("reduction by the inverse formula: from values at its nodes", "[differential]") {
+    each_case("reduction by the inverse formula", [&](Random& random) {
+        const std::size_t n = random.below(random.one_in(8) ? 20 : 9);
+        const std::size_t m = random.one_in(2) ? n - std::min<std::size_t>(n, 1) : random.below(n + 1);
+        const BezierCurve curve = bezier_map(random, n, random.one_in(4) ? Size::any : Size::small).curve();
+        const auto value = [&](const Rational& t) { return evaluate(curve, t); };
+        CHECK(reduce(curve, m, ReductionMethod::inverse_formula).curve ==
+              control_points_from_values(m, curve.interval(), value));
+    });
+}
 
 TEST_CASE("curve values: values that end where words do", "[differential]") {
     each_case("curve values", [&](Random& random) {
