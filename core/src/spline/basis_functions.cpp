@@ -43,7 +43,7 @@ std::vector<PolynomialPiece> basis_function(const KnotVector& knots, std::size_t
         const ProgressiveFrame frame(knots.around(span), unit_points(n, point - knots.first_point(span)),
                                      limits);
         pieces.push_back(
-            {span, interval, monomial_form(frame.control_points(interval), limits).coordinate(0)});
+            {span, interval, monomial_form(BezierCurve(frame.control_points(), interval), limits).coordinate(0)});
     }
     return pieces;
 }
