@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <optional>
 
 #include "cases.hpp"
@@ -35,6 +36,12 @@ BSplineCurve spline(std::size_t degree, std::size_t segments, std::size_t greate
     for (std::size_t i = 0; i < segments + degree; ++i)
         points.push_back({Rational(number(random, 7).numerator())});
     return {degree, knots, points};
+}
+
+Limits unlimited() {
+    Limits limits;
+    limits.output_digits = std::numeric_limits<std::size_t>::max();
+    return limits;
 }
 
 /// One operation: `prepare(n)` gives what is timed.

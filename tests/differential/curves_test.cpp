@@ -1,10 +1,14 @@
 // Curves and splines prepared to be evaluated at many parameters, with numbers that end where words do.
 
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
 #include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/curve/orthogonal_projection.hpp>
+#include <blossom/core/spline/basis_functions.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/curve_values.hpp>
+#include <blossom/core/spline/progressive.hpp>
 
 #include "each_case.hpp"
 #include "support/horner.hpp"
@@ -18,6 +22,59 @@ namespace {
 
 Rational rational_near(Random& random, std::size_t bits, std::size_t denominator_bits) {
     return {number_near(random, bits), abs(number_near(random, denominator_bits)) + 1};
+}
+
+/// f(arguments) for the values over 2n knots, by the plain triangle.
+Coordinates value_of(std::span<const Rational> knots, std::span<const Coordinates> points,
+                     const std::vector<Argument>& arguments) {
+    const RationalVector integers(knots);
+    const PointArray values(points);
+    std::vector<HomogeneousPair<Integer>> pairs;
+    Integer denominator = values.denominator();
+    for (const Argument& argument : arguments) {
+        const Integer cleared = lcm(argument.u.denominator(), argument.mass.denominator());
+        pairs.push_back({(argument.u * cleared).numerator(), (argument.mass * cleared).numerator()});
+        denominator *= cleared;
+    }
+    const auto rows = values.rows();
+    const auto value = constructions::by_progressive_values<Integer>(rows, integers.numerators(),
+                                                                     integers.denominator(), pairs);
+    Coordinates point;
+    for (const Integer& numerator : value.numerators)
+        point.emplace_back(numerator, value.denominator * denominator);
+    return point;
+}
+
+/// f(a^(n-k), b^k) over the knots of a span, each by a triangle of its own.
+std::vector<Coordinates> segment_points(const KnotVector& knots, std::size_t span,
+                                        std::span<const Coordinates> points) {
+    const std::size_t n = knots.degree();
+    std::vector<Coordinates> result;
+    for (std::size_t k = 0; k <= n; ++k) {
+        result.push_back(value_of(
+            knots.around(span), points,
+            with_copies(with_copies({}, n - k, Parameter(knots[span])), k, Parameter(knots[span + 1]))));
+    }
+    return result;
+}
+
+/// n + 1 points in dimension 1: all 0 but one.
+std::vector<Coordinates> unit_points(std::size_t n, std::size_t one) {
+    std::vector<Coordinates> points(n + 1, Coordinates(1));
+    points[one].front() = 1;
+    return points;
+}
+
+/// A spline whose knots are as they come, evenly spaced, or of many bits.
+BSplineCurve uneven_spline(Random& random) {
+    SplineRecipe recipe = spline(random, random.below(random.one_in(8) ? 16 : 7));
+    const std::size_t kind = random.below(3);
+    const Rational scale = abs(rational_near(random, 1 + random.below(70), 1 + random.below(70))) + 1;
+    for (std::size_t i = 0; i < recipe.knots.size(); ++i) {
+        if (kind == 1) recipe.knots[i] = i;
+        if (kind == 2) recipe.knots[i] = recipe.knots[i] * scale + scale / 3;
+    }
+    return recipe.curve();
 }
 
 /// The integral of a b (s (1 - s))^k over [0, 1].
@@ -48,6 +105,60 @@ Polynomial projected(const Polynomial& polynomial, std::size_t m, std::size_t k)
 }
 
 }  // namespace
+
+TEST_CASE("segments: two triangles for all control points, and one for each", "[differential]") {
+    each_case("segments", [&](Random& random) {
+        const BSplineCurve curve = uneven_spline(random);
+        const std::vector<std::size_t> spans = curve.knots().spans();
+        const std::size_t span = spans[random.below(spans.size())];
+        CHECK(sablonniere(curve, span).control_points().to_points() ==
+              segment_points(curve.knots(), span, curve.points_of(span)));
+        const Rational t = parameter(random, curve.knots());
+        const std::size_t around = curve.knots().span_at(t);
+        const ProgressiveCurve segment(
+            std::vector<Rational>(curve.knots().around(around).begin(), curve.knots().around(around).end()),
+            curve.points_of(around));
+        std::vector<Argument> arguments;
+        for (std::size_t i = 0; i < curve.degree(); ++i) {
+            arguments.push_back(random.one_in(3)
+                                    ? Argument(rational_near(random, 8, 8), rational_near(random, 8, 8))
+                                    : Argument(Parameter(parameter(random, curve.knots()))));
+        }
+        CHECK(blossom_value(segment, arguments) ==
+              value_of(curve.knots().around(around), curve.points_of(around), arguments));
+    });
+}
+
+TEST_CASE("basis functions: by divided differences and by unit control points", "[differential]") {
+    each_case("basis functions", [&](Random& random) {
+        const KnotVector knots = uneven_spline(random).knots();
+        const std::size_t n = knots.degree();
+        const std::size_t point = random.below(knots.points());
+        std::size_t pieces = 0;
+        for (const std::size_t span : knots.spans()) {
+            const std::size_t first = knots.first_point(span);
+            if (point < first || point > first + n) continue;
+            const Interval interval(knots[span], knots[span + 1]);
+            const BezierCurve unit(segment_points(knots, span, unit_points(n, point - first)), interval);
+            const auto function = basis_function(knots, point);
+            REQUIRE(pieces < function.size());
+            CHECK(function[pieces].span == span);
+            CHECK(function[pieces].interval == interval);
+            CHECK(function[pieces].polynomial == Polynomial(monomial_form(unit).coefficients().numbers()));
+            ++pieces;
+        }
+        CHECK(basis_function(knots, point).size() == pieces);
+
+        const Rational t = parameter(random, knots);
+        const BasisValues values = basis_values(knots, t);
+        const std::size_t span = knots.span_at(t);
+        CHECK(values.first_point == knots.first_point(span));
+        for (std::size_t i = 0; i <= n; ++i) {
+            CHECK(values.values[i] ==
+                  value_of(knots.around(span), unit_points(n, i), with_copies({}, n, Parameter(t)))[0]);
+        }
+    });
+}
 
 TEST_CASE("projection: by orthogonal polynomials from below and from above", "[differential]") {
     each_case("projection", [&](Random& random) {

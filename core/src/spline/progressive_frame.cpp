@@ -112,8 +112,8 @@ ProgressiveDescent::ProgressiveDescent(const ProgressiveFrame& frame)
 void ProgressiveDescent::descend(const Argument& argument) {
     const Integer cleared = lcm(argument.u.denominator(), argument.mass.denominator());
     const Integer mass = argument.mass.numerator() * divide_exactly(cleared, argument.mass.denominator());
-    const Integer parameter = knots_.denominator() * argument.u.numerator() *
-                              divide_exactly(cleared, argument.u.denominator());
+    const Integer parameter =
+        knots_.denominator() * argument.u.numerator() * divide_exactly(cleared, argument.u.denominator());
     const std::vector<Integer>& knots = knots_.numerators();
     const std::size_t n = knots.size() / 2;
     const std::size_t entries = n - level_;

@@ -38,8 +38,8 @@ private:
     Limits limits_;
 };
 
-/// De Boor's triangle on its way down, see `constructions::ProgressiveTriangle`, over a denominator that grows
-/// by little more than the entries need. It looks at the knots of its frame.
+/// De Boor's triangle on its way down, see `constructions::ProgressiveTriangle`, over a denominator that
+/// grows by little more than the entries need. It looks at the knots of its frame.
 class ProgressiveDescent {
 public:
     explicit ProgressiveDescent(const ProgressiveFrame& frame);
