@@ -184,9 +184,4 @@ SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const Sparse
     return sum_of(summands, layout, std::move(denominator));
 }
 
-SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
-    if (coefficients.empty()) return {};
-    return dot(coefficients, powers(x, coefficients.size() - 1));
-}
-
 }  // namespace blossom
