@@ -13,9 +13,9 @@ namespace flint_peer {
 
 class SymbolicBlossoms {
 public:
-    /// Of sum_k coefficients[k] t^k.
-    explicit SymbolicBlossoms(std::span<const blossom::Integer> coefficients)
-        : coefficients_(coefficients), n_(coefficients_.size() - 1) {
+    /// Of sum_k coefficients[k] t^k, whose values polarization takes from powers of sums or by Horner's rule.
+    SymbolicBlossoms(std::span<const blossom::Integer> coefficients, bool by_powers)
+        : coefficients_(coefficients), n_(coefficients_.size() - 1), by_powers_(by_powers) {
         fmpz_mpoly_ctx_init(context_, n_, ORD_LEX);
         fmpz_init(lcm_);
         fmpz_init(factorial_);
@@ -48,13 +48,18 @@ public:
         fmpz_mpoly_scalar_mul_fmpz(symmetric.value, symmetric.value, factorial_, context_);
         agree_ = same && fmpz_mpoly_equal(symmetric.value, polarized.value, context_) != 0;
     }
-    std::string text() const { return std::to_string(agree_) + " " + std::to_string(terms_) + " terms"; }
+    /// Whether they agree, and their number of terms.
+    std::string text() const { return std::to_string(agree_) + " " + std::to_string(terms_); }
 
 private:
     struct Symbolic {
         explicit Symbolic(const fmpz_mpoly_ctx_struct* in) : context(in) { fmpz_mpoly_init(value, context); }
-        Symbolic(const Symbolic& other) : Symbolic(other.context) { fmpz_mpoly_set(value, other.value, context); }
-        Symbolic(Symbolic&& other) noexcept : Symbolic(other.context) { fmpz_mpoly_swap(value, other.value, context); }
+        Symbolic(const Symbolic& other) : Symbolic(other.context) {
+            fmpz_mpoly_set(value, other.value, context);
+        }
+        Symbolic(Symbolic&& other) noexcept : Symbolic(other.context) {
+            fmpz_mpoly_swap(value, other.value, context);
+        }
         Symbolic& operator=(Symbolic other) noexcept {
             fmpz_mpoly_swap(value, other.value, context);
             return *this;
@@ -100,7 +105,8 @@ private:
     Symbolic by_casteljau() const {
         std::vector<Symbolic> row;
         for (slong k = 0; k <= n_; ++k) {
-            fmpz_t point, binomial;
+            fmpz_t point;
+            fmpz_t binomial;
             fmpz_init(point);
             fmpz_init(binomial);
             for (slong j = 0; j <= k; ++j) {
@@ -139,25 +145,30 @@ private:
 
     /// sum_k c_k size^(n-k) sum^k.
     Symbolic form(const Symbolic& sum, slong size) const {
+        return by_powers_ ? form_by_powers(sum, size) : form_by_horner(sum, size);
+    }
+    Symbolic form_by_powers(const Symbolic& sum, slong size) const {
         Symbolic total = constant(0);
-        Symbolic power(context_);
+        Symbolic power = constant(1);
+        Symbolic scaled = constant(1);
         fmpz_t factor;
         fmpz_init(factor);
         for (slong k = 0; k <= n_; ++k) {
             fmpz_set_si(factor, size);
             fmpz_pow_ui(factor, factor, static_cast<ulong>(n_ - k));
             fmpz_mul(factor, factor, coefficients_.at(k));
-            fmpz_mpoly_pow_ui(power.value, sum.value, static_cast<ulong>(k), context_);
-            fmpz_mpoly_scalar_mul_fmpz(power.value, power.value, factor, context_);
-            fmpz_mpoly_add(total.value, total.value, power.value, context_);
+            fmpz_mpoly_scalar_mul_fmpz(scaled.value, power.value, factor, context_);
+            fmpz_mpoly_add(total.value, total.value, scaled.value, context_);
+            if (k < n_) fmpz_mpoly_mul(power.value, power.value, sum.value, context_);
         }
         fmpz_clear(factor);
         return total;
     }
-    Symbolic form_horner(const Symbolic& sum, slong size) const {
-        Symbolic total = constant(0);
+    Symbolic form_by_horner(const Symbolic& sum, slong size) const {
+        Symbolic total(context_);
         fmpz_mpoly_set_fmpz(total.value, coefficients_.at(n_), context_);
-        fmpz_t factor, power;
+        fmpz_t factor;
+        fmpz_t power;
         fmpz_init(factor);
         fmpz_init(power);
         fmpz_one(power);
@@ -174,6 +185,7 @@ private:
 
     Integers coefficients_;
     slong n_;
+    bool by_powers_;
     Integers weights_{n_ + 1};
     fmpz_t lcm_;
     fmpz_t factorial_;

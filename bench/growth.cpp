@@ -109,13 +109,14 @@ std::vector<Growth> operations() {
                                          [](const std::vector<BezierCurve>& pieces) { join(pieces); });
                         }});
     list.push_back({"join, order n - 1, ten segments", 3, "n^2 combinations", [](std::size_t n) {
-                            return timed(bezier_segments(spline(n, 10, 4)),
-                                         [](const std::vector<BezierCurve>& pieces) { join(pieces); });
-                        }});
+                        return timed(bezier_segments(spline(n, 10, 4)),
+                                     [](const std::vector<BezierCurve>& pieces) { join(pieces); });
+                    }});
     list.push_back({"join over given knots", 3, "n^2 combinations", [](std::size_t n) {
-                            return timed(spline(n, 3, 4),
-                                         [](const BSplineCurve& curve) { join(bezier_segments(curve), curve.knots()); });
-                        }});
+                        return timed(spline(n, 3, 4), [](const BSplineCurve& curve) {
+                            join(bezier_segments(curve), curve.knots());
+                        });
+                    }});
     for (const auto& [work, gap] : {std::pair("basis function, even knots", std::size_t{1}),
                                     std::pair("basis function, uneven knots", std::size_t{4})})
         list.push_back({work, 3, "n^2 combinations", [gap](std::size_t n) {

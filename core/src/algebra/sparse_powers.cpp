@@ -102,26 +102,48 @@ std::vector<SparseTerms> independent_powers(const AlignedTerms& base, std::size_
     return powers;
 }
 
-/// sum_k weights[k] x^k for a sum x of independent terms with integer coefficients, term by term in order: with
-/// m the first term and z the others, sum_j (c m)^j sum_i weights[i + j] C(i + j, j) z^i.
+/// C(i, j) for j <= i <= n.
+class BinomialTable {
+public:
+    explicit BinomialTable(std::size_t n) : rows_(n + 1), table_(rows_ * rows_) {
+        for (std::size_t i = 0; i <= n; ++i) {
+            table_[i * rows_] = 1;
+            for (std::size_t j = 1; j <= i; ++j)
+                table_[i * rows_ + j] = table_[(i - 1) * rows_ + j - 1] + table_[(i - 1) * rows_ + j];
+        }
+    }
+    const Integer& operator()(std::size_t i, std::size_t j) const { return table_[i * rows_ + j]; }
+
+private:
+    std::size_t rows_;
+    std::vector<Integer> table_;
+};
+
+/// sum_k weights[k] x^k for a sum x of independent terms with integer coefficients, term by term in order: by
+/// the exponent of the first variable, which no other term of x has, then by that of the next one. The
+/// multinomial coefficients are products of binomial coefficients on the way.
 template <class Width>
 class IndependentValue {
 public:
     IndependentValue(const Width& width, const AlignedTerms& base, std::span<const Integer> weights)
-        : width_(width), base_(base), degree_(weights.size() - 1), weights_(base.size()), writer_(width, most_terms(weights, base.size())) {
-        for (std::size_t k = 0; k <= degree_; ++k) binomials_.push_back(binomial_row(k));
+        : width_(width),
+          base_(base),
+          weights_(weights),
+          binomials_(weights.size() - 1),
+          writer_(width, most_terms(weights, base.size())) {
+        const auto is_one = [](const Integer& coefficient) { return coefficient.is_one(); };
+        if (std::all_of(base.coefficients(), base.coefficients() + base.size(), is_one)) return;
         for (std::size_t term = 0; term < base.size(); ++term) {
-            auto& powers = powers_.emplace_back(1, Integer(1));
-            while (powers.size() <= degree_) powers.push_back(powers.back() * base.coefficients()[term]);
-            weights_[term].resize(weights.size());
+            powers_.emplace_back(1);
+            for (std::size_t k = 1; k < weights.size(); ++k)
+                powers_.push_back(powers_.back() * base.coefficients()[term]);
         }
-        std::ranges::copy(weights, weights_.front().begin());
-        spend_work(16 * most_terms(weights, base.size()));
     }
 
     SparseTerms terms() && {
-        auto monomial = width_.monomial();
-        write(0, degree_, monomial);
+        constexpr std::uint64_t words_of_term = 16;
+        spend_work(words_of_term * most_terms(weights_, base_.size()));
+        write(0, 0, width_.monomial(), 1);
         return std::move(writer_).finished();
     }
 
@@ -130,49 +152,40 @@ private:
 
     static std::size_t most_terms(std::span<const Integer> weights, std::size_t variables) {
         std::size_t count = 0;
+        std::size_t terms = 1;  // of x^k
         for (std::size_t k = 0; k < weights.size(); ++k) {
-            if (!weights[k].is_zero()) count += static_cast<std::size_t>(binomial(k + variables - 1, k).word());
+            if (!weights[k].is_zero()) count += terms;
+            terms = terms * (k + variables) / (k + 1);
         }
         return count;
     }
 
-    /// sum_k weights_[term][k] (the terms from this one on)^k, k <= degree, times a monomial.
-    void write(std::size_t term, std::size_t degree, const Monomial& monomial) {
-        const std::vector<Integer>& weights = weights_[term];
-        const std::vector<Integer>& powers = powers_[term];
+    /// The products of `monomial`, of degree `used` in the terms before, with powers of the terms from this
+    /// one on.
+    void write(std::size_t term, std::size_t used, Monomial monomial, const Integer& multinomial) {
+        const std::uint64_t* own = base_.monomials() + term * width_.words();
+        const std::size_t degree = weights_.size() - 1;
         const bool last = term + 1 == base_.size();
-        Monomial product = monomial;
-        add_multiple(product, term, degree);
-        for (std::size_t j = degree + 1; j-- > 0;) {
-            if (last) {
-                if (!weights[j].is_zero()) writer_.append(product.data(), weights[j] * powers[j]);
-            } else {
-                bool any = false;
-                for (std::size_t i = 0; i + j <= degree; ++i) {
-                    Integer& weight = weights_[term + 1][i];
-                    weight = weights[i + j] * binomials_[i + j][j] * powers[j];
-                    any = any || !weight.is_zero();
+        for (std::size_t i = 0; i < width_.words(); ++i) monomial[i] += own[i] * (degree - used);
+        for (std::size_t k = degree + 1; k-- > used;) {
+            if (!last || !weights_[k].is_zero()) {
+                Integer coefficient = multinomial * binomials_(k, used);
+                if (!powers_.empty()) coefficient *= powers_[term * weights_.size() + k - used];
+                if (last) {
+                    writer_.append(monomial.data(), coefficient * weights_[k]);
+                } else {
+                    write(term + 1, k, monomial, coefficient);
                 }
-                if (any) write(term + 1, degree - j, product);
             }
-            if (j > 0) subtract(product, term);
+            for (std::size_t i = 0; i < width_.words(); ++i) monomial[i] -= own[i];
         }
-    }
-    void add_multiple(Monomial& monomial, std::size_t term, std::size_t times) const {
-        for (std::size_t i = 0; i < width_.words(); ++i)
-            monomial[i] += base_.monomials()[term * width_.words() + i] * times;
-    }
-    void subtract(Monomial& monomial, std::size_t term) const {
-        for (std::size_t i = 0; i < width_.words(); ++i)
-            monomial[i] -= base_.monomials()[term * width_.words() + i];
     }
 
     Width width_;
     const AlignedTerms& base_;
-    std::size_t degree_;
-    std::vector<std::vector<Integer>> binomials_;
-    std::vector<std::vector<Integer>> powers_;   ///< of the coefficient of each term
-    std::vector<std::vector<Integer>> weights_;  ///< of the powers of the terms from each one on
+    std::span<const Integer> weights_;
+    BinomialTable binomials_;
+    std::vector<Integer> powers_;  ///< of the coefficient of each term, unless all are 1
     summand_streams::TermWriter<Width> writer_;
 };
 
@@ -184,30 +197,42 @@ SparseLayout layout_of_power(const SparsePolynomial& base, std::size_t n) {
     return {base.variables(), packed_monomials::bits_for(greatest * n)};
 }
 
-SparsePolynomial value_at_independent_terms(const RationalVector& coefficients, const SparsePolynomial& x) {
+/// sum_k coefficients[k] x^k y^(n-k)
+SparsePolynomial value_at_independent_terms(const RationalVector& coefficients, const SparsePolynomial& x,
+                                            const Rational& y) {
     const std::size_t n = coefficients.size() - 1;
     const SparseLayout layout = layout_of_power(x, n);
-    // sum_k (a_k / b) (z / d)^k = sum_k a_k d^(n-k) z^k / (b d^n)
-    const Integer& divisor = x.coefficients().denominator();
+    // With the denominators d of x and e of y, (x d)^k (y e)^(n-k) d^(n-k) e^k is x^k y^(n-k) (d e)^n.
+    const Integer& d = x.coefficients().denominator();
     std::vector<Integer> weights = coefficients.numerators();
-    Integer power = 1;
-    for (std::size_t k = n + 1; k-- > 0;) {
-        weights[k] *= power;
-        if (k > 0) power *= divisor;
+    Integer falling = 1;
+    Integer rising = 1;
+    for (std::size_t k = 0; k <= n; ++k) {
+        weights[n - k] *= falling;
+        weights[k] *= rising;
+        if (k == n) break;
+        falling *= y.numerator() * d;
+        rising *= y.denominator();
     }
     const AlignedTerms base(x, layout);
+    const Integer denominator = coefficients.denominator() * pow(d, n) * rising;
     return packed_monomials::with_width(layout.words(), [&](const auto& width) {
         return SparseArithmetic::polynomial(IndependentValue(width, base, weights).terms(), layout,
-                                            coefficients.denominator() * power);
+                                            denominator);
     });
 }
 
-/// The coefficients as numbers, if all are.
+/// The value of a polynomial without variables.
+Rational constant(const SparsePolynomial& polynomial) {
+    return polynomial.is_zero() ? Rational() : polynomial.coefficient(0);
+}
+
 std::optional<RationalVector> constants(std::span<const SparsePolynomial> polynomials) {
     std::vector<Rational> numbers;
+    numbers.reserve(polynomials.size());
     for (const SparsePolynomial& polynomial : polynomials) {
         if (polynomial.variables() > 0) return std::nullopt;
-        numbers.push_back(polynomial.is_zero() ? Rational() : polynomial.coefficient(0));
+        numbers.push_back(constant(polynomial));
     }
     return RationalVector(numbers);
 }
@@ -239,22 +264,23 @@ std::vector<SparsePolynomial> powers(const SparsePolynomial& base, std::size_t n
 }
 
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
-    if (coefficients.empty()) return {};
-    if (!x.is_zero() && has_independent_terms(x)) {
-        if (const auto numbers = constants(coefficients)) return value_at_independent_terms(*numbers, x);
-    }
-    return dot(coefficients, powers(x, coefficients.size() - 1));
+    return form_value(coefficients, x, 1);
 }
 
 SparsePolynomial form_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x,
                             const SparsePolynomial& y) {
-    std::vector<SparsePolynomial> scaled(coefficients.begin(), coefficients.end());
-    SparsePolynomial power = 1;
-    for (std::size_t k = scaled.size(); k-- > 0;) {
-        scaled[k] *= power;
-        if (k > 0) power *= y;
+    if (coefficients.empty()) return {};
+    if (!x.is_zero() && y.variables() == 0 && has_independent_terms(x)) {
+        if (const auto numbers = constants(coefficients))
+            return value_at_independent_terms(*numbers, x, constant(y));
     }
-    return polynomial_value(scaled, x);
+    const std::size_t n = coefficients.size() - 1;
+    const std::vector<SparsePolynomial> of_x = powers(x, n);
+    if (y == SparsePolynomial(1)) return dot(coefficients, of_x);
+    std::vector<SparsePolynomial> products = powers(y, n);
+    std::ranges::reverse(products);
+    for (std::size_t k = 0; k <= n; ++k) products[k] *= of_x[k];
+    return dot(coefficients, products);
 }
 
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent) {
