@@ -1,4 +1,6 @@
-// How the time of one operation grows with the degree: no peer, but the exponent that is natural.
+// How the time of one operation grows with the degree n: no peer, but the exponent that is natural, in
+// operations on words. The denominators of splines over knots that are small integers divide such products as
+// n!, so that numbers have n log n bits and one operation on a number and a word is n of them.
 
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
@@ -9,7 +11,6 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <optional>
 
 #include "cases.hpp"
 #include "families.hpp"
@@ -44,36 +45,6 @@ Limits unlimited() {
     return limits;
 }
 
-/// One operation: `prepare(n)` gives what is timed.
-struct Growth {
-    const char* work;
-    double natural;  ///< the exponent that counts operations on bits
-    const char* reason;
-    std::function<std::function<void()>(std::size_t)> prepare;
-};
-
-template <class Given, class Run>
-std::function<void()> timed(Given given, Run run) {
-    return [given = std::move(given), run] { run(given); };
-}
-
-/// Reduction by one degree, or to half the degree.
-std::function<std::function<void()>(std::size_t)> reduction(ReductionMethod method, bool to_half = false) {
-    return [method, to_half](std::size_t n) {
-        const std::size_t m = to_half ? n / 2 : n - 1;
-        return timed(bezier(n), [m, method](const BezierCurve& curve) { reduce(curve, m, method); });
-    };
-}
-
-/// The same of a spline of three segments over even and over uneven knots.
-template <class Run>
-void add_for_knots(std::vector<Growth>& list, const char* even, const char* uneven, double natural,
-                   const char* reason, Run run) {
-    for (const auto& [work, gap] : {std::pair(even, std::size_t{1}), std::pair(uneven, std::size_t{4})})
-        list.push_back(
-            {work, natural, reason, [run, gap](std::size_t n) { return timed(spline(n, 3, gap), run); }});
-}
-
 /// Two curves of degree n over [0, 1/3] and [1/3, 1] that meet with order n / 2.
 std::vector<BezierCurve> touching(std::size_t degree) {
     const Case given = make_case(degree, 7);
@@ -87,79 +58,113 @@ std::vector<BezierCurve> touching(std::size_t degree) {
             control_points(PolynomialCurve({second}, degree), right)};
 }
 
-std::vector<Growth> operations() {
-    std::vector<Growth> list{
-        {"reduce, inverse formula", 3, "n^2 nodes", reduction(ReductionMethod::inverse_formula)},
-        {"reduce to half, inverse formula", 4, "n^2 products of n^2 bits",
-         reduction(ReductionMethod::inverse_formula, true)},
-        {"reduce, least squares", 3, "n^2 products", reduction(ReductionMethod::least_squares)},
-        {"reduce to half, least squares", 3, "n^2 products", reduction(ReductionMethod::least_squares, true)},
-        {"reduce, least squares with ends", 3, "n^2 products",
-         reduction(ReductionMethod::least_squares_endpoints)},
-        {"reduce, uniform", 3, "n^2 products", reduction(ReductionMethod::uniform)},
-        {"join, order n / 2", 3, "n^2 combinations",
-         [](std::size_t n) {
-             return timed(touching(n), [](const std::vector<BezierCurve>& pieces) { join(pieces); });
-         }},
+using Prepared = std::function<void()>;
+
+/// One operation: `prepare(n)` gives what is timed.
+struct Growth {
+    std::string work;
+    const char* natural;
+    std::function<Prepared(std::size_t)> prepare;
+};
+
+template <class Given, class Run>
+Prepared timed(Given given, Run run) {
+    return [given = std::move(given), run] { run(given); };
+}
+
+/// Reduction by one degree, or to half the degree.
+std::vector<Growth> reductions() {
+    const auto reduction = [](ReductionMethod method, bool to_half) {
+        return [method, to_half](std::size_t n) {
+            const std::size_t m = to_half ? n / 2 : n - 1;
+            return timed(bezier(n), [m, method](const BezierCurve& curve) { reduce(curve, m, method); });
+        };
     };
-    for (const auto& [work, gap] : {std::pair("join, order n - 1, even knots", std::size_t{1}),
-                                    std::pair("join, order n - 1, uneven knots", std::size_t{4})})
-        list.push_back({work, 3, "n^2 combinations", [gap](std::size_t n) {
-                            return timed(bezier_segments(spline(n, 3, gap)),
-                                         [](const std::vector<BezierCurve>& pieces) { join(pieces); });
-                        }});
-    list.push_back({"join, order n - 1, ten segments", 3, "n^2 combinations", [](std::size_t n) {
-                        return timed(bezier_segments(spline(n, 10, 4)),
-                                     [](const std::vector<BezierCurve>& pieces) { join(pieces); });
-                    }});
-    list.push_back({"join over given knots", 3, "n^2 combinations", [](std::size_t n) {
-                        return timed(spline(n, 3, 4), [](const BSplineCurve& curve) {
-                            join(bezier_segments(curve), curve.knots());
-                        });
-                    }});
-    for (const auto& [work, gap] : {std::pair("basis function, even knots", std::size_t{1}),
-                                    std::pair("basis function, uneven knots", std::size_t{4})})
-        list.push_back({work, 3, "n^2 combinations", [gap](std::size_t n) {
+    using enum ReductionMethod;
+    return {
+        {"reduce, inverse formula", "3: n^2 operations on a number and a word",
+         reduction(inverse_formula, false)},
+        {"reduce to half, inverse formula", "4: n^2 products of numbers, of n^2 bits as in the result",
+         reduction(inverse_formula, true)},
+        {"reduce, least squares", "2: a product of polynomials", reduction(least_squares, false)},
+        {"reduce to half, least squares", "4: n^2 products of numbers of n bits",
+         reduction(least_squares, true)},
+        {"reduce with ends, least squares", "2: a product of polynomials",
+         reduction(least_squares_endpoints, false)},
+        {"reduce, uniform", "3: n^2 sums of numbers of n bits", reduction(uniform, false)},
+    };
+}
+
+/// Over knots 0, 1, 2, ... and over uneven ones.
+std::vector<Growth> of_splines() {
+    constexpr const char* combinations = "3: n^2 combinations of numbers with words";
+    std::vector<Growth> list;
+    for (const auto& [knots, gap] :
+         {std::pair("even", std::size_t{1}), std::pair("uneven", std::size_t{4})}) {
+        const auto add = [&](const char* work, const char* natural, auto run) {
+            list.push_back({work + std::string(", ") + knots + " knots", natural,
+                            [run, gap](std::size_t n) { return timed(spline(n, 3, gap), run); }});
+        };
+        add("basis values", combinations, [](const BSplineCurve& curve) {
+            basis_values(curve.knots(), curve.knots().domain().a() + Rational(1, 3));
+        });
+        add("segments", combinations, [](const BSplineCurve& curve) { bezier_segments(curve); });
+        add("continuity", combinations, [](const BSplineCurve& curve) {
+            contact(curve, curve.knots()[curve.knots().begin_index() + 1]);
+        });
+        list.push_back({std::string("basis function, ") + knots + " knots", "3: n^2 numbers in the result",
+                        [gap](std::size_t n) {
                             return timed(spline(n, n + 1, gap), [n](const BSplineCurve& curve) {
                                 basis_function(curve.knots(), n, unlimited());
                             });
                         }});
-    add_for_knots(list, "basis values, even knots", "basis values, uneven knots", 3, "n^2 combinations",
-                  [](const BSplineCurve& curve) {
-                      basis_values(curve.knots(), curve.knots().domain().a() + Rational(1, 3));
-                  });
-    add_for_knots(list, "segments, even knots", "segments, uneven knots", 3, "n^2 combinations",
-                  [](const BSplineCurve& curve) { bezier_segments(curve); });
-    add_for_knots(
-        list, "continuity, even knots", "continuity, uneven knots", 3, "n^2 combinations",
-        [](const BSplineCurve& curve) { contact(curve, curve.knots()[curve.knots().begin_index() + 1]); });
+        list.push_back({std::string("join, ") + knots + " knots", "3: n values of n^2 operations on words",
+                        [gap](std::size_t n) {
+                            return timed(bezier_segments(spline(n, 3, gap)),
+                                         [](const std::vector<BezierCurve>& pieces) { join(pieces); });
+                        }});
+    }
+    return list;
+}
+
+std::vector<Growth> operations() {
+    std::vector<Growth> list = reductions();
+    list.push_back({"join with order n / 2", "3: n values of n^2 operations on words", [](std::size_t n) {
+                        return timed(touching(n),
+                                     [](const std::vector<BezierCurve>& pieces) { join(pieces); });
+                    }});
+    for (Growth& growth : of_splines()) list.push_back(std::move(growth));
     return list;
 }
 
 /// The slope of the line that is nearest to the logarithms of the times.
 double exponent(const std::vector<std::pair<std::size_t, double>>& times) {
-    double count = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    const auto count = static_cast<double>(times.size());
+    double x = 0;
+    double y = 0;
     for (const auto& [n, seconds] : times) {
-        const double x = std::log(static_cast<double>(n));
-        const double y = std::log(seconds);
-        count += 1;
-        sum_x += x;
-        sum_y += y;
-        sum_xx += x * x;
-        sum_xy += x * y;
+        x += std::log(static_cast<double>(n)) / count;
+        y += std::log(seconds) / count;
     }
-    return (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x);
+    double above = 0;
+    double below = 0;
+    for (const auto& [n, seconds] : times) {
+        const double step = std::log(static_cast<double>(n)) - x;
+        above += step * (std::log(seconds) - y);
+        below += step * step;
+    }
+    return above / below;
 }
 
 }  // namespace
 
 void measure_growth(const std::string& only) {
-    constexpr double most_seconds = 0.5;
+    constexpr double most_seconds = 0.6;
     std::printf("| work | n = 50 | 100 | 200 | 400 | 800 | exponent | natural |\n");
     std::printf("| --- | ---: | ---: | ---: | ---: | ---: | ---: | --- |\n");
     for (const Growth& growth : operations()) {
         if (!only.empty() && only != growth.work) continue;
-        std::printf("| %s", growth.work);
+        std::printf("| %s", growth.work.c_str());
         std::vector<std::pair<std::size_t, double>> times;
         for (const std::size_t n : {50U, 100U, 200U, 400U, 800U}) {
             if (!times.empty() && times.back().second > most_seconds) {
@@ -172,6 +177,6 @@ void measure_growth(const std::string& only) {
             std::printf(" | %.3g ms", 1e3 * seconds);
             std::fflush(stdout);
         }
-        std::printf(" | %.2f | %.1f: %s |\n", exponent(times), growth.natural, growth.reason);
+        std::printf(" | %.2f | %s |\n", exponent(times), growth.natural);
     }
 }
