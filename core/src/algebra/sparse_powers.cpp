@@ -119,21 +119,24 @@ private:
     std::vector<Integer> table_;
 };
 
-/// sum_k weights[k] x^k for a sum x of independent terms with integer coefficients, term by term in order: by
-/// the exponent of the first variable, which no other term of x has, then by that of the next one. The
-/// multinomial coefficients are products of binomial coefficients on the way.
+/// sum_k weights[k] x^k for the sum x of the first `count` terms of a polynomial, independent ones with
+/// integer coefficients and none of them constant, term by term in order: by the exponent of the first
+/// variable, which no other term of x has, then by that of the next one. The multinomial coefficients are
+/// products of binomial coefficients on the way.
 template <class Width>
 class IndependentValue {
 public:
-    IndependentValue(const Width& width, const AlignedTerms& base, std::span<const Integer> weights)
+    IndependentValue(const Width& width, const AlignedTerms& base, std::size_t count,
+                     std::span<const Integer> weights)
         : width_(width),
           base_(base),
+          count_(count),
           weights_(weights),
           binomials_(weights.size() - 1),
-          writer_(width, most_terms(weights, base.size())) {
+          writer_(width, most_terms(weights, count)) {
         const auto is_one = [](const Integer& coefficient) { return coefficient.is_one(); };
-        if (std::all_of(base.coefficients(), base.coefficients() + base.size(), is_one)) return;
-        for (std::size_t term = 0; term < base.size(); ++term) {
+        if (std::all_of(base.coefficients(), base.coefficients() + count, is_one)) return;
+        for (std::size_t term = 0; term < count; ++term) {
             powers_.emplace_back(1);
             for (std::size_t k = 1; k < weights.size(); ++k)
                 powers_.push_back(powers_.back() * base.coefficients()[term]);
@@ -142,7 +145,7 @@ public:
 
     SparseTerms terms() && {
         constexpr std::uint64_t words_of_term = 16;
-        spend_work(words_of_term * most_terms(weights_, base_.size()));
+        spend_work(words_of_term * most_terms(weights_, count_));
         write(0, 0, width_.monomial(), 1);
         return std::move(writer_).finished();
     }
@@ -165,7 +168,7 @@ private:
     void write(std::size_t term, std::size_t used, Monomial monomial, const Integer& multinomial) {
         const std::uint64_t* own = base_.monomials() + term * width_.words();
         const std::size_t degree = weights_.size() - 1;
-        const bool last = term + 1 == base_.size();
+        const bool last = term + 1 == count_;
         for (std::size_t i = 0; i < width_.words(); ++i) monomial[i] += own[i] * (degree - used);
         for (std::size_t k = degree + 1; k-- > used;) {
             if (!last || !weights_[k].is_zero()) {
@@ -183,6 +186,7 @@ private:
 
     Width width_;
     const AlignedTerms& base_;
+    std::size_t count_;
     std::span<const Integer> weights_;
     BinomialTable binomials_;
     std::vector<Integer> powers_;  ///< of the coefficient of each term, unless all are 1
@@ -216,8 +220,17 @@ SparsePolynomial value_at_independent_terms(const RationalVector& coefficients, 
     }
     const AlignedTerms base(x, layout);
     const Integer denominator = coefficients.denominator() * pow(d, n) * rising;
+    const bool has_constant = x.degree(x.size() - 1) == 0;
+    if (has_constant) {
+        const Integer& constant = base.coefficients()[x.size() - 1];
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = n; k-- > i;) weights[k].add_product(constant, weights[k + 1]);
+        }
+    }
+    const std::size_t count = x.size() - (has_constant ? 1 : 0);
+    if (count == 0) return Rational(weights[0], denominator);
     return packed_monomials::with_width(layout.words(), [&](const auto& width) {
-        return SparseArithmetic::polynomial(IndependentValue(width, base, weights).terms(), layout,
+        return SparseArithmetic::polynomial(IndependentValue(width, base, count, weights).terms(), layout,
                                             denominator);
     });
 }
