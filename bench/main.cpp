@@ -3,6 +3,7 @@
 //
 //   bench_values [--quick] [--only WORK] [--degree N] [--bits N]    rows of CSV, see Report::header
 //   bench_values --case N BITS    coefficients, arguments and the value, for peers that are processes
+//   bench_values --growth [WORK]  times at degrees 50 to 800 and the exponents, as a table in Markdown
 //   bench_values --kernels        which kernel is chosen when
 
 #include <blossom/core/blossom/blossom.hpp>
@@ -20,6 +21,7 @@ int usage() {
     std::fprintf(stderr,
                  "usage: bench_values [--quick] [--only WORK] [--degree N] [--bits N]\n"
                  "       bench_values --case N BITS\n"
+                 "       bench_values --growth [WORK]\n"
                  "       bench_values --kernels\n");
     return 64;
 }
@@ -48,6 +50,10 @@ int main(int argc, char** argv) {
     if (words.size() == 1 && words[0] == "--kernels") return print_kernels();
     if (words.size() == 3 && words[0] == "--case")
         return print_case(make_case(number_in(argv[2]), number_in(argv[3])));
+    if (!words.empty() && words.size() <= 2 && words[0] == "--growth") {
+        measure_growth(words.size() == 2 ? words[1] : "");
+        return 0;
+    }
     Report::Selection selection;
     for (std::size_t i = 0; i < words.size(); ++i) {
         if (words[i] == "--quick") {
@@ -75,6 +81,7 @@ int main(int argc, char** argv) {
     measure_curves(report);
     measure_evaluation(report);
     measure_splines(report);
+    measure_agreement(report);
     measure_threads(report);
     measure_machine(report);
     return 0;

@@ -110,6 +110,7 @@ headings = {
     "constructions": "Constructions",
     "operations": "Whole polynomials",
     "splines": "Splines",
+    "agreement": "Agreement for all arguments",
     "threads": "Two threads",
     "machine": "Distance from the machine",
 }

@@ -2,6 +2,7 @@
 // as forms.
 
 #include <blossom/rational/bernstein_kernel.hpp>
+#include <blossom/rational/integer_polynomials.hpp>
 #include <blossom/rational/prepared_polynomial.hpp>
 #include <blossom/rational/taylor_shift.hpp>
 
@@ -63,6 +64,26 @@ WordQuotient word_quotient(Random& random, std::size_t bits) {
 }
 
 }  // namespace
+
+TEST_CASE("products of polynomials: coefficients up to the bits that the substitution leaves room for",
+          "[differential]") {
+    each_case("products of polynomials", [&](Random& random) {
+        const auto polynomial = [&](std::size_t size, std::size_t bits) {
+            const int sign = static_cast<int>(random.below(3)) - 1;
+            std::vector<Integer> coefficients;
+            for (std::size_t k = 0; k < size; ++k) coefficients.push_back(number_near(random, bits, sign));
+            return coefficients;
+        };
+        const std::size_t bits = 1 + random.below(random.one_in(4) ? 300 : 40);
+        const auto a = polynomial(60 + random.below(10), bits);
+        const auto b = polynomial(60 + random.below(random.one_in(8) ? 70 : 10), 1 + random.below(bits));
+        std::vector<Integer> expected(a.size() + b.size() - 1);
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            for (std::size_t j = 0; j < b.size(); ++j) expected[i + j] += a[i] * b[j];
+        }
+        check_same(product(a, b), expected);
+    });
+}
 
 TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]") {
     each_case("Taylor shift", [&](Random& random) {

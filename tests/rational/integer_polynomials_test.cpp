@@ -10,7 +10,7 @@ using blossom::testing::Random;
 
 namespace {
 
-IntegerPolynomial product(const IntegerPolynomial& a, const IntegerPolynomial& b) {
+IntegerPolynomial plain_product(const IntegerPolynomial& a, const IntegerPolynomial& b) {
     IntegerPolynomial result(a.size() + b.size() - 1);
     for (std::size_t i = 0; i < a.size(); ++i) {
         for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
@@ -40,12 +40,26 @@ Rational value(const IntegerPolynomial& polynomial, const Rational& t) {
 
 }  // namespace
 
+TEST_CASE("a product of integer polynomials keeps leading zeros") {
+    CHECK(product(IntegerPolynomial{}, IntegerPolynomial{1, 2}) == IntegerPolynomial{});
+    CHECK(product(IntegerPolynomial{1, 2}, IntegerPolynomial{3, -1}) == IntegerPolynomial{3, 5, -2});
+    Random random(8);
+    for (const std::size_t size : {1U, 63U, 64U, 65U, 100U}) {
+        IntegerPolynomial a = random_polynomial(random, size - 1, 8 * (1 + random.below(20)));
+        IntegerPolynomial b = random_polynomial(random, 70, 8 * (1 + random.below(20)));
+        CHECK(product(a, b) == plain_product(a, b));
+        a.back() = 0;
+        CHECK(product(a, b) == plain_product(a, b));
+        CHECK(product(a, IntegerPolynomial(80)) == IntegerPolynomial(size + 79));
+    }
+}
+
 TEST_CASE("a quotient of integer polynomials exists exactly where the product says so") {
     Random random(1);
     for (int round = 0; round < 300; ++round) {
         const IntegerPolynomial a = random_polynomial(random, random.below(6), 8 * (1 + random.below(20)));
         const IntegerPolynomial b = random_polynomial(random, random.below(6), 8 * (1 + random.below(20)));
-        IntegerPolynomial whole = product(a, b);
+        IntegerPolynomial whole = plain_product(a, b);
         CHECK(exact_quotient(whole, b) == a);
         if (b.size() < 2) continue;
         whole[random.below(b.size() - 1)] += Integer(1);
@@ -63,9 +77,9 @@ TEST_CASE("the greatest common divisor divides both and takes their common facto
         const IntegerPolynomial common = random_polynomial(random, random.below(7), bits);
         const IntegerPolynomial a = random_polynomial(random, random.below(7), bits);
         const IntegerPolynomial b = random_polynomial(random, random.below(7), bits);
-        const IntegerPolynomial found = primitive_gcd(product(a, common), product(b, common));
-        const auto rest_a = exact_quotient(product(a, common), found);
-        const auto rest_b = exact_quotient(product(b, common), found);
+        const IntegerPolynomial found = primitive_gcd(plain_product(a, common), plain_product(b, common));
+        const auto rest_a = exact_quotient(plain_product(a, common), found);
+        const auto rest_b = exact_quotient(plain_product(b, common), found);
         REQUIRE(rest_a);
         REQUIRE(rest_b);
         CHECK(primitive_gcd(*rest_a, *rest_b) == IntegerPolynomial{1});
@@ -91,7 +105,7 @@ TEST_CASE("the rational roots of a squarefree polynomial are found, and no other
             const Rational root(random.between(-most, most), random.between(1, most));
             if (std::ranges::find(expected, root) != expected.end()) continue;
             expected.push_back(root);
-            polynomial = product(polynomial, linear(root));
+            polynomial = plain_product(polynomial, linear(root));
         }
         std::vector<Rational> found = rational_roots(polynomial);
         std::ranges::sort(found);
@@ -105,14 +119,15 @@ TEST_CASE("rational roots that are equal modulo the first prime, or beyond it, a
     const std::vector<Rational> expected = {Rational(-prime), Rational(0),         Rational(1, 3),
                                             Rational(5),      Rational(5 + prime), Rational(5 + 2 * prime)};
     IntegerPolynomial polynomial = {-2, 0, 1};
-    for (const Rational& root : expected) polynomial = product(polynomial, linear(root));
+    for (const Rational& root : expected) polynomial = plain_product(polynomial, linear(root));
     std::vector<Rational> found = rational_roots(polynomial);
     std::ranges::sort(found);
     CHECK(found == expected);
     // A leading coefficient that the prime divides.
     CHECK(rational_roots(linear(Rational(2, prime))) == std::vector<Rational>{Rational(2, prime)});
     // Roots modulo every prime, none of them rational.
-    const IntegerPolynomial product_of_squares = product(product({-2, 0, 1}, {-3, 0, 1}), {-6, 0, 1});
+    const IntegerPolynomial product_of_squares =
+        plain_product(plain_product({-2, 0, 1}, {-3, 0, 1}), {-6, 0, 1});
     CHECK(rational_roots(product_of_squares).empty());
     CHECK(value(polynomial, Rational(1, 3)).is_zero());
 }

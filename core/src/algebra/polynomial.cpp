@@ -56,15 +56,8 @@ Polynomial operator-(const Polynomial& a, const Polynomial& b) {
 Polynomial operator-(const Polynomial& a) { return Polynomial() - a; }
 
 Polynomial operator*(const Polynomial& a, const Polynomial& b) {
-    if (a.is_zero() || b.is_zero()) return {};
-    const auto& x = a.coefficients_.numerators();
-    const auto& y = b.coefficients_.numerators();
-    std::vector<Integer> products(x.size() + y.size() - 1);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-        for (std::size_t j = 0; j < y.size(); ++j) products[i + j].add_product(x[i], y[j]);
-    }
-    return Polynomial(
-        RationalVector(std::move(products), a.coefficients_.denominator() * b.coefficients_.denominator()));
+    return Polynomial(RationalVector(product(a.coefficients_.numerators(), b.coefficients_.numerators()),
+                                     a.coefficients_.denominator() * b.coefficients_.denominator()));
 }
 
 Rational Polynomial::operator()(const Rational& t) const {

@@ -2,8 +2,9 @@
 #include <blossom/rational/combinatorics.hpp>
 
 #include <algorithm>
+#include <optional>
 
-#include "sparse_arithmetic.hpp"
+#include "summand_streams.hpp"
 
 /// Powers of sparse polynomials.
 
@@ -101,11 +102,156 @@ std::vector<SparseTerms> independent_powers(const AlignedTerms& base, std::size_
     return powers;
 }
 
-std::vector<SparsePolynomial> independent_powers(const SparsePolynomial& base, std::size_t n, bool all) {
+/// C(i, j) for j <= i <= n.
+class BinomialTable {
+public:
+    explicit BinomialTable(std::size_t n) : rows_(n + 1), table_(rows_ * rows_) {
+        for (std::size_t i = 0; i <= n; ++i) {
+            table_[i * rows_] = 1;
+            for (std::size_t j = 1; j <= i; ++j)
+                table_[i * rows_ + j] = table_[(i - 1) * rows_ + j - 1] + table_[(i - 1) * rows_ + j];
+        }
+    }
+    const Integer& operator()(std::size_t i, std::size_t j) const { return table_[i * rows_ + j]; }
+
+private:
+    std::size_t rows_;
+    std::vector<Integer> table_;
+};
+
+/// sum_k weights[k] x^k for the sum x of the first `count` terms of a polynomial, independent ones with
+/// integer coefficients and none of them constant, term by term in order: by the exponent of the first
+/// variable, which no other term of x has, then by that of the next one. The multinomial coefficients are
+/// products of binomial coefficients on the way.
+template <class Width>
+class IndependentValue {
+public:
+    IndependentValue(const Width& width, const AlignedTerms& base, std::size_t count,
+                     std::span<const Integer> weights)
+        : width_(width),
+          base_(base),
+          count_(count),
+          weights_(weights),
+          binomials_(weights.size() - 1),
+          writer_(width, most_terms(weights, count)) {
+        const auto is_one = [](const Integer& coefficient) { return coefficient.is_one(); };
+        if (std::all_of(base.coefficients(), base.coefficients() + count, is_one)) return;
+        for (std::size_t term = 0; term < count; ++term) {
+            powers_.emplace_back(1);
+            for (std::size_t k = 1; k < weights.size(); ++k)
+                powers_.push_back(powers_.back() * base.coefficients()[term]);
+        }
+    }
+
+    SparseTerms terms() && {
+        constexpr std::uint64_t words_of_term = 16;
+        spend_work(words_of_term * most_terms(weights_, count_));
+        write(0, 0, width_.monomial(), 1);
+        return std::move(writer_).finished();
+    }
+
+private:
+    using Monomial = typename Width::Monomial;
+
+    static std::size_t most_terms(std::span<const Integer> weights, std::size_t variables) {
+        std::size_t count = 0;
+        std::size_t terms = 1;  // of x^k
+        for (std::size_t k = 0; k < weights.size(); ++k) {
+            if (!weights[k].is_zero()) count += terms;
+            terms = terms * (k + variables) / (k + 1);
+        }
+        return count;
+    }
+
+    /// The products of `monomial`, of degree `used` in the terms before, with powers of the terms from this
+    /// one on.
+    void write(std::size_t term, std::size_t used, Monomial monomial, const Integer& multinomial) {
+        const std::uint64_t* own = base_.monomials() + term * width_.words();
+        const std::size_t degree = weights_.size() - 1;
+        const bool last = term + 1 == count_;
+        for (std::size_t i = 0; i < width_.words(); ++i) monomial[i] += own[i] * (degree - used);
+        for (std::size_t k = degree + 1; k-- > used;) {
+            if (!last || !weights_[k].is_zero()) {
+                Integer coefficient = multinomial * binomials_(k, used);
+                if (!powers_.empty()) coefficient *= powers_[term * weights_.size() + k - used];
+                if (last) {
+                    writer_.append(monomial.data(), coefficient * weights_[k]);
+                } else {
+                    write(term + 1, k, monomial, coefficient);
+                }
+            }
+            for (std::size_t i = 0; i < width_.words(); ++i) monomial[i] -= own[i];
+        }
+    }
+
+    Width width_;
+    const AlignedTerms& base_;
+    std::size_t count_;
+    std::span<const Integer> weights_;
+    BinomialTable binomials_;
+    std::vector<Integer> powers_;  ///< of the coefficient of each term, unless all are 1
+    summand_streams::TermWriter<Width> writer_;
+};
+
+/// A layout for base^n.
+SparseLayout layout_of_power(const SparsePolynomial& base, std::size_t n) {
     std::size_t greatest = 0;
-    for (std::size_t k = 0; k < base.variables(); ++k) greatest = std::max(greatest, base.degree_in(k));
+    for (const std::size_t degree : base.degrees()) greatest = std::max(greatest, degree);
     if (greatest != 0 && n > greatest_exponent / greatest) SparseArithmetic::exponent_too_large();
-    const SparseLayout layout{base.variables(), packed_monomials::bits_for(greatest * n)};
+    return {base.variables(), packed_monomials::bits_for(greatest * n)};
+}
+
+/// sum_k coefficients[k] x^k y^(n-k)
+SparsePolynomial value_at_independent_terms(const RationalVector& coefficients, const SparsePolynomial& x,
+                                            const Rational& y) {
+    const std::size_t n = coefficients.size() - 1;
+    const SparseLayout layout = layout_of_power(x, n);
+    // With the denominators d of x and e of y, (x d)^k (y e)^(n-k) d^(n-k) e^k is x^k y^(n-k) (d e)^n.
+    const Integer& d = x.coefficients().denominator();
+    std::vector<Integer> weights = coefficients.numerators();
+    Integer falling = 1;
+    Integer rising = 1;
+    for (std::size_t k = 0; k <= n; ++k) {
+        weights[n - k] *= falling;
+        weights[k] *= rising;
+        if (k == n) break;
+        falling *= y.numerator() * d;
+        rising *= y.denominator();
+    }
+    const AlignedTerms base(x, layout);
+    const Integer denominator = coefficients.denominator() * pow(d, n) * rising;
+    const bool has_constant = x.degree(x.size() - 1) == 0;
+    if (has_constant) {
+        const Integer& constant = base.coefficients()[x.size() - 1];
+        for (std::size_t i = 0; i < n; ++i) {
+            for (std::size_t k = n; k-- > i;) weights[k].add_product(constant, weights[k + 1]);
+        }
+    }
+    const std::size_t count = x.size() - (has_constant ? 1 : 0);
+    if (count == 0) return Rational(weights[0], denominator);
+    return packed_monomials::with_width(layout.words(), [&](const auto& width) {
+        return SparseArithmetic::polynomial(IndependentValue(width, base, count, weights).terms(), layout,
+                                            denominator);
+    });
+}
+
+/// The value of a polynomial without variables.
+Rational constant(const SparsePolynomial& polynomial) {
+    return polynomial.is_zero() ? Rational() : polynomial.coefficient(0);
+}
+
+std::optional<RationalVector> constants(std::span<const SparsePolynomial> polynomials) {
+    std::vector<Rational> numbers;
+    numbers.reserve(polynomials.size());
+    for (const SparsePolynomial& polynomial : polynomials) {
+        if (polynomial.variables() > 0) return std::nullopt;
+        numbers.push_back(constant(polynomial));
+    }
+    return RationalVector(numbers);
+}
+
+std::vector<SparsePolynomial> independent_powers(const SparsePolynomial& base, std::size_t n, bool all) {
+    const SparseLayout layout = layout_of_power(base, n);
     std::vector<SparseTerms> powers = independent_powers(AlignedTerms(base, layout), layout.words(), n, all);
     std::vector<SparsePolynomial> result(n + 1);
     for (std::size_t k = all ? 0 : n; k <= n; ++k) {
@@ -128,6 +274,26 @@ std::vector<SparsePolynomial> powers(const SparsePolynomial& base, std::size_t n
         result.push_back(base.size() == 2 ? binomial_power(base, result.size()) : result.back() * base);
     }
     return result;
+}
+
+SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
+    return form_value(coefficients, x, 1);
+}
+
+SparsePolynomial form_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x,
+                            const SparsePolynomial& y) {
+    if (coefficients.empty()) return {};
+    if (!x.is_zero() && y.variables() == 0 && has_independent_terms(x)) {
+        if (const auto numbers = constants(coefficients))
+            return value_at_independent_terms(*numbers, x, constant(y));
+    }
+    const std::size_t n = coefficients.size() - 1;
+    const std::vector<SparsePolynomial> of_x = powers(x, n);
+    if (y == SparsePolynomial(1)) return dot(coefficients, of_x);
+    std::vector<SparsePolynomial> products = powers(y, n);
+    std::ranges::reverse(products);
+    for (std::size_t k = 0; k <= n; ++k) products[k] *= of_x[k];
+    return dot(coefficients, products);
 }
 
 SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent) {

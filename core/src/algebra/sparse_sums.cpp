@@ -21,23 +21,16 @@ SparsePolynomial sum_of(std::span<const Summand> summands, const SparseLayout& l
     });
 }
 
-/// summands[0] + ... with the last one times `last_sign`.
-SparsePolynomial weighted_sum(std::span<const SparsePolynomial* const> polynomials, int last_sign) {
-    SparseLayout layout;
-    Integer denominator = 1;
-    for (const SparsePolynomial* polynomial : polynomials) {
-        layout = SparseArithmetic::common_layout(layout, SparseArithmetic::layout(*polynomial));
-        denominator = lcm(denominator, polynomial->coefficients().denominator());
-    }
-    std::deque<AlignedTerms> aligned;
-    std::vector<Summand> summands;
-    for (std::size_t i = 0; i < polynomials.size(); ++i) {
-        const SparsePolynomial& polynomial = *polynomials[i];
-        if (polynomial.is_zero()) continue;
-        Integer scale = divide_exactly(denominator, polynomial.coefficients().denominator());
-        if (last_sign < 0 && i + 1 == polynomials.size()) scale.negate();
-        summands.push_back({&aligned.emplace_back(polynomial, layout), nullptr, std::move(scale)});
-    }
+/// a + sign b; neither is zero.
+SparsePolynomial sum_of_two(const SparsePolynomial& a, const SparsePolynomial& b, int sign) {
+    const SparseLayout layout =
+        SparseArithmetic::common_layout(SparseArithmetic::layout(a), SparseArithmetic::layout(b));
+    const Integer& of_a = a.coefficients().denominator();
+    const Integer& of_b = b.coefficients().denominator();
+    Integer denominator = of_a == of_b ? of_a : lcm(of_a, of_b);
+    const AlignedTerms aligned[] = {{a, layout}, {b, layout}};
+    const Summand summands[] = {{&aligned[0], nullptr, divide_exactly(denominator, of_a)},
+                                {&aligned[1], nullptr, divide_exactly(denominator, of_b) * sign}};
     return sum_of(summands, layout, std::move(denominator));
 }
 
@@ -100,8 +93,7 @@ struct Product {
 SparsePolynomial operator+(const SparsePolynomial& a, const SparsePolynomial& b) {
     if (a.is_zero()) return b;
     if (b.is_zero()) return a;
-    const SparsePolynomial* const both[] = {&a, &b};
-    return weighted_sum(both, 1);
+    return sum_of_two(a, b, 1);
 }
 
 SparsePolynomial operator-(const SparsePolynomial& a) {
@@ -113,8 +105,8 @@ SparsePolynomial operator-(const SparsePolynomial& a) {
 }
 
 SparsePolynomial operator-(const SparsePolynomial& a, const SparsePolynomial& b) {
-    const SparsePolynomial* const both[] = {&a, &b};
-    return weighted_sum(both, -1);
+    if (b.is_zero()) return a;
+    return a.is_zero() ? -b : sum_of_two(a, b, -1);
 }
 
 SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b) {
@@ -155,10 +147,20 @@ std::optional<SparsePolynomial> product_within(const SparsePolynomial& a, const 
 
 SparsePolynomial sum(std::span<const SparsePolynomial> summands) {
     if (summands.size() == 1) return summands.front();
-    std::vector<const SparsePolynomial*> all;
-    all.reserve(summands.size());
-    for (const SparsePolynomial& summand : summands) all.push_back(&summand);
-    return weighted_sum(all, 1);
+    SparseLayout layout;
+    Integer denominator = 1;
+    for (const SparsePolynomial& polynomial : summands) {
+        layout = SparseArithmetic::common_layout(layout, SparseArithmetic::layout(polynomial));
+        denominator = lcm(denominator, polynomial.coefficients().denominator());
+    }
+    std::deque<AlignedTerms> aligned;
+    std::vector<Summand> scaled;
+    for (const SparsePolynomial& polynomial : summands) {
+        if (polynomial.is_zero()) continue;
+        Integer scale = divide_exactly(denominator, polynomial.coefficients().denominator());
+        scaled.push_back({&aligned.emplace_back(polynomial, layout), nullptr, std::move(scale)});
+    }
+    return sum_of(scaled, layout, std::move(denominator));
 }
 
 SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const SparsePolynomial> b) {
@@ -182,11 +184,6 @@ SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const Sparse
                      summands);
     }
     return sum_of(summands, layout, std::move(denominator));
-}
-
-SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x) {
-    if (coefficients.empty()) return {};
-    return dot(coefficients, powers(x, coefficients.size() - 1));
 }
 
 }  // namespace blossom

@@ -67,7 +67,11 @@ Quotients<R> by_polarization(const PatchMap& map, const TupleLists<R>& arguments
     const NetShape& shape = shape_of(map);
     const auto [points, given] = source(map, false, arguments, limits);
     const PointArray form = form_of(shape, points);
+    const bool segment = shape.factors() == 1 && shape[0].dimension == 1;
+    std::vector<std::vector<R>> rows;
+    for (const auto row : form.rows()) rows.emplace_back(row.begin(), row.end());
     const auto value_at = [&](const std::vector<Tuple<R>>& tuples, const std::vector<std::size_t>&) {
+        if (segment) return constructions::form_values(rows, tuples[0][1], tuples[0][0]);
         std::vector<std::vector<R>> monomials;
         monomials.reserve(shape.factors());
         for (std::size_t f = 0; f < shape.factors(); ++f)

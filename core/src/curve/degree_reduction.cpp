@@ -1,11 +1,12 @@
 #include <blossom/core/blossom/change_of_basis.hpp>
 #include <blossom/core/blossom/conversion.hpp>
-#include <blossom/core/blossom/evaluation.hpp>
-#include <blossom/core/blossom/inverse_formula.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/curve/orthogonal_projection.hpp>
+#include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <algorithm>
+#include <bit>
 #include <string>
 
 namespace blossom {
@@ -25,6 +26,98 @@ std::vector<Polynomial> local_coordinates(const BezierCurve& curve) {
 BezierCurve over(const Interval& interval, const std::vector<Polynomial>& local, std::size_t degree,
                  const Limits& limits) {
     return {control_points(PolynomialCurve(local, degree), Interval(), limits).control_points(), interval};
+}
+
+/// What the polarization formula of degree m gives for s^j with j = m + 1, m + 2, ...:
+/// sum_r (-1)^(m-r) S(j, r) (r - 1)! / m! h_(j-m-1)(1/r, ..., 1/m) s^r, r = 1..m, with the Stirling numbers
+/// of the second kind and the complete symmetric functions.
+///
+/// In the falling powers of the index, sum_I C(i, I) C(m - i, N - I) I^j is the sum over r of S(j, r)
+/// C(m - r, N - r) i (i - 1) ... (i - r + 1), and these are m! / (m - r)! times the control points of s^r.
+/// What remains, sum_N (-1)^(m-N) C(m - r, N - r) / N^(j-m), is a difference of order m - r, and that of 1 /
+/// (N - y) is (-1)^(m-r) (m - r)! / prod_N (N - y).
+class PolarizedPower {
+public:
+    explicit PolarizedPower(std::size_t m)
+        : m_(m), denominator_(factorial(m)), partitions_(m + 1), functions_(m + 1, 1) {
+        for (std::size_t r = 2; r <= m; ++r) common_ = lcm(common_, r);
+        while (j_ <= m) next_partitions();
+    }
+
+    /// Goes on to s^(j+1), and the denominator is multiplied by `common`.
+    void advance() {
+        next_partitions();
+        denominator_ *= common_;
+        for (std::size_t r = m_; r > 0; --r) {
+            functions_[r] *= divide_exactly(common_, r);
+            if (r < m_) functions_[r] += functions_[r + 1];
+        }
+    }
+
+    /// The numerator of the coefficient of s^r, r >= 1.
+    Integer operator[](std::size_t r) const {
+        Integer product = partitions_[r] * functions_[r];
+        if ((m_ - r) % 2 == 1) product.negate();
+        return product;
+    }
+    const Integer& denominator() const { return denominator_; }
+    const Integer& common() const { return common_; }
+
+private:
+    void next_partitions() {
+        ++j_;
+        for (std::size_t r = std::min(j_, m_); r > 1; --r) {
+            partitions_[r] *= r;
+            partitions_[r].add_product(partitions_[r - 1], r - 1);
+        }
+        if (m_ > 0) partitions_[1] = 1;
+    }
+
+    std::size_t m_;
+    std::size_t j_ = 0;
+    Integer common_ = 1;  ///< the least common multiple of 1, ..., m
+    Integer denominator_;
+    std::vector<Integer> partitions_;  ///< S(j, r) (r - 1)!
+    std::vector<Integer> functions_;   ///< common^(j-m-1) h_(j-m-1)(1/r, ..., 1/m)
+};
+
+/// The polarization formula of degree m for each of the polynomials. It keeps s^j for j <= m.
+std::vector<Polynomial> by_inverse_formula(std::vector<Polynomial> polynomials, std::size_t m,
+                                           const Limits& limits) {
+    const std::size_t n = std::ranges::max(polynomials, {}, &Polynomial::degree).degree();
+    if (n <= m) return polynomials;
+    std::size_t bits = 0;
+    for (const Polynomial& polynomial : polynomials)
+        bits = std::max(bits, greatest_bit_length(polynomial.coefficients().numerators()));
+    // The least common multiple of 1, ..., m is below 4^m.
+    const auto bits_of_index = static_cast<std::size_t>(std::bit_width(m));
+    require_result_bits(bits + n * bits_of_index + 2 * (n - m) * m, limits, polynomials.size() * (m + 1));
+
+    std::vector<std::vector<Integer>> sums(polynomials.size(), std::vector<Integer>(m + 1));
+    PolarizedPower power(m);
+    for (std::size_t j = m + 1; j <= n; ++j) {
+        if (j > m + 1) {
+            power.advance();
+            for (auto& sum : sums)
+                for (Integer& entry : sum) entry *= power.common();
+        }
+        for (std::size_t r = 1; r <= m; ++r) {
+            const Integer weight = power[r];
+            for (std::size_t i = 0; i < sums.size(); ++i) {
+                if (j <= polynomials[i].degree())
+                    sums[i][r].add_product(polynomials[i].coefficients().numerators()[j], weight);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const RationalVector& given = polynomials[i].coefficients();
+        std::vector<Integer> kept = given.numerators();
+        kept.resize(std::min(kept.size(), m + 1));
+        polynomials[i] =
+            Polynomial(given.over_same_denominator(std::move(kept))) +
+            Polynomial(RationalVector(std::move(sums[i]), given.denominator() * power.denominator()));
+    }
+    return polynomials;
 }
 
 /// The line through the ends plus s (1 - s) times the projection of the rest with the weight (s (1 - s))^2.
@@ -95,12 +188,7 @@ Reduction reduce(const BezierCurve& curve, std::size_t m, ReductionMethod method
         }
     }
     if (method == ReductionMethod::inverse_formula) {
-        const auto value = [&](const Rational& s) {
-            Coordinates point;
-            for (const Polynomial& coordinate : given) point.push_back(coordinate(s));
-            return point;
-        };
-        reduced = local_coordinates(control_points_from_values(m, Interval(), value, limits));
+        reduced = by_inverse_formula(given, m, limits);
     }
 
     Reduction result{over(curve.interval(), reduced, m, limits), reduced == given, 0, {}};

@@ -24,26 +24,37 @@ Rational inner_product(const Polynomial& a, const Polynomial& b, const RationalV
             coefficients.denominator() * moments.denominator()};
 }
 
+/// Of degree j for the weight (s (1 - s))^k: (-1)^i C(j + k, j - i) C(j + 2k + i, i), the coefficients of
+/// s^i.
+std::vector<Integer> orthogonal_polynomial(std::size_t j, std::size_t k) {
+    std::vector<Integer> coefficients{binomial(j + k, j)};
+    for (std::size_t i = 0; i < j; ++i) {
+        const Integer product = coefficients.back() * Integer(j - i) * Integer(j + 2 * k + i + 1);
+        coefficients.push_back(-divide_exactly(product, Integer(i + 1) * Integer(k + i + 1)));
+    }
+    return coefficients;
+}
+
 }  // namespace
 
-// The monic orthogonal polynomials satisfy Q_{j+1} = (s - 1/2) Q_j - (|Q_j|^2 / |Q_{j-1}|^2) Q_{j-1}.
+// The nearest polynomial of degree j - 1 is also the one nearest to that of degree j.
 Polynomial project(const Polynomial& polynomial, std::size_t m, std::size_t k) {
     if (polynomial.degree() <= m) return polynomial;
-    const RationalVector weights(moments(polynomial.degree() + m + 1, k));
-    const Polynomial step = Polynomial::monomial(1) - Polynomial(Rational(1, 2));
-    Polynomial previous;
-    Polynomial current = 1;
-    Rational previous_norm = 1;
-    Polynomial projection;
-    for (std::size_t j = 0; j <= m; ++j) {
-        const Rational norm = inner_product(current, current, weights);
-        projection += Polynomial(inner_product(polynomial, current, weights) / norm) * current;
-        Polynomial next = step * current - Polynomial(norm / previous_norm) * previous;
-        previous = std::move(current);
-        current = std::move(next);
-        previous_norm = norm;
+    std::vector<Integer> row = polynomial.coefficients().numerators();
+    Integer denominator = polynomial.coefficients().denominator();
+    for (std::size_t j = polynomial.degree(); j > m; --j) {
+        const std::vector<Integer> orthogonal = orthogonal_polynomial(j, k);
+        const Integer common = gcd(row[j], orthogonal[j]);
+        const Integer scale = divide_exactly(orthogonal[j], common);
+        const Integer multiple = -divide_exactly(row[j], common);
+        row.pop_back();
+        for (std::size_t i = 0; i < j; ++i) {
+            row[i] *= scale;
+            row[i].add_product(multiple, orthogonal[i]);
+        }
+        denominator *= scale;
     }
-    return projection;
+    return Polynomial(RationalVector(std::move(row), std::move(denominator)));
 }
 
 Rational integral_over_unit_interval(const Polynomial& polynomial) {

@@ -1,28 +1,68 @@
-#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
+#include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
 #include <string>
 
-#include "progressive_frame.hpp"
+#include "divided_rows.hpp"
+#include "maps/change_of_interval.hpp"
 
 namespace blossom {
 
 namespace {
 
-/// n + 1 unit points in dimension 1: all 0 but one.
-std::vector<Coordinates> unit_points(std::size_t n, std::size_t one) {
-    std::vector<Coordinates> points(n + 1, Coordinates(1));
-    points[one].front() = 1;
-    return points;
+/// The n + 2 knots of a basis function. Its window has one more at each end in the textbook convention; in
+/// the polar one the first and the last function lack one, which no span of the domain depends on.
+std::vector<Rational> knots_of(const KnotVector& knots, std::size_t point) {
+    const auto window = knots.window(point);
+    const std::size_t begin = knots.window_index(point);
+    const std::size_t end = begin + window.size();
+    std::vector<Rational> result;
+    result.reserve(window.size() + 2);
+    result.push_back(begin > 0 ? knots[begin - 1] : knots[0] - Rational(1));
+    result.insert(result.end(), window.begin(), window.end());
+    result.push_back(end < knots.size() ? knots[end] : knots[end - 1] + Rational(1));
+    return result;
 }
 
-/// The n + 1 unit vectors of Q^(n + 1).
-std::vector<Coordinates> identity(std::size_t n) {
-    std::vector<Coordinates> points(n + 1, Coordinates(n + 1));
-    for (std::size_t i = 0; i <= n; ++i) points[i][i] = 1;
-    return points;
+/// What the basis function over `knots` loses where t passes the knot k = knots[last], the last of its
+/// multiplicity m, as a polynomial in t.
+///
+/// N(t) = (t_(n+1) - t_0) [t_0, ..., t_(n+1)] (y - t)_+^n, a divided difference in y, in which k has the part
+/// sum_v A_v C(n, v) (k - t)^(n-v), v = 0..m-1, where sum_v A_v / z^(v+1) is the singular part of
+/// 1 / prod_i (k + z - t_i).
+Polynomial jump(const RationalVector& knots, std::size_t last, std::size_t multiplicity,
+                const std::vector<Integer>& binomials) {
+    const std::vector<Integer>& all = knots.numerators();
+    const std::size_t n = all.size() - 2;
+    Integer product = 1;  // of the differences to the other knots
+    Integer common = 1;   // a multiple of each of them
+    std::vector<Integer> differences;
+    for (const Integer& knot : all) {
+        if (knot == all[last]) continue;
+        differences.push_back(all[last] - knot);
+        product *= differences.back();
+        if (multiplicity > 1) common = lcm(common, differences.back());
+    }
+    // 1 / prod (1 + common z / difference) up to z^(m-1)
+    std::vector<Integer> series(multiplicity);
+    series[0] = 1;
+    for (std::size_t i = 0; multiplicity > 1 && i < differences.size(); ++i) {
+        const Integer slope = -divide_exactly(common, differences[i]);
+        for (std::size_t j = 1; j < multiplicity; ++j) series[j].add_product(slope, series[j - 1]);
+    }
+    // In powers of t - k; the differences are integers over the denominator of the knots.
+    std::vector<Integer> powers(n + 1);
+    Integer scale = (all.back() - all.front()) * pow(knots.denominator(), n);
+    for (std::size_t v = 0; v < multiplicity; ++v) {
+        powers[n - v] = series[multiplicity - 1 - v] * binomials[v] * scale;
+        if ((n - v) % 2 == 1) powers[n - v].negate();
+        if (v < n) scale = divide_exactly(scale * common, knots.denominator());
+    }
+    auto [numerators, denominator] = taylor_coefficients(powers, -knots[last]);
+    return Polynomial(
+        RationalVector(std::move(numerators), denominator * product * pow(common, multiplicity - 1)));
 }
 
 }  // namespace
@@ -34,25 +74,58 @@ std::vector<PolynomialPiece> basis_function(const KnotVector& knots, std::size_t
                                                 "; their number is " + std::to_string(knots.points()));
     }
     const std::size_t n = knots.degree();
+    require_within(n, limits.degree, "degree", "the formal degree", Part::degree);
     const std::size_t first = knots.begin_index() + point - std::min(point, n);
     const std::size_t last = std::min(knots.begin_index() + point, knots.end_index() - 1);
+    const std::vector<Rational> own = knots_of(knots, point);
+    const RationalVector integers(own);
+    const std::vector<Integer> binomials = binomial_row(n);
     std::vector<PolynomialPiece> pieces;
-    for (std::size_t span = first; span <= last; ++span) {
+    Polynomial sum;
+    std::size_t behind = own.size();
+    for (std::size_t span = last + 1; span-- > first;) {
         if (knots[span] == knots[span + 1]) continue;
-        const Interval interval(knots[span], knots[span + 1]);
-        const ProgressiveFrame frame(knots.around(span), unit_points(n, point - knots.first_point(span)),
-                                     limits);
-        pieces.push_back(
-            {span, interval, monomial_form(frame.control_points(interval), limits).coordinate(0)});
+        while (behind > 0 && knots[span] < own[behind - 1]) {
+            std::size_t multiplicity = 1;
+            while (multiplicity < behind && own[behind - 1 - multiplicity] == own[behind - 1]) ++multiplicity;
+            sum += jump(integers, behind - 1, multiplicity, binomials);
+            behind -= multiplicity;
+        }
+        require_result_bits(std::max(greatest_bit_length(sum.coefficients().numerators()),
+                                     sum.coefficients().denominator().bit_length()),
+                            limits, (n + 1) * (pieces.size() + 1));
+        pieces.push_back({span, Interval(knots[span], knots[span + 1]), sum});
     }
+    std::ranges::reverse(pieces);
     return pieces;
 }
 
 BasisValues basis_values(const KnotVector& knots, const Rational& t, const Limits& limits) {
     const std::size_t n = knots.degree();
+    require_within(n, limits.degree, "degree", "the formal degree", Part::degree);
     const std::size_t span = knots.span_at(t);
-    const ProgressiveFrame frame(knots.around(span), identity(n), limits);
-    return {knots.first_point(span), frame.value(with_copies({}, n, Parameter(t)))};
+    const RationalVector around(knots.around(span));
+    const std::vector<Integer>& all = around.numerators();
+    const Integer cleared = t.denominator();
+    const Integer parameter = around.denominator() * t.numerator();
+    std::vector<std::vector<Integer>> row{{1}};
+    std::vector<Integer>& values = row.front();
+    Integer denominator = 1;
+    for (std::size_t degree = 0; degree < n; ++degree) {
+        const std::size_t begin = n - 1 - degree;
+        std::vector<Integer> divisors;
+        for (std::size_t r = 0; r <= degree; ++r) divisors.push_back((all[n + r] - all[begin + r]) * cleared);
+        denominator *= divide_entries(row, divisors);
+        values.emplace_back(0);
+        for (std::size_t r = degree + 1; r-- > 0;) {
+            values[r + 1].add_product(parameter - all[begin + r] * cleared, values[r]);
+            values[r] *= all[n + r] * cleared - parameter;
+        }
+        require_result_bits(std::max(greatest_bit_length(values), denominator.bit_length()), limits);
+    }
+    BasisValues result{knots.first_point(span), {}};
+    for (Integer& value : values) result.values.emplace_back(std::move(value), denominator);
+    return result;
 }
 
 }  // namespace blossom

@@ -7,8 +7,9 @@ namespace blossom {
 BezierCurve sablonniere(const BSplineCurve& curve, std::size_t span, const Limits& limits) {
     const KnotVector& knots = curve.knots();
     knots.require_span(span);
-    return ProgressiveFrame(knots.around(span), curve.points_of(span), limits)
-        .control_points(Interval(knots[span], knots[span + 1]));
+    const Interval interval(knots[span], knots[span + 1]);
+    if (curve.degree() == 0) return BezierCurve(curve.points_of(span), interval);
+    return {ProgressiveFrame(knots.around(span), curve.points_of(span), limits).control_points(), interval};
 }
 
 std::vector<BezierCurve> bezier_segments(const BSplineCurve& curve, const Limits& limits) {

@@ -1,5 +1,6 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/maps/taylor_curve.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/curve_values.hpp>
 #include <blossom/rational/prepared_polynomial.hpp>
 
@@ -11,7 +12,6 @@
 
 #include "maps/on_threads.hpp"
 #include "maps/result_room.hpp"
-#include "progressive_frame.hpp"
 
 namespace blossom {
 
@@ -151,9 +151,7 @@ private:
 
     void prepare(std::size_t span, Segment& segment) const {
         const KnotVector& knots = curve_.knots();
-        const ProgressiveFrame frame(knots.around(span), curve_.points_of(span), limits_);
-        const PolynomialCurve whole =
-            monomial_form(frame.control_points(Interval(knots[span], knots[span + 1])), limits_);
+        const PolynomialCurve whole = monomial_form(sablonniere(curve_, span, limits_), limits_);
         segment.origin = floor_of(knots[span]);
         segment.word_origin = segment.origin.to_int64().value_or(0);
         segment.forms.emplace(taylor_form(whole, segment.origin, limits_).coefficients, limits_);

@@ -1,3 +1,4 @@
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/spline/progressive.hpp>
 #include <blossom/rational/error.hpp>
 
@@ -97,7 +98,9 @@ std::vector<StatedValue> stated_values(const ProgressiveCurve& curve) {
 }
 
 BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval, const Limits& limits) {
-    return ProgressiveFrame(curve, limits).control_points(interval);
+    if (curve.degree() == 0) return {curve.control_points(), interval};
+    const BezierCurve own(ProgressiveFrame(curve, limits).control_points(), interval_of(curve));
+    return own.interval() == interval ? own : control_points(own, interval, limits);
 }
 
 ProgressiveCurve progressive_form(const PolynomialMap& map, std::vector<Rational> knots,

@@ -2,7 +2,40 @@
 
 #include <algorithm>
 
+#include "divided_rows.hpp"
+
 namespace blossom {
+
+namespace {
+
+/// A level multiplies by a common denominator of so few bits; otherwise each entry is divided by its own.
+constexpr std::size_t bits_of_small_denominator = 16;
+
+/// Entries of the rows of a triangle as it goes down, one a level, over one denominator.
+class Edge {
+public:
+    explicit Edge(std::size_t coordinates) : rows_(coordinates) {}
+
+    void take(const ProgressiveDescent& triangle, std::size_t entry) {
+        for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].push_back(triangle.rows()[j][entry]);
+        denominators_.push_back(triangle.denominator());
+    }
+    /// Each denominator divides the next one, and the last is the common one.
+    std::vector<std::vector<Integer>> rows() && {
+        for (std::size_t k = 0; k < denominators_.size(); ++k) {
+            const Integer scale = divide_exactly(denominators_.back(), denominators_[k]);
+            if (scale.is_one()) continue;
+            for (auto& row : rows_) row[k] *= scale;
+        }
+        return std::move(rows_);
+    }
+
+private:
+    std::vector<std::vector<Integer>> rows_;
+    std::vector<Integer> denominators_;
+};
+
+}  // namespace
 
 ProgressiveFrame::ProgressiveFrame(std::span<const Rational> knots, std::span<const Coordinates> points,
                                    const Limits& limits)
@@ -19,20 +52,21 @@ ProgressiveFrame::ProgressiveFrame(std::span<const Rational> knots, std::span<co
         for (const Coordinates& point : points) {
             rows_[j].push_back(point[j].numerator() * divide_exactly(denominator_, point[j].denominator()));
         }
-        bits_ = std::max(bits_, greatest_bit_length(rows_[j]));
     }
-    knot_bits_ = std::max(greatest_bit_length(knots_.numerators()), knots_.denominator().bit_length());
 }
 
 ProgressiveFrame::ProgressiveFrame(const ProgressiveCurve& curve, const Limits& limits)
-    : knots_(curve.knots()),
-      denominator_(curve.control_points().denominator()),
-      bits_(greatest_bit_length(curve.control_points().numbers().numerators())),
-      limits_(limits) {
+    : knots_(curve.knots()), denominator_(curve.control_points().denominator()), limits_(limits) {
     require_within(degree(), limits.degree, "degree", "the formal degree", Part::degree);
     for (const auto row : curve.control_points().rows()) rows_.emplace_back(row.begin(), row.end());
-    knot_bits_ = std::max(greatest_bit_length(knots_.numerators()), knots_.denominator().bit_length());
 }
+
+ProgressiveFrame::ProgressiveFrame(RationalVector knots, std::vector<std::vector<Integer>> rows,
+                                   Integer denominator, const Limits& limits)
+    : knots_(std::move(knots)),
+      rows_(std::move(rows)),
+      denominator_(std::move(denominator)),
+      limits_(limits) {}
 
 Coordinates ProgressiveFrame::value(std::span<const Argument> arguments) const {
     ProgressiveDescent descent(*this);
@@ -40,35 +74,83 @@ Coordinates ProgressiveFrame::value(std::span<const Argument> arguments) const {
     return descent.entry(0);
 }
 
-BezierCurve ProgressiveFrame::control_points(const Interval& interval) const {
+PointArray ProgressiveFrame::control_points() const {
     const std::size_t n = degree();
-    std::vector<Coordinates> points(n + 1);
+    std::vector<Integer> knots = knots_.numerators();
+    const Integer a = knots[n - 1];
     ProgressiveDescent at_a(*this);
-    for (std::size_t k = n + 1; k-- > 0;) {
-        ProgressiveDescent at_both = at_a;
-        at_both.descend(Parameter(interval.b()), k);
-        points[k] = at_both.entry(0);
-        if (k > 0) at_a.descend(Parameter(interval.a()));
+    Edge behind(rows_.size());
+    behind.take(at_a, n);
+    for (std::size_t k = 1; k <= n; ++k) {
+        at_a.descend(Parameter(knots_[n - 1]));
+        behind.take(at_a, n - k);
     }
-    return BezierCurve(points, interval);
+    std::vector<std::vector<Integer>> rows = std::move(behind).rows();
+    for (auto& row : rows) std::ranges::reverse(row);
+    std::fill_n(knots.begin(), n, a);
+    const ProgressiveFrame clamped(knots_.over_same_denominator(std::move(knots)), std::move(rows),
+                                   at_a.denominator(), limits_);
+
+    ProgressiveDescent at_b(clamped);
+    Edge points(rows_.size());
+    points.take(at_b, 0);
+    for (std::size_t k = 1; k <= n; ++k) {
+        at_b.descend(Parameter(knots_[n]));
+        points.take(at_b, 0);
+    }
+    std::vector<Integer> numerators;
+    for (const auto& row : std::move(points).rows())
+        numerators.insert(numerators.end(), row.begin(), row.end());
+    PointArray result(rows_.size(), RationalVector(std::move(numerators), at_b.denominator()));
+    result.make_canonical();
+    return result;
 }
 
 ProgressiveDescent::ProgressiveDescent(const ProgressiveFrame& frame)
-    : triangle_(frame.rows_, frame.knots_.numerators(), frame.knots_.denominator()),
-      denominator_(frame.denominator_),
-      bits_(frame.bits_),
-      knot_bits_(frame.knot_bits_),
-      limits_(frame.limits_) {}
+    : knots_(frame.knots_), rows_(frame.rows_), denominator_(frame.denominator_), limits_(frame.limits_) {}
 
 void ProgressiveDescent::descend(const Argument& argument) {
     const Integer cleared = lcm(argument.u.denominator(), argument.mass.denominator());
-    const HomogeneousPair<Integer> pair{
-        argument.u.numerator() * divide_exactly(cleared, argument.u.denominator()),
-        argument.mass.numerator() * divide_exactly(cleared, argument.mass.denominator())};
-    bits_ += std::max(pair.u.bit_length(), pair.mass.bit_length()) + knot_bits_ + 2;
-    triangle_.descend(pair);
-    require_result_bits(bits_ + triangle_.denominator().bit_length(), limits_);
-    denominator_ *= cleared;
+    const Integer mass = argument.mass.numerator() * divide_exactly(cleared, argument.mass.denominator());
+    const Integer parameter =
+        knots_.denominator() * argument.u.numerator() * divide_exactly(cleared, argument.u.denominator());
+    const std::vector<Integer>& knots = knots_.numerators();
+    const std::size_t n = knots.size() / 2;
+    const std::size_t entries = n - level_;
+    std::vector<Integer> divisors;
+    divisors.reserve(entries);
+    Integer common = 1;
+    for (std::size_t l = 0; l < entries; ++l) {
+        divisors.push_back(knots[n + l] - knots[level_ + l]);
+        if (common.bit_length() <= bits_of_small_denominator) common = lcm(common, divisors[l]);
+    }
+    const bool small = common.bit_length() <= bits_of_small_denominator;
+    for (std::size_t l = 0; l < entries; ++l) {
+        Integer left = knots[n + l] * mass - parameter;
+        Integer right = parameter - knots[level_ + l] * mass;
+        if (small && common != divisors[l]) {
+            const Integer scale = divide_exactly(common, divisors[l]);
+            left *= scale;
+            right *= scale;
+        }
+        for (auto& row : rows_) {
+            row[l] *= left;
+            row[l].add_product(right, row[l + 1]);
+        }
+    }
+    for (auto& row : rows_) row.pop_back();
+    denominator_ *= cleared * (small ? common : divide_entries(rows_, divisors));
+    ++level_;
+    std::size_t bits = denominator_.bit_length();
+    for (const auto& row : rows_) bits = std::max(bits, greatest_bit_length(row));
+    require_result_bits(bits, limits_);
+}
+
+Coordinates ProgressiveDescent::entry(std::size_t l) const {
+    Coordinates point;
+    point.reserve(rows_.size());
+    for (const auto& row : rows_) point.emplace_back(row[l], denominator_);
+    return point;
 }
 
 }  // namespace blossom

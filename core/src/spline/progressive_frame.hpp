@@ -19,40 +19,45 @@ public:
     std::size_t degree() const { return knots_.size() / 2; }
     /// f(arguments), as many as the degree.
     Coordinates value(std::span<const Argument> arguments) const;
-    /// P_k = f(a^(n-k), b^k). The levels at a are shared.
-    BezierCurve control_points(const Interval& interval) const;
+    /// P_k = f(a^(n-k), b^k) over the knots in the middle, a = t_(n-1) and b = t_n.
+    ///
+    /// The triangle at a has f(a^k, t_n, ..., t_(2n-k-1)) at its edge: progressive values over n copies of a
+    /// and the last n knots, for which the triangle at b has P_k at its edge. Cost: n^2 combinations of
+    /// points. Degree 0 has no knots and is not taken.
+    PointArray control_points() const;
 
 private:
     friend class ProgressiveDescent;
 
+    ProgressiveFrame(RationalVector knots, std::vector<std::vector<Integer>> rows, Integer denominator,
+                     const Limits& limits);
+
     RationalVector knots_;
     std::vector<std::vector<Integer>> rows_;
     Integer denominator_;
-    std::size_t bits_ = 0;       ///< of the greatest entry of the rows
-    std::size_t knot_bits_ = 0;  ///< of the greatest knot and its denominator
     Limits limits_;
 };
 
-/// A triangle on its way down, which minds what its arguments were cleared of and how large its numbers are.
-/// It looks at the knots of its frame.
+/// De Boor's triangle on its way down, see `constructions::ProgressiveTriangle`, over a denominator that
+/// grows by little more than the entries need. It looks at the knots of its frame.
 class ProgressiveDescent {
 public:
     explicit ProgressiveDescent(const ProgressiveFrame& frame);
     explicit ProgressiveDescent(ProgressiveFrame&&) = delete;
 
-    /// Errors: `limit_exceeded`.
+    /// Cost: n - k combinations and divisions a coordinate at level k. Errors: `limit_exceeded`.
     void descend(const Argument& argument);
-    void descend(const Argument& argument, std::size_t levels) {
-        for (std::size_t k = 0; k < levels; ++k) descend(argument);
-    }
     /// f(u_1, ..., u_k, t_(k+l), ..., t_(n+l-1)) for the arguments so far.
-    Coordinates entry(std::size_t l) const { return reduced(triangle_.entry(l), denominator_); }
+    Coordinates entry(std::size_t l) const;
+    /// The entries, one row a coordinate, over `denominator()`, which each level multiplies.
+    const std::vector<std::vector<Integer>>& rows() const { return rows_; }
+    const Integer& denominator() const { return denominator_; }
 
 private:
-    constructions::ProgressiveTriangle<Integer> triangle_;
+    const RationalVector& knots_;
+    std::vector<std::vector<Integer>> rows_;
     Integer denominator_;
-    std::size_t bits_;
-    std::size_t knot_bits_;
+    std::size_t level_ = 0;
     Limits limits_;
 };
 

@@ -13,6 +13,13 @@ namespace blossom {
 
 using IntegerPolynomial = std::vector<Integer>;
 
+/// a * b, of which leading zeros are kept: a.size() + b.size() - 1 coefficients, or none.
+///
+/// Cost: a.size() * b.size() products of numbers; from 64 coefficients of each on one product of two
+/// integers, the values at a power of two (Kronecker's substitution), which have as many bits as the
+/// coefficients together.
+IntegerPolynomial product(std::span<const Integer> a, std::span<const Integer> b);
+
 /// a / b; none where a quotient with integer coefficients does not exist. `b` is not zero.
 /// Cost: O(n m) products for quotient and divisor of the degrees n and m.
 std::optional<IntegerPolynomial> exact_quotient(std::span<const Integer> a, std::span<const Integer> b);

@@ -38,7 +38,7 @@ public:
     Polynomial& operator*=(const Polynomial& other) { return *this = *this * other; }
     friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
     friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
-    /// Cost: deg a * deg b multiply-adds.
+    /// Cost: that of `product` of the numerators.
     friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
     friend Polynomial operator-(const Polynomial& a);
     friend bool operator==(const Polynomial&, const Polynomial&) = default;

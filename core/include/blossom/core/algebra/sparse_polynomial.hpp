@@ -82,9 +82,13 @@ SparsePolynomial sum(std::span<const SparsePolynomial> summands);
 /// The sum of a_i b_i, by halves; both spans have the same length.
 SparsePolynomial dot(std::span<const SparsePolynomial> a, std::span<const SparsePolynomial> b);
 
-/// sum_k coefficients[k] x^k from the powers of x, which for a sum of few variables are smaller than what
-/// Horner's rule would multiply.
+/// sum_k coefficients[k] x^k. Cost: for numbers and independent terms, the terms of the result; otherwise
+/// from the powers of x, which for a sum of few variables are smaller than what Horner's rule would multiply.
 SparsePolynomial polynomial_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x);
+
+/// sum_k coefficients[k] x^k y^(n-k), n + 1 coefficients.
+SparsePolynomial form_value(std::span<const SparsePolynomial> coefficients, const SparsePolynomial& x,
+                            const SparsePolynomial& y);
 
 /// Whether the powers of the polynomial have as many terms as they can have, as those of x_1 + ... + x_m:
 /// each term has a variable that no later one has.

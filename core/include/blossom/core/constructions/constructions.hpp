@@ -124,10 +124,14 @@ std::vector<R> alternating_sum(std::span<const std::pair<Argument, std::size_t>>
     Argument sum = partial;
     Integer binomial = 1;
     for (std::size_t j = 0; j <= multiplicity; ++j) {
-        const std::vector<R> values = alternating_sum<R, Argument>(groups.subspan(1), sum, size + j, term);
-        const R weight((multiplicity - j) % 2 == 0 ? binomial : -binomial);
-        if (total.size() < values.size()) total.resize(values.size(), R(0));
-        for (std::size_t i = 0; i < values.size(); ++i) accumulate_product(total[i], weight, values[i]);
+        // What there is so far changes its sign with each step.
+        std::vector<R> values = alternating_sum<R, Argument>(groups.subspan(1), sum, size + j, term);
+        if (values.size() < total.size()) values.resize(total.size(), R(0));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!binomial.is_one()) values[i] *= R(binomial);
+            if (i < total.size()) values[i] -= total[i];
+        }
+        total = std::move(values);
         if (j == multiplicity) break;
         add_argument(sum, argument);
         binomial = divide_exactly(binomial * Integer(multiplicity - j), Integer(j + 1));

@@ -117,6 +117,15 @@ std::vector<R> monomials(const Tuple<R>& x, std::size_t degree) {
     return products;
 }
 
+/// sum_k row[k] x^k y^(n-k) for each row. A ring may have a faster way of its own.
+template <class R>
+std::vector<R> form_values(const std::vector<std::vector<R>>& rows, const R& x, const R& y) {
+    std::vector<R> values;
+    values.reserve(rows.size());
+    for (const auto& row : rows) values.push_back(form_value(std::span<const R>(row), x, y));
+    return values;
+}
+
 /// The sum of the entries of a net, each multiplied by the weight of its index in every factor.
 /// `weights`: one list per factor. Cost: one multiply-add per entry, and fewer for the factors before the
 /// last.

@@ -31,10 +31,11 @@ struct Reduction {
 
 /// `curve` over its interval by a curve of degree m <= n, with the exact error.
 ///
-/// Cost: O(n^3) for the inverse formula, otherwise O(n^2) products of rationals a coordinate.
-/// Errors: `degree_too_low` if m > n, if m < n - 1 for `uniform`, or if m = 0 < n for fixed ends;
-/// `limit_exceeded`. Source: Fernandez-Jambrina, section 5 and example 2. Statements: fj-ex2-reduction,
-/// fj-reduction-is-lagrange, fj-chebyshev, fj-dual-bernstein, fj-l2-endpoints.
+/// Cost: O(n^2) products of integers, of O(n log n) bits for n - m bounded; the numbers of the inverse
+/// formula have O((n - m) m) bits more, as in the result. Errors: `degree_too_low` if m > n, if m < n - 1 for
+/// `uniform`, or if m = 0 < n for fixed ends; `limit_exceeded`. Source: Fernandez-Jambrina, section 5 and
+/// example 2. Statements: fj-ex2-reduction, fj-reduction-is-lagrange, fj-chebyshev, fj-dual-bernstein,
+/// fj-l2-endpoints.
 Reduction reduce(const BezierCurve& curve, std::size_t m, ReductionMethod method, const Limits& limits = {});
 
 }  // namespace blossom

@@ -9,8 +9,9 @@ namespace blossom {
 /// The polynomial of degree at most m that is nearest to `polynomial` in the integral of its square over [0,
 /// 1] with the weight (s (1 - s))^k: least squares for k = 0.
 ///
-/// By the three-term recurrence of the polynomials that are orthogonal for this weight, which are symmetric
-/// about 1/2. Cost: O(n^2) operations on rationals for degree n. Source: the Jacobi polynomials on [0, 1].
+/// The multiples of the orthogonal polynomials of degrees n, ..., m + 1 are taken off, each of which takes
+/// the leading term away. Cost: O(n (n - m)) products of integers for degree n. Source: Rodrigues' formula
+/// for the Jacobi polynomials, (s (1 - s))^(-k) / j! times derivative j of (s (1 - s))^(j+k).
 Polynomial project(const Polynomial& polynomial, std::size_t m, std::size_t k);
 
 /// The integral of polynomial over [0, 1].

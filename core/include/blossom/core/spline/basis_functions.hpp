@@ -21,8 +21,10 @@ struct PolynomialPiece {
 /// The B-spline basis function N_j within the domain: the scalar curve whose control point j is 1 and all
 /// others 0, as one polynomial in t for each non-empty span on which it has influence. It is 0 on all others.
 ///
-/// Cost: at most n + 1 Bezier segments. Errors: `wrong_arity` if there is no point j; `limit_exceeded`.
-/// Statements: hart-four-points, hart-three-at-knot.
+/// As a divided difference of a truncated power, of which each knot has its own polynomial: a piece is the
+/// sum of those of the knots behind it. Cost: at most n + 1 Taylor shifts, and as many sums of polynomials.
+/// Errors: `wrong_arity` if there is no point j; `limit_exceeded`. Source: Curry and Schoenberg, "On Polya
+/// frequency functions IV", 1966. Statements: hart-four-points, hart-three-at-knot.
 std::vector<PolynomialPiece> basis_function(const KnotVector& knots, std::size_t point,
                                             const Limits& limits = {});
 
@@ -32,7 +34,7 @@ struct BasisValues {
     std::vector<Rational> values;  ///< N_(first_point), ..., N_(first_point + n); their sum is 1
 };
 
-/// N_j(t): de Boor's algorithm on unit control points. Cost: n^3 / 2 combinations of numbers.
+/// N_j(t) by the recursion of Cox and de Boor. Cost: n^2 / 2 combinations and divisions of numbers.
 /// Errors: `outside_domain`, `limit_exceeded`.
 BasisValues basis_values(const KnotVector& knots, const Rational& t, const Limits& limits = {});
 

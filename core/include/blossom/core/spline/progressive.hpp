@@ -127,7 +127,8 @@ std::vector<std::vector<Coordinates>> de_boor_pyramid(const ProgressiveCurve& cu
 Coordinates evaluate(const ProgressiveCurve& curve, const Parameter& t, const Limits& limits = {});
 
 /// The control polygon over [a, b]: P_k = f(a^(n-k), b^k).
-/// Cost: n^3 / 6 combinations of points. Errors: `limit_exceeded`.
+/// Cost: n^2 combinations and divisions of points, and for an interval that is not its own a change of it.
+/// Errors: `limit_exceeded`.
 /// Source: DeRose, figure 9. Statement: derose-fig9-sablonniere.
 BezierCurve control_points(const ProgressiveCurve& curve, const Interval& interval,
                            const Limits& limits = {});
