@@ -83,3 +83,33 @@ TEST_CASE("every kernel has one rule, in order", "[blossom_sums]") {
         CHECK_FALSE(rule.condition.empty());
     }
 }
+
+TEST_CASE("more factors than residues take: products by halves", "[blossom_sums]") {
+    Random random(20261129);
+    constexpr std::size_t n = 4200;
+    std::vector<WordFactor> factors;
+    std::vector<IntegerFactor> large;
+    for (std::size_t i = 0; i < n; ++i) {
+        const std::int64_t constant = random.between(-5, 5);
+        const std::int64_t slope = i % 97 == 0 ? 0 : random.between(-5, 5);
+        factors.push_back({constant == 0 ? 1 : constant, slope, random.between(1, 3)});
+        large.push_back({factors.back().constant, factors.back().slope, factors.back().denominator});
+    }
+    // The row of powers x^k makes the sum the value of the product at x.
+    for (const std::int64_t x : {2, -1, 0}) {
+        std::vector<Rational> row;
+        Rational expected = 1;
+        Rational power = 1;
+        for (std::size_t k = 0; k <= n; ++k, power *= x) row.push_back(power);
+        for (const WordFactor& factor : factors)
+            expected *= Rational(factor.constant + x * factor.slope, factor.denominator);
+        const BlossomSums sums{RationalVector(row), 1, BlossomSums::Use::once};
+        Rational of_words;
+        Rational of_integers;
+        CHECK(sums.kernel(factors) == SumKernel::integers);
+        sums.evaluate(factors, 0, {&of_words, 1});
+        sums.evaluate(large, 0, {&of_integers, 1});
+        CHECK((of_words == expected));
+        CHECK((of_integers == expected));
+    }
+}

@@ -1,4 +1,6 @@
 #include <blossom/rational/blossom_sums.hpp>
+#include <blossom/rational/integer_polynomials.hpp>
+#include <blossom/rational/row_recurrences.hpp>
 #include <blossom/rational/row_recurrences.hpp>
 
 #include <utility>
@@ -139,12 +141,10 @@ std::pair<DenominatorParts, bool> denominator_factors(const PreparedRows& rows,
     return {std::move(result), negative};
 }
 
+/// The sums over the denominators of the rows and the factors.
 template <class R>
-void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>> factors,
-                       std::size_t first_row, std::span<Rational> sums) {
-    const std::vector<Integer> numerators =
-        residue_sums(rows.numbers, rows.use == BlossomSums::Use::many ? &rows.residues : nullptr,
-                     blocks_of(factors), sum_bits(rows, factors), first_row, sums.size());
+void set_reduced(std::span<Rational> sums, std::span<const Integer> numerators, const PreparedRows& rows,
+                 std::span<const LinearFactor<R>> factors) {
     const auto [denominators, negative] = denominator_factors(rows, factors);
     std::vector<std::uint64_t> numerator;
     for (std::size_t j = 0; j < sums.size(); ++j) {
@@ -153,6 +153,44 @@ void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>
         sums[j] = reduced_quotient(numerator, (numerators[j].sign() < 0) != negative, denominators.words,
                                    denominators.longer);
     }
+}
+
+template <class R>
+void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>> factors,
+                       std::size_t first_row, std::span<Rational> sums) {
+    const std::vector<Integer> numerators =
+        residue_sums(rows.numbers, rows.use == BlossomSums::Use::many ? &rows.residues : nullptr,
+                     blocks_of(factors), sum_bits(rows, factors), first_row, sums.size());
+    set_reduced(sums, numerators, rows, factors);
+}
+
+/// From this number of factors on products of polynomials by halves are faster than one factor after the
+/// other, by measurement.
+constexpr std::size_t least_factors_of_halves = 1024;
+
+template <class R>
+IntegerPolynomial multiplied_by_halves(std::span<const LinearFactor<R>> factors) {
+    constexpr std::size_t few = 64;
+    if (factors.size() > few) {
+        const std::size_t half = factors.size() / 2;
+        return product(multiplied_by_halves(factors.first(half)), multiplied_by_halves(factors.subspan(half)));
+    }
+    const auto integers = [&](R LinearFactor<R>::* part) {
+        std::vector<Integer> result;
+        for (const LinearFactor<R>& factor : factors) result.emplace_back(factor.*part);
+        return result;
+    };
+    return product_of_linear_factors(integers(&LinearFactor<R>::constant), integers(&LinearFactor<R>::slope));
+}
+
+template <class R>
+void evaluate_by_halves(const PreparedRows& rows, std::span<const LinearFactor<R>> factors,
+                        std::size_t first_row, std::span<Rational> sums) {
+    const IntegerPolynomial polynomial = multiplied_by_halves(factors);
+    std::vector<Integer> numerators;
+    for (std::size_t j = 0; j < sums.size(); ++j)
+        numerators.push_back(dot(rows.integers_of(first_row + j), polynomial));
+    set_reduced(sums, numerators, rows, factors);
 }
 
 /// The sums of products with the coefficients in `product`, or with their negatives.
@@ -172,6 +210,7 @@ void set_large_sums(const PreparedRows& rows, std::span<const LinearFactor<R>> f
 
 void evaluate_integers(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
                        std::span<Rational> sums) {
+    if (factors.size() >= least_factors_of_halves) return evaluate_by_halves(rows, factors, first_row, sums);
     const Bounds bits = bounds(rows, factors);
     const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     set_large_sums(rows, factors, product.limbs(), product.negated(), bits.sum, first_row, sums);
@@ -179,6 +218,7 @@ void evaluate_integers(const PreparedRows& rows, std::span<const WordFactor> fac
 
 void evaluate_integers(const PreparedRows& rows, std::span<const IntegerFactor> factors,
                        std::size_t first_row, std::span<Rational> sums) {
+    if (factors.size() >= least_factors_of_halves) return evaluate_by_halves(rows, factors, first_row, sums);
     const std::size_t bits = sum_bits(rows, factors);
     const FactorRow product(factors, bits - rows.bits);
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
