@@ -109,6 +109,7 @@ headings = {
     "values": "Values of a blossom",
     "constructions": "Constructions",
     "operations": "Whole polynomials",
+    "curves": "Curves",
     "splines": "Splines",
     "agreement": "Agreement for all arguments",
     "threads": "Two threads",
