@@ -119,6 +119,21 @@ private:
     std::vector<Integer> table_;
 };
 
+/// The terms of sum_k weights[k] x^k for a sum x of so many independent terms, or 2^40 for more; they are
+/// counted as work.
+std::size_t terms_to_write(std::span<const Integer> weights, std::size_t terms) {
+    constexpr std::size_t most = std::size_t{1} << 40;
+    constexpr std::uint64_t words_of_term = 16;
+    std::size_t count = 0;
+    std::size_t of_power = 1;
+    for (std::size_t k = 0; k < weights.size() && count < most; ++k) {
+        if (!weights[k].is_zero()) count += of_power;
+        of_power = std::min(most, of_power * (k + terms) / (k + 1));
+    }
+    spend_work(words_of_term * count);
+    return count;
+}
+
 /// sum_k weights[k] x^k for the sum x of the first `count` terms of a polynomial, independent ones with
 /// integer coefficients and none of them constant, term by term in order: by the exponent of the first
 /// variable, which no other term of x has, then by that of the next one. The multinomial coefficients are
@@ -132,8 +147,8 @@ public:
           base_(base),
           count_(count),
           weights_(weights),
-          binomials_(weights.size() - 1),
-          writer_(width, most_terms(weights, count)) {
+          binomials_(count > 1 ? weights.size() - 1 : 0),
+          writer_(width, terms_to_write(weights, count)) {
         const auto is_one = [](const Integer& coefficient) { return coefficient.is_one(); };
         if (std::all_of(base.coefficients(), base.coefficients() + count, is_one)) return;
         for (std::size_t term = 0; term < count; ++term) {
@@ -144,24 +159,12 @@ public:
     }
 
     SparseTerms terms() && {
-        constexpr std::uint64_t words_of_term = 16;
-        spend_work(words_of_term * most_terms(weights_, count_));
         write(0, 0, width_.monomial(), 1);
         return std::move(writer_).finished();
     }
 
 private:
     using Monomial = typename Width::Monomial;
-
-    static std::size_t most_terms(std::span<const Integer> weights, std::size_t variables) {
-        std::size_t count = 0;
-        std::size_t terms = 1;  // of x^k
-        for (std::size_t k = 0; k < weights.size(); ++k) {
-            if (!weights[k].is_zero()) count += terms;
-            terms = terms * (k + variables) / (k + 1);
-        }
-        return count;
-    }
 
     /// The products of `monomial`, of degree `used` in the terms before, with powers of the terms from this
     /// one on.
@@ -172,7 +175,7 @@ private:
         for (std::size_t i = 0; i < width_.words(); ++i) monomial[i] += own[i] * (degree - used);
         for (std::size_t k = degree + 1; k-- > used;) {
             if (!last || !weights_[k].is_zero()) {
-                Integer coefficient = multinomial * binomials_(k, used);
+                Integer coefficient = used == 0 ? multinomial : multinomial * binomials_(k, used);
                 if (!powers_.empty()) coefficient *= powers_[term * weights_.size() + k - used];
                 if (last) {
                     writer_.append(monomial.data(), coefficient * weights_[k]);
