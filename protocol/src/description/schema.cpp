@@ -39,8 +39,7 @@ void add_maps(Json::Object& definitions, Side side) {
     const std::string prefix = side == Side::request ? "" : "exact_";
     std::vector<std::string> names;
     for (const Kind* kind : Kinds::all) {
-        for (const KindWord& word : kind->words) {
-            if (word.word.empty()) continue;
+        for (const KindWord& word : words_of(*kind)) {
             Json schema = object_schema(word.members(), side, {{"kind", constant(word.word)}});
             if (schema.is_null()) continue;
             names.push_back(prefix + title_of(word, "_with_"));
