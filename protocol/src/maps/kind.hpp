@@ -52,7 +52,7 @@ struct Target {
 };
 
 struct Kind {
-    std::string_view name;  ///< its name in messages
+    std::string_view name;          ///< its name in messages
     std::array<KindWord, 3> words;  ///< see `words_of`
     Json (*write)(const Map& map);
     std::string (*formula)(const Map& map, std::string_view name);
