@@ -38,10 +38,7 @@ public:
     Nesting(std::size_t& depth, const Limits& limits, std::size_t offset) : depth_(depth) {
         if (++depth_ <= limits.nesting) return;
         --depth_;
-        throw Error(
-            ErrorCode::limit_exceeded,
-            "the nesting of the expression exceeds the limit nesting = " + std::to_string(limits.nesting), {},
-            offset);
+        throw limit_error("the nesting of the expression exceeds", "nesting", limits.nesting, {}, offset);
     }
     Nesting(const Nesting&) = delete;
     Nesting& operator=(const Nesting&) = delete;
