@@ -1,8 +1,6 @@
 #include "limit_table.hpp"
 
-#include <algorithm>
 #include <limits>
-#include <string>
 
 namespace blossom::protocol {
 
@@ -32,13 +30,6 @@ constexpr LimitEntry table[] = {
 static_assert(sizeof table / sizeof *table == sizeof(Limits) / sizeof(std::size_t), "one entry per limit");
 
 }  // namespace
-
-std::string LimitEntry::flag() const {
-    if (member == &Limits::timeout) return "--timeout";
-    std::string text = "--max-" + std::string(name);
-    std::ranges::replace(text, '_', '-');
-    return text;
-}
 
 std::span<const LimitEntry> limit_table() { return table; }
 

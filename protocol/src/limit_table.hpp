@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace blossom::protocol {
@@ -14,10 +13,7 @@ struct LimitEntry {
     std::string_view name;
     std::size_t Limits::* member;
     std::string_view help;
-    std::size_t greatest;  ///< the greatest value of the flag
-
-    /// "--max-" and the name, with '-' for '_'; "--timeout".
-    std::string flag() const;
+    std::size_t greatest;  ///< the greatest value that is accepted
 };
 
 std::span<const LimitEntry> limit_table();

@@ -58,13 +58,13 @@ Response written(Json response) {
 /// The value of `answer`, or the response to its error, which is written after the budget of `answer` has
 /// ended.
 template <class Answering>
-Json answered(const Json& request, const Answering& answer) {
+Json answered(const Json& request, ErrorMembers add, const Answering& answer) {
     try {
         return answer();
     } catch (const Error& error) {
-        return error_response(request, error);
+        return error_response(request, error, add);
     } catch (const std::exception& problem) {
-        return error_response(request, unexpected(problem));
+        return error_response(request, unexpected(problem), add);
     }
 }
 
@@ -101,11 +101,12 @@ Json success_response(const Json& request, Json result) {
     return response_to(request, "result", std::move(result));
 }
 
-Json error_response(const Json& request, const Error& error) {
-    return response_to(request, "error",
-                       Json::Object{{"code", error_name(error.code())},
-                                    {"message", error.message()},
-                                    {"at", pointer_of(error.place())}});
+Json error_response(const Json& request, const Error& error, ErrorMembers add) {
+    Json::Object members{
+        {"code", error_name(error.code())}, {"message", error.message()}, {"at", pointer_of(error.place())}};
+    if (!error.limit().empty()) members.emplace_back("limit", error.limit());
+    if (add) add(error, members);
+    return response_to(request, "error", std::move(members));
 }
 
 Outcome outcome_of(const Json& result) {
@@ -119,16 +120,18 @@ Error unexpected(const std::exception& problem) {
 }
 
 Json answer_to(const Json& request, const Limits& limits) {
-    return answered(request, [&] {
+    return answered(request, nullptr, [&] {
         const ResourceBudget budget(limits);
         return success_response(request, find_answer(request, limits).result);
     });
 }
 
-Response answer(std::string_view text, const Limits& limits) {
+Response answer(std::string_view text, const Limits& limits) { return answer(text, limits, nullptr); }
+
+Response answer(std::string_view text, const Limits& limits, ErrorMembers add) {
     Json request;
     std::optional<Response> response;
-    Json refusal = answered(request, [&] {
+    Json refusal = answered(request, add, [&] {
         const ResourceBudget budget(limits);
         auto [value, error] = read_json(text, limits);
         request = std::move(value);
@@ -139,10 +142,9 @@ Response answer(std::string_view text, const Limits& limits) {
     return response ? *std::move(response) : written(std::move(refusal));
 }
 
-Response refuse_long_line(const Limits& limits) {
-    return written(error_response(
-        Json(), Error(ErrorCode::limit_exceeded, "the line is longer than the limit line_bytes = " +
-                                                     std::to_string(limits.line_bytes))));
+Response refuse_long_line(const Limits& limits, ErrorMembers add) {
+    return written(
+        error_response(Json(), limit_error("the line is longer than", "line_bytes", limits.line_bytes), add));
 }
 
 }  // namespace blossom::protocol

@@ -80,8 +80,8 @@ void add_rounded_numbers(Json& result, Rounding rounding) {
     try {
         add_twins(result, rounding);
     } catch (const Error& error) {
-        throw Error(error.code(), "in the result, at " + pointer_of(error.place()) + ", " + error.message(),
-                    Place{"numbers"});
+        throw error.at(Place{"numbers"})
+            .saying("in the result, at " + pointer_of(error.place()) + ", " + error.message());
     }
 }
 

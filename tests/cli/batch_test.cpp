@@ -157,6 +157,27 @@ TEST_CASE("a line over the limit is refused without being stored and the next is
     }
 }
 
+TEST_CASE("what exceeds a limit is refused with its name, the amount and the flag that raises it") {
+    const std::string line =
+        R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t^21"}, "at": ["1e30"]})";
+    const auto refusal = [&](const Limits& limits) {
+        return serve(source_of(line + "\n"), 1, limits).responses.at(0);
+    };
+    Limits limits;
+    limits.degree = 20;
+    CHECK(refusal(limits) == R"({"ok": false, "error": {"code": "limit_exceeded", "message": )"
+                             R"("column 3: the exponent 21 exceeds the limit degree = 20", )"
+                             R"("at": "/map/text", "limit": "degree", "flag": "--max-degree"}})");
+    limits = {};
+    limits.work = 10;
+    CHECK(refusal(limits).ends_with(R"( the limit work = 10 word operations", "at": "/at/0", )"
+                                    R"("limit": "work", "flag": "--max-work"}})"));
+    limits = {};
+    limits.line_bytes = 10;
+    CHECK(refusal(limits).ends_with(R"(the limit line_bytes = 10", "at": "", )"
+                                    R"("limit": "line_bytes", "flag": "--max-line-bytes"}})"));
+}
+
 TEST_CASE("a peer that waits for each response gets it, with any number of jobs") {
     for (const std::size_t jobs : std::vector<std::size_t>{1, 2, 8}) {
         std::mutex mutex;

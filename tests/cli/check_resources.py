@@ -50,7 +50,6 @@ def costly():
                                            "text": "*".join(f"x{i}" for i in range(22)), "degrees": [1] * 22}}
     yield {"op": "prove", "statement": "\n".join(f"given a{i}*b{i} == c{i}" for i in range(31)) + "\nclaim a0*b0*x == c0*x"}
     yield {"op": "prove", "statement": f"claim {continued} == {continued.replace('x3 ', 'x4 ')}"}
-    yield {"op": "prove", "statement": "claim " + " + ".join(map(str, range(50000))) + " == 3"}
     yield {"op": "prove", "statement": "claim x == x\n" * 200000}
     yield {"op": "evaluate", "map": {"kind": "polynomial", "text": "((t+1)^100)^100"}, "at": [2]}
     yield {"op": "derivative", "map": {"kind": "polynomial", "text": "1 + t^3", "denominator": "1 + t^2"}, "order": 10000, "at": ["1/3"]}
@@ -70,6 +69,7 @@ def small():
     yield {"op": "evaluate", "map": {"kind": "polynomial", "text": "1 + t^2", "degree": 4096}, "at": ["1/2"]}
     yield {"op": "subdivide", "map": {"kind": "bezier", "control_points": [i * i % 199 for i in range(801)]}, "at": "1/3"}
     yield {"op": "prove", "statement": "claim x == x\n" * 3000}
+    yield {"op": "prove", "statement": "claim " + " + ".join(map(str, range(50000))) + " == 1249975000"}
     if FULL:
         yield {"op": "subdivide", "map": {"kind": "bezier", "control_points": [i * i % 199 for i in range(5000)]}, "at": "1/2"}
 

@@ -2,10 +2,13 @@
 #include "run.hpp"
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 
 #include <blossom/protocol/description.hpp>
 #include "json/json_text.hpp"
-#include "limit_table.hpp"
+#include "limit_flags.hpp"
 #include "operations/operation.hpp"
 #include "streams/printable.hpp"
 
@@ -267,7 +270,7 @@ TEST_CASE("the version is that of the project") {
 TEST_CASE("limits are flags of every command") {
     for (const LimitEntry& entry : limit_table()) {
         for (const std::string command : {"agree", "evaluate", "batch"}) {
-            CHECK(contains(run({command, "--help"}).output, entry.flag() + " N "));
+            CHECK(contains(run({command, "--help"}).output, flag_of(entry) + " N "));
         }
     }
     CHECK(contains(run({"evaluate", "t^4", "--at", "1", "--max-degree", "3"}).errors,
@@ -277,6 +280,22 @@ TEST_CASE("limits are flags of every command") {
                        R"({"op": "evaluate", "map": {"kind": "polynomial", "text": "t"}, "at": [1234]})")
                        .output,
                    "digits = 3"));
+}
+
+TEST_CASE("docs/limits.md lists the limits of the table, with flags and defaults") {
+    std::ifstream file(BLOSSOM_SOURCE "/docs/limits.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    std::size_t rows = 0;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("| `")) ++rows;
+    CHECK(rows == limit_table().size());
+    for (const LimitEntry& entry : limit_table()) {
+        const std::string row = "| `" + std::string(entry.name) + "` | " +
+                                std::to_string(Limits{}.*entry.member) + " | `" + flag_of(entry) + "` | ";
+        CAPTURE(row);
+        CHECK(text.find(row) != std::string::npos);
+    }
 }
 
 TEST_CASE("batch serves the standard input") {

@@ -1,4 +1,4 @@
-#include "limit_table.hpp"
+#include "limit_flags.hpp"
 #include "operations/operation.hpp"
 #include "run.hpp"
 
@@ -140,7 +140,7 @@ TEST_CASE("a wrong positional argument is shown with its name, or with a caret")
 
 TEST_CASE("a wrong limit is refused with its name") {
     for (const LimitEntry& entry : limit_table()) {
-        CHECK(contains(run({"evaluate", "t", "--at", "1", entry.flag(), "?!"}).errors, entry.flag()));
+        CHECK(contains(run({"evaluate", "t", "--at", "1", flag_of(entry), "?!"}).errors, flag_of(entry)));
     }
     for (const std::string option : {"--jobs", "--timeout", "--degree"})
         CHECK(contains(run({"prove", "-e", "1 == 1", option, "?!"}).errors, option));

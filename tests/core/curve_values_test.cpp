@@ -1,4 +1,5 @@
 #include <blossom/core/spline/curve_values.hpp>
+#include <blossom/rational/resource_budget.hpp>
 #include "core_test.hpp"
 
 // Curves prepared to be evaluated at many parameters, held against Horner's rule and de Boor's triangle on
@@ -97,6 +98,22 @@ TEST_CASE("splines over few and over many integers", "[curve_values]") {
             }
         }
     }
+}
+
+TEST_CASE("what could not be prepared for lack of resources is prepared by the next who asks",
+          "[curve_values]") {
+    Limits little;
+    little.work = 1;
+    const auto check = [&](const auto& values, const Rational& t, const Rational& expected) {
+        {
+            const ResourceBudget budget(little);
+            CHECK(failure_code([&] { values(t); }) == ErrorCode::limit_exceeded);
+        }
+        CHECK(values(t) == Coordinates{expected});
+    };
+    const Rational large = Rational(1, pow(Integer(3), 100));
+    check(SplineValues(BSplineCurve(1, {0, 0, 1, 1}, {{0}, {large}})), Rational(1, 2), large / 2);
+    check(CurveValues(PolynomialCurve(Polynomial::monomial(40))), large, pow(large, 40));
 }
 
 TEST_CASE("prepared curves keep to the domain and to the limits", "[curve_values]") {

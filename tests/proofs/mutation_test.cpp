@@ -31,8 +31,7 @@ bool spoil(Statement& claim, Random& random) {
     std::vector<Expression*> places;
     for (Expression& side : claim.sides) {
         visit(side, [&](Expression& e) {
-            const bool changes = e.kind == ExpressionKind::sum || e.kind == ExpressionKind::difference ||
-                                 e.kind == ExpressionKind::number ||
+            const bool changes = e.kind == ExpressionKind::sum || e.kind == ExpressionKind::number ||
                                  (e.kind == ExpressionKind::name && e.children.size() == 1);
             if (changes) places.push_back(&e);
         });
@@ -40,16 +39,15 @@ bool spoil(Statement& claim, Random& random) {
     if (places.empty()) return false;
     Expression& place = *places[random.below(places.size())];
     if (place.kind == ExpressionKind::sum) {
-        place.kind = ExpressionKind::difference;
-    } else if (place.kind == ExpressionKind::difference) {
-        place.kind = ExpressionKind::sum;
+        char& sign = place.name[random.below(place.name.size())];
+        sign = sign == '+' ? '-' : '+';
     } else if (place.kind == ExpressionKind::number) {
         place.name = random.one_in(2) ? "7" : "1" + place.name;
     } else {
         // An index or, in a run, a bound.
         Expression index = place.children[0];
         place.children[0] = {
-            ExpressionKind::sum, 0, "", {std::move(index), {ExpressionKind::number, 0, "1", {}, {}}}, {}};
+            ExpressionKind::sum, 0, "+", {std::move(index), {ExpressionKind::number, 0, "1", {}, {}}}, {}};
     }
     return true;
 }

@@ -93,6 +93,22 @@ TEST_CASE("brackets nest up to the limit") {
           std::string::npos);
 }
 
+TEST_CASE("a sum or a product is a list, whatever stands in parentheses on its left") {
+    const auto side = [](const std::string& text) {
+        return parse("claim " + text + " == 0").blocks.at(0).statements.at(0).sides.at(0);
+    };
+    CHECK(side("a + b - c").children.size() == 3);
+    CHECK(side("a + b - c").name == "+-");
+    CHECK(side("a*b/c*d").children.size() == 4);
+    CHECK(side("(a + b) - c") == side("a + b - c"));
+    CHECK(side("(a/b)*c") == side("a/b*c"));
+    CHECK(side("a - (b + c)") != side("a - b + c"));
+    CHECK(side("a/(b*c)") != side("a/b*c"));
+    std::string sum = "1";
+    for (int i = 1; i < 50'000; ++i) sum += "+1";
+    CHECK(side(sum).children.size() == 50'000);
+}
+
 TEST_CASE("the canonical form") {
     CHECK(canonical("claim  a+b*c - (d-e)/ -f^2==(a^b)^c") == "claim a + b*c - (d - e)/-f^2 == (a^b)^c\n");
     CHECK(canonical("claim b[t_1 .. t_n,delta { k } ; <u , v>,t_{i+1}] == D(b,1)(t)+b''(t) + D(b,3)(t)") ==

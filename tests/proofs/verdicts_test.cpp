@@ -62,6 +62,30 @@ TEST_CASE("an error in one claim leaves the other lines of the block") {
         CHECK(by_case(decision) == "u");
 }
 
+TEST_CASE("long sums and products are decided, and long quotients refused") {
+    const auto repeated = [](std::size_t count, const std::string& first, const std::string& next) {
+        std::string text = "claim " + first;
+        for (std::size_t i = 1; i < count; ++i) text += next;
+        return text;
+    };
+    CHECK(verdicts(repeated(50'000, "1", "+1") + " == 50000") == "proved");
+    CHECK(verdicts(repeated(50'000, "1", "+1") + " == 50001") == "refuted");
+    CHECK(verdicts(repeated(50'000, "x", "-x") + " == -49998*x") == "proved");
+    CHECK(verdicts(repeated(5'000, "x", "*x") + " == x^5000") == "proved");
+    CHECK(verdicts(repeated(900, "x", "/y") + " == x/y^899") == "proved");
+    CHECK(verdicts(repeated(50'000, "x", "/y") + " == 1").find("the depth of the expression") !=
+          std::string::npos);
+}
+
+TEST_CASE("numbers before a point are one point with their sum as coordinate") {
+    const std::string lines = "map b degree 1\npoint P, Q in 1\n";
+    CHECK(verdicts(lines + "claim b(1 + 2 + P - Q) == b(3 + P - Q)") == "proved");
+    CHECK(verdicts(lines + "claim b(x - y + P - 5) == b((x - y) + P - 5)") == "proved");
+    CHECK(verdicts(lines + "claim b(P - Q + 2) == b(2 + (P - Q))") == "proved");
+    CHECK(verdicts(lines + "claim b(2*x/3*P*y/2*3) == x*y*b(P)") == "proved");
+    CHECK(verdicts(lines + "claim b(P/2/3*6) == b(P)") == "proved");
+}
+
 TEST_CASE("a limit of time ends one case, not the others") {
     const auto document =
         proofs::parse("for n in 0..1\nclaim sum(i, 1, 1000000*n, (a + b + c + i*d)^10) == 0");

@@ -152,8 +152,7 @@ TEST_CASE("a result has the members that its operation declares, and no others")
 
 TEST_CASE("a kind of map reads and writes the fields that it declares, and no others") {
     for (const Kind* kind : Kinds::all) {
-        for (const KindWord& word : kind->words) {
-            if (word.word.empty()) continue;
+        for (const KindWord& word : words_of(*kind)) {
             const std::string title = title_of(word, " with ");
             CAPTURE(title);
             const Observed& observed = observed_in(observation().kinds, title);

@@ -1,7 +1,6 @@
 #include <iterator>
 #include "answered.hpp"
 
-#include "limit_table.hpp"
 #include "operations/operation.hpp"
 
 namespace {
@@ -12,21 +11,6 @@ std::string document(const std::string& name) {
 }
 
 }  // namespace
-
-TEST_CASE("docs/limits.md lists the limits of the table, with flags and defaults") {
-    const std::string text = document("limits.md");
-    std::size_t rows = 0;
-    std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("| `")) ++rows;
-    CHECK(rows == limit_table().size());
-    for (const LimitEntry& entry : limit_table()) {
-        const std::string row = "| `" + std::string(entry.name) + "` | " +
-                                std::to_string(Limits{}.*entry.member) + " | `" + entry.flag() + "` | ";
-        CAPTURE(row);
-        CHECK(text.find(row) != std::string::npos);
-    }
-}
 
 TEST_CASE("the documents name every operation and every error code") {
     const std::string protocol = document("protocol.md");

@@ -54,6 +54,7 @@ const std::vector<Case> cases{
     {evaluate("{}"), "missing_field", "/map/kind"},
     {evaluate(R"({"kind": 5})"), "wrong_kind", "/map/kind"},
     {evaluate(R"({"kind": "klothoid"})"), "wrong_kind", "/map/kind"},
+    {evaluate(R"({"kind": ""})"), "wrong_kind", "/map/kind"},
     {polynomial(R"("degree": 2)"), "missing_field", "/map/coefficients"},
     {polynomial(R"("coefficients": [])"), "wrong_arity", "/map/coefficients"},
     {polynomial(R"("coefficients": "1")"), "wrong_kind", "/map/coefficients"},

@@ -16,7 +16,7 @@
 #include "explain/chapter_of.hpp"
 #include "explain_options.hpp"
 #include "json/json_text.hpp"
-#include "limit_table.hpp"
+#include "limit_flags.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
 #include "prove_command.hpp"
@@ -72,7 +72,7 @@ public:
         const Limits defaults;
         for (const LimitEntry& entry : limit_table()) {
             const std::string help = fmt::format("{}; by default {}", entry.help, defaults.*entry.member);
-            options_.push_back(add_value(app, entry.flag(), "N", help)->group("Limits"));
+            options_.push_back(add_value(app, flag_of(entry), "N", help)->group("Limits"));
         }
     }
     Limits read() const {

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "limit_flags.hpp"
 #include "protocol_names.hpp"
 #include "prove_command.hpp"
 #include "text/readable.hpp"
@@ -31,10 +32,10 @@ struct ProofText {
     }
     std::string diagnostic(const Error& error) const {
         const std::size_t offset = error.offset().value_or(0);
+        const Error flagged = with_flag(error);
         if (offset < prelude)
-            return proofs::diagnostic("--degree", std::string_view(content).substr(0, prelude), error);
-        return proofs::diagnostic(name, written(),
-                                  Error(error.code(), error.message(), error.place(), offset - prelude));
+            return proofs::diagnostic("--degree", std::string_view(content).substr(0, prelude), flagged);
+        return proofs::diagnostic(name, written(), flagged.at(offset - prelude));
     }
 
 private:

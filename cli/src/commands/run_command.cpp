@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "limit_table.hpp"
+#include "limit_flags.hpp"
 #include "operations/map_options.hpp"
 #include "proof_task.hpp"
 #include "responses.hpp"
@@ -16,15 +16,6 @@ namespace blossom::cli {
 namespace {
 
 constexpr std::size_t line_width = 76;
-
-/// The flag that raises the limit which the error names, " (--max-degree)"; "" if it names none.
-std::string flag_of(const Error& error) {
-    if (error.code() != ErrorCode::limit_exceeded) return "";
-    const auto named = std::ranges::find_if(limit_table(), [&](const LimitEntry& entry) {
-        return error.message().find(fmt::format("the limit {} =", entry.name)) != std::string::npos;
-    });
-    return named == limit_table().end() ? "" : fmt::format(" ({})", named->flag());
-}
 
 /// The line of `text` around `offset`, cut to what fits, and a caret below the place.
 std::string with_caret(std::string_view text, std::size_t offset, const Style& style) {
@@ -85,7 +76,7 @@ struct Refusal {
 /// Writes the error as a response in JSON, or as a message.
 Outcome report(const Refusal& refusal, const Command& command, const Streams& streams) {
     if (command.as_json) {
-        streams.output(to_text(error_response(Json(), refusal.error)) + "\n");
+        streams.output(to_text(error_response(Json(), refusal.error, add_flag)) + "\n");
     } else {
         streams.errors(
             readable_error(refusal.error, refusal.request, command, Style(streams.coloured_errors)));
@@ -137,7 +128,7 @@ Outcome answer_and_print(const Command& command, const Json& request, const Stre
 
 std::string readable_error(const Error& error, const Json& request, const Command& command,
                            const Style& style) {
-    std::string message = fmt::format("{} {}{}\n", style.bad("error:"), error.message(), flag_of(error));
+    std::string message = fmt::format("{} {}\n", style.bad("error:"), with_flag(error).message());
     const Json* place = at_place(request, error.place());
     const std::string* text = place ? place->text() : nullptr;
     if (text && error.offset()) return message + with_caret(*text, *error.offset(), style);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "limit_flags.hpp"
 #include "ordered_work.hpp"
 
 namespace blossom::cli {
@@ -103,8 +104,8 @@ Outcome serve_batch(const LineReader::Source& source, const Sink& sink, const Li
             const std::string_view line = std::string_view(part.text).substr(begin, end - begin);
             begin = end;
             try {
-                part.responses[i] =
-                    too_long ? protocol::refuse_long_line(limits) : protocol::answer(line, limits);
+                part.responses[i] = too_long ? protocol::refuse_long_line(limits, add_flag)
+                                             : protocol::answer(line, limits, add_flag);
             } catch (const std::bad_alloc&) {
                 part.responses[i] = {"", Outcome::refused};
             }

@@ -140,8 +140,12 @@ private:
         return true;
     }
 
+    [[noreturn]] void refuse(const Error& error, std::size_t position) const {
+        throw error.at(Place()).at(position).saying("column " + std::to_string(position + 1) + ": " +
+                                                    error.message());
+    }
     [[noreturn]] void fail_at(std::size_t position, ErrorCode code, const std::string& message) const {
-        throw Error(code, "column " + std::to_string(position + 1) + ": " + message, {}, position);
+        refuse(Error(code, message), position);
     }
     [[noreturn]] void fail(const std::string& expected) {
         const std::string found = at_end() ? "the end" : quoted(first_character(text_.substr(position_)));
@@ -153,7 +157,7 @@ private:
         try {
             return operation();
         } catch (const Error& error) {
-            fail_at(position, error.code(), error.message());
+            refuse(error, position);
         }
     }
 
@@ -228,9 +232,8 @@ private:
         return at(start, [&] {
             const auto value = parse_integer(digits, limits_).to_int64();
             if (!value || std::cmp_greater(*value, limits_.degree)) {
-                throw Error(ErrorCode::limit_exceeded,
-                            "the exponent " + std::string(digits.substr(0, 40)) +
-                                " exceeds the limit degree = " + std::to_string(limits_.degree));
+                throw limit_error("the exponent " + std::string(digits.substr(0, 40)) + " exceeds", "degree",
+                                  limits_.degree);
             }
             return static_cast<std::size_t>(*value);
         });
@@ -248,8 +251,7 @@ private:
         if (starts_name(next)) return variable();
         if (next != '(') fail("a number, a variable or '('");
         if (++depth_ > limits_.nesting) {
-            fail_at(start, ErrorCode::limit_exceeded,
-                    "brackets nested deeper than the limit nesting = " + std::to_string(limits_.nesting));
+            refuse(limit_error("brackets nested deeper than", "nesting", limits_.nesting), start);
         }
         ++position_;
         SparsePolynomial value = expression();

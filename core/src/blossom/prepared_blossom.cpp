@@ -2,10 +2,10 @@
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/made_once.hpp>
 
 #include <atomic>
 #include <cstddef>
-#include <mutex>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -122,15 +122,10 @@ struct Blossom::Shared {
     /// The prepared form, or nullptr while `count` more values are as cheap without it.
     const Kernel* kernel_for(std::size_t count) const {
         constexpr std::size_t values_without = 2;  // preparing costs about as much as one to four of them
-        const Kernel* known = ready.load(std::memory_order_acquire);
+        const Kernel* known = kernel.if_made();
         if (known || asked.fetch_add(count, std::memory_order_relaxed) + count <= values_without)
             return known;
-        const std::scoped_lock lock(preparing);  // not std::call_once, whose exceptions need more memory
-        if (!kernel) {
-            kernel.emplace(map, limits, BlossomSums::Use::many);
-            ready.store(&*kernel, std::memory_order_release);
-        }
-        return &*kernel;
+        return &kernel.value([&] { return Kernel(map, limits, BlossomSums::Use::many); });
     }
 
     /// One value without the prepared form, its coordinates from row `first` on.
@@ -149,9 +144,7 @@ struct Blossom::Shared {
     PolynomialMap map;
     Limits limits;
     mutable std::atomic<std::size_t> asked = 0;
-    mutable std::mutex preparing;
-    mutable std::optional<Kernel> kernel;
-    mutable std::atomic<const Kernel*> ready = nullptr;
+    MadeOnce<Kernel> kernel;
 };
 
 Blossom::Blossom(PolynomialMap map, Limits limits) : degree_(degree_of(map)), dimension_(dimension_of(map)) {

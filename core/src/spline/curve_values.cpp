@@ -2,13 +2,11 @@
 #include <blossom/core/maps/taylor_curve.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/curve_values.hpp>
+#include <blossom/rational/made_once.hpp>
 #include <blossom/rational/prepared_polynomial.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
-#include <mutex>
-#include <optional>
 
 #include "maps/on_threads.hpp"
 #include "maps/result_room.hpp"
@@ -104,7 +102,7 @@ public:
     Segments(const BSplineCurve& curve, const Limits& limits)
         : curve_(curve),
           limits_(limits),
-          segments_(std::make_unique<Segment[]>(curve.knots().size())),
+          segments_(std::make_unique<MadeOnce<Segment>[]>(curve.knots().size())),
           knots_(curve.knots().knots()) {
         read_words();
     }
@@ -122,40 +120,31 @@ public:
         if (__builtin_mul_overflow(segment.word_origin, denominator, &moved) ||
             __builtin_sub_overflow(numerator, moved, &moved))
             return evaluate_any(t, values);
-        segment.forms->evaluate(moved, denominator, values);
+        segment.forms.evaluate(moved, denominator, values);
     }
 
 private:
     struct Segment {
-        std::atomic<bool> is_ready = false;
-        std::once_flag once;
         Integer origin;
-        std::int64_t word_origin = 0;  ///< the same where knots are words
-        std::optional<CurveValues::Forms> forms;
+        std::int64_t word_origin;  ///< the same where knots are words
+        CurveValues::Forms forms;
     };
 
     [[gnu::noinline]] void evaluate_any(const Rational& t, std::span<Rational> values) const {
         const Segment& segment = prepared(curve_.knots().span_at(t));
-        segment.forms->evaluate(t - segment.origin, values);
+        segment.forms.evaluate(t - segment.origin, values);
     }
 
     const Segment& prepared(std::size_t span) const {
-        Segment& segment = segments_[span];
-        if (!segment.is_ready.load(std::memory_order_acquire)) prepare_once(span, segment);
-        return segment;
+        return segments_[span].value([&] { return segment(span); });
     }
 
-    [[gnu::noinline]] void prepare_once(std::size_t span, Segment& segment) const {
-        std::call_once(segment.once, [&] { prepare(span, segment); });
-    }
-
-    void prepare(std::size_t span, Segment& segment) const {
+    Segment segment(std::size_t span) const {
         const KnotVector& knots = curve_.knots();
         const PolynomialCurve whole = monomial_form(sablonniere(curve_, span, limits_), limits_);
-        segment.origin = floor_of(knots[span]);
-        segment.word_origin = segment.origin.to_int64().value_or(0);
-        segment.forms.emplace(taylor_form(whole, segment.origin, limits_).coefficients, limits_);
-        segment.is_ready.store(true, std::memory_order_release);
+        const Integer origin = floor_of(knots[span]);
+        return {origin, origin.to_int64().value_or(0),
+                CurveValues::Forms(taylor_form(whole, origin, limits_).coefficients, limits_)};
     }
 
     void read_words() {
@@ -198,7 +187,7 @@ private:
 
     BSplineCurve curve_;
     Limits limits_;
-    std::unique_ptr<Segment[]> segments_;
+    std::unique_ptr<MadeOnce<Segment>[]> segments_;
     RationalVector knots_;
     std::vector<std::int64_t> words_;  ///< the knots over `denominator_`
     std::int64_t denominator_ = 0;     ///< 0 unless all are words

@@ -39,8 +39,7 @@ void add_maps(Json::Object& definitions, Side side) {
     const std::string prefix = side == Side::request ? "" : "exact_";
     std::vector<std::string> names;
     for (const Kind* kind : Kinds::all) {
-        for (const KindWord& word : kind->words) {
-            if (word.word.empty()) continue;
+        for (const KindWord& word : words_of(*kind)) {
             Json schema = object_schema(word.members(), side, {{"kind", constant(word.word)}});
             if (schema.is_null()) continue;
             names.push_back(prefix + title_of(word, "_with_"));
@@ -74,10 +73,13 @@ Json error_schema() {
         if (static_cast<ErrorCode>(code) != ErrorCode::different_spaces)
             codes.push_back(error_name(static_cast<ErrorCode>(code)));
     }
-    return object_schema({{{"code", Shape::words(std::move(codes)), Presence::required, "what is wrong"},
-                           {"message", ValueKind::text, Presence::required, "the same as a sentence"},
-                           {"at", ValueKind::text, Presence::required, "a JSON Pointer into the request"}}},
-                         Side::result);
+    return object_schema(
+        {{{"code", Shape::words(std::move(codes)), Presence::required, "what is wrong"},
+          {"message", ValueKind::text, Presence::required, "the same as a sentence"},
+          {"at", ValueKind::text, Presence::required, "a JSON Pointer into the request"},
+          {"limit", ValueKind::text, Presence::optional, "the name of the limit that is exceeded"},
+          {"flag", ValueKind::text, Presence::optional, "the flag of the program that raises it"}}},
+        Side::result);
 }
 
 Json response_schema(bool ok, std::string_view member) {

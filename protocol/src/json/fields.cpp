@@ -25,8 +25,7 @@ std::size_t read_whole(const Json& value, const Limits& limits, std::size_t most
     }
     const auto small = number.numerator().to_int64();
     if (!small || static_cast<std::size_t>(*small) > most) {
-        throw Error(ErrorCode::limit_exceeded, to_string(number) + " exceeds the limit " + std::string(name) +
-                                                   " = " + std::to_string(most));
+        throw limit_error(to_string(number) + " exceeds", name, most);
     }
     return static_cast<std::size_t>(*small);
 }

@@ -138,8 +138,7 @@ private:
 
     bool open(auto container, const auto& add) {
         if (open_.size() >= limits_.nesting) {
-            throw Error(ErrorCode::limit_exceeded,
-                        "brackets nested deeper than the limit nesting = " + std::to_string(limits_.nesting));
+            throw limit_error("brackets nested deeper than", "nesting", limits_.nesting);
         }
         constexpr std::size_t usual_size = 4;
         container.reserve(usual_size);

@@ -2,8 +2,10 @@
 
 #include <blossom/core/maps/polynomial_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -50,8 +52,8 @@ struct Target {
 };
 
 struct Kind {
-    std::string_view name;  ///< its name in messages
-    std::array<KindWord, 3> words;
+    std::string_view name;          ///< its name in messages
+    std::array<KindWord, 3> words;  ///< see `words_of`
     Json (*write)(const Map& map);
     std::string (*formula)(const Map& map, std::string_view name);
     Target target = {};                                    ///< named if curves can be converted to this kind
@@ -59,6 +61,11 @@ struct Kind {
 };
 
 inline const Kind& kind_of(const Map& map) { return *Kinds::all[map.value.index()]; }
+
+/// The words of a kind, without the empty ones that fill its array.
+constexpr std::span<const KindWord> words_of(const Kind& kind) {
+    return {kind.words.begin(), std::ranges::find(kind.words, std::string_view(), &KindWord::word)};
+}
 
 /// The kind that the field "kind" of a map names; among several with this name, the one whose field is
 /// present. Errors: `wrong_kind`.

@@ -12,15 +12,15 @@ const KindWord& word_of(const Fields& fields, const Json& word) {
     const std::string& written = read_text(word);
     const KindWord* found = nullptr;
     for (const Kind* kind : Kinds::all) {
-        for (const KindWord& one : kind->words) {
+        for (const KindWord& one : words_of(*kind)) {
             if (one.word == written && (one.field.empty() ? !found : fields.has(one.field))) found = &one;
         }
     }
     if (found) return *found;
     std::vector<std::string_view> names;
     for (const Kind* kind : Kinds::all) {
-        for (const KindWord& one : kind->words) {
-            if (!one.word.empty() && one.field.empty()) names.push_back(one.word);
+        for (const KindWord& one : words_of(*kind)) {
+            if (one.field.empty()) names.push_back(one.word);
         }
     }
     throw Error(ErrorCode::wrong_kind, "the kind of map " + quoted(written) + " is not known" +

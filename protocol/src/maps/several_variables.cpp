@@ -192,7 +192,7 @@ Map read_several_variables(Fields& fields, const Limits& limits) {
         return {Patch{PolynomialPatch(shape, map.coordinates, limits), tensor, {}, std::move(names)}, form};
     } catch (const Error& error) {
         if (error.code() != ErrorCode::degree_too_low) throw;
-        throw Error(error.code(), error.message(), tensor ? Place{"degrees"} : Place{"degree"});
+        throw error.at(tensor ? Place{"degrees"} : Place{"degree"});
     }
 }
 

@@ -23,8 +23,7 @@ std::vector<DecidedLine> decisions_of(const std::string& statement, const Limits
     const auto refuse = [&](const Error& error) {
         if (!error.offset()) throw Error(error);
         const auto [line, column] = proofs::line_and_column(statement, *error.offset());
-        throw Error(error.code(), fmt::format("line {}, column {}: {}", line, column, error.message()), {},
-                    error.offset());
+        throw error.at(Place()).saying(fmt::format("line {}, column {}: {}", line, column, error.message()));
     };
     proofs::Document document = proofs::parse(statement, limits);
     if (!document.errors.empty()) refuse(document.errors.front());

@@ -2,12 +2,11 @@
 
 // What PreparedPolynomial keeps of its rows.
 
+#include <blossom/rational/made_once.hpp>
 #include <blossom/rational/prepared_polynomial.hpp>
 
 #include <atomic>
 #include <deque>
-#include <mutex>
-#include <optional>
 #include <vector>
 
 #include "evaluation_by_halves.hpp"
@@ -50,10 +49,8 @@ private:
     const Integer& denominator_;
     // As much is spent on what pays when many values follow as has been spent without.
     mutable std::atomic<std::size_t> asked_ = 0;
-    mutable std::once_flag once_plain_;
-    mutable std::once_flag once_prepared_;
-    mutable std::optional<EvaluationByHalves> plain_;
-    mutable std::optional<EvaluationByHalves> prepared_;
+    MadeOnce<EvaluationByHalves> plain_;
+    MadeOnce<EvaluationByHalves> prepared_;
 };
 
 struct PreparedPolynomial::Forms {

@@ -151,12 +151,9 @@ FormRow::FormRow(std::span<const Integer> coefficients, std::span<const std::int
       denominator_(denominator) {}
 
 Rational FormRow::value_by_halves(const Integer& u, const Integer& v) const {
-    if (asked_.fetch_add(1, std::memory_order_relaxed) < coefficients_.size()) {
-        std::call_once(once_plain_, [&] { plain_.emplace(coefficients_, denominator_, false); });
-        return plain_->value(u, v);
-    }
-    std::call_once(once_prepared_, [&] { prepared_.emplace(coefficients_, denominator_, true); });
-    return prepared_->value(u, v);
+    const bool prepared = asked_.fetch_add(1, std::memory_order_relaxed) >= coefficients_.size();
+    const auto make = [&] { return EvaluationByHalves(coefficients_, denominator_, prepared); };
+    return (prepared ? prepared_ : plain_).value(make).value(u, v);
 }
 
 PreparedPolynomial::Forms::Forms(RationalVector given, std::size_t row_count)

@@ -45,9 +45,8 @@ std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) 
     std::size_t value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (problem != std::errc{} || value > limits.digits) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the decimal exponent " + std::string(digits.substr(0, 40)) +
-                        " exceeds the limit digits = " + std::to_string(limits.digits));
+        throw limit_error("the decimal exponent " + std::string(digits.substr(0, 40)) + " exceeds", "digits",
+                          limits.digits);
     }
     return value;
 }

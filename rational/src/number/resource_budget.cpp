@@ -106,18 +106,19 @@ void refuse_bytes() {
 }
 
 Error ResourcesExceeded::error() const {
-    const std::string limit = std::to_string(limit_);
+    const auto exceeded = [&](std::string_view what, std::string_view name, const char* unit) {
+        const Error error = limit_error(what, name, limit_);
+        return error.saying(error.message() + unit);
+    };
     switch (resource_) {
         case Resource::work:
-            return {ErrorCode::limit_exceeded,
-                    "the work exceeds the limit work = " + limit + " word operations"};
+            return exceeded("the work exceeds", "work", " word operations");
         case Resource::memory:
-            return {ErrorCode::limit_exceeded, "the memory exceeds the limit memory = " + limit + " bytes"};
+            return exceeded("the memory exceeds", "memory", " bytes");
         case Resource::time:
             break;
     }
-    return {ErrorCode::limit_exceeded,
-            "the processor time exceeds the limit timeout = " + limit + " seconds"};
+    return exceeded("the processor time exceeds", "timeout", " seconds");
 }
 
 Error resource_error(const std::bad_alloc& problem) {

@@ -20,10 +20,8 @@ constexpr std::size_t most_terms = 24;
 [[noreturn]] void refuse(std::string_view statement, const Error& error) {
     if (!error.offset()) throw Error(error);
     const auto [line, column] = proofs::line_and_column(statement, *error.offset());
-    throw Error(
-        error.code(),
-        "line " + std::to_string(line) + ", column " + std::to_string(column) + ": " + error.message(),
-        error.place(), error.offset());
+    throw error.saying("line " + std::to_string(line) + ", column " + std::to_string(column) + ": " +
+                       error.message());
 }
 
 /// The case of the counterexample, written out if possible.

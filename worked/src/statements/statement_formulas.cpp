@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace blossom::worked {
 
@@ -50,12 +51,9 @@ Formula StatementFormulas::operator()(const Expression& e) {
         case ExpressionKind::negative:
             return negative(e.children[0]);
         case ExpressionKind::sum:
-        case ExpressionKind::difference:
             return sum(terms(e));
         case ExpressionKind::product:
             return product(factors(e));
-        case ExpressionKind::quotient:
-            return fraction((*this)(e.children[0]), (*this)(e.children[1]));
         case ExpressionKind::power:
             return power((*this)(e.children[0]), (*this)(e.children[1]));
         case ExpressionKind::pair:
@@ -93,15 +91,15 @@ Formula StatementFormulas::negative(const Expression& expression) {
     return product(std::move(parts));
 }
 
-/// The summands of what is added from the left.
 std::vector<Formula> StatementFormulas::terms(const Expression& e) {
-    if (e.kind != ExpressionKind::sum && e.kind != ExpressionKind::difference) return {(*this)(e)};
-    std::vector<Formula> all = terms(e.children[0]);
-    all.push_back(e.kind == ExpressionKind::sum ? (*this)(e.children[1]) : negative(e.children[1]));
+    if (e.kind != ExpressionKind::sum) return {(*this)(e)};
+    std::vector<Formula> all{(*this)(e.children[0])};
+    for (std::size_t i = 1; i < e.children.size(); ++i)
+        all.push_back(e.name[i - 1] == '+' ? (*this)(e.children[i]) : negative(e.children[i]));
     return all;
 }
 
-/// The factors of what is multiplied from the left. A sign in front is a factor -1.
+/// The factors of a product, a quotient being one of them. A sign in front is a factor -1.
 std::vector<Formula> StatementFormulas::factors(const Expression& e) {
     if (e.kind != ExpressionKind::product) {
         Formula only = (*this)(e);
@@ -110,7 +108,11 @@ std::vector<Formula> StatementFormulas::factors(const Expression& e) {
         return {std::move(only)};
     }
     std::vector<Formula> all = factors(e.children[0]);
-    all.push_back((*this)(e.children[1]));
+    for (std::size_t i = 1; i < e.children.size(); ++i) {
+        Formula next = (*this)(e.children[i]);
+        if (e.name[i - 1] == '/') next = fraction(product(std::exchange(all, {})), std::move(next));
+        all.push_back(std::move(next));
+    }
     return all;
 }
 

@@ -134,9 +134,8 @@ CaseOutcome BlockCase::decide(const Relation& relation, CaseDecision& decision) 
         outcome.root = walk(root, way);
     } catch (const Error& error) {
         if (error.code() != ErrorCode::limit_exceeded || way.agreed == 0) throw;
-        throw Error(error.code(),
-                    "it holds in the first case of the hypotheses, but of the other cases " + error.message(),
-                    {}, error.offset());
+        throw error.saying("it holds in the first case of the hypotheses, but of the other cases " +
+                           error.message());
     }
     if (outcome.witness) {
         decision.verdict = Verdict::refuted;

@@ -66,7 +66,7 @@ private:
     static void record(CaseDecision& decision, const Error& error, std::size_t offset) {
         decision.verdict = Verdict::undecided;
         decision.counterexample.reset();
-        decision.error = error.offset() ? error : Error(error.code(), error.message(), {}, offset);
+        decision.error = error.offset() ? error : error.at(Place()).at(offset);
     }
 
     void decide_choice(const Parameters& parameters) {

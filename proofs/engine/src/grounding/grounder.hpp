@@ -107,7 +107,8 @@ private:
     Value zero_of(const Kind& kind);
     Value sum_of(std::vector<Value> values, const Kind& kind);
     Value scaled(NodeId factor, const Value& value);
-    Value binary(const Expression& e);
+    Value sum(const Expression& e);
+    Value product(const Expression& e);
     Value chosen(const Expression& e);
     NodeId power(const Expression& e);
     NodeId derivative(const Expression& e);

@@ -16,16 +16,19 @@ constexpr std::size_t deepest = 1000;
 /// What grounding one expression costs, in term operations of an expansion.
 constexpr std::size_t steps_an_expression = 20;
 
+void require_depth(std::size_t depth, std::size_t offset) {
+    if (depth <= deepest) return;
+    throw Error(
+        ErrorCode::limit_exceeded,
+        "the depth of the expression, abbreviations included, exceeds the limit " + std::to_string(deepest),
+        {}, offset);
+}
+
 /// Counts how deep grounding is, abbreviations that refer to each other included.
 class Depth {
 public:
     Depth(std::size_t& depth, std::size_t offset) : depth_(depth) {
-        if (depth_ == deepest) {
-            throw Error(ErrorCode::limit_exceeded,
-                        "the depth of the expression, abbreviations included, exceeds the limit " +
-                            std::to_string(deepest),
-                        {}, offset);
-        }
+        require_depth(depth_ + 1, offset);
         ++depth_;
     }
     Depth(const Depth&) = delete;
@@ -88,10 +91,13 @@ Value Grounder::value(const Expression& e) {
         case ExpressionKind::copies:
         case ExpressionKind::run:
         case ExpressionKind::family:
-            refuse("this stands in a condition or among the arguments of a blossom only", e.offset);
-        default:
-            return binary(e);
+            break;
+        case ExpressionKind::sum:
+            return sum(e);
+        case ExpressionKind::product:
+            return product(e);
     }
+    refuse("this stands in a condition or among the arguments of a blossom only", e.offset);
 }
 
 /// A number as the point of the line with mass 1.
@@ -135,21 +141,52 @@ Value Grounder::scaled(NodeId factor, const Value& value) {
     return result;
 }
 
-Value Grounder::binary(const Expression& e) {
-    const Value left = value(e.children[0]);
-    const Value right = value(e.children[1]);
-    if (e.kind == ExpressionKind::sum) return sum_of({left, right}, {});
-    if (e.kind == ExpressionKind::difference) {
-        // A number taken from a vector or pair is a point, whose mass is taken too.
-        const bool geometric = std::holds_alternative<NodeArgument>(left);
-        return sum_of({left, scaled(constant(-1), geometric ? Value(as_argument(right)) : right)}, {});
+Value Grounder::sum(const Expression& e) {
+    std::vector<Value> summands{value(e.children[0])};
+    bool geometric = std::holds_alternative<NodeArgument>(summands.front());
+    for (std::size_t i = 1; i < e.children.size(); ++i) {
+        Value next = value(e.children[i]);
+        if (!geometric && std::holds_alternative<NodeArgument>(next)) {
+            // All the numbers before it are one point.
+            summands = {sum_of(std::move(summands), {})};
+            geometric = true;
+        } else if (geometric) {
+            // A number taken from a vector or pair is a point, whose mass is taken too.
+            next = as_argument(next);
+        }
+        summands.push_back(e.name[i - 1] == '-' ? scaled(constant(-1), next) : std::move(next));
     }
-    const NodeId* a = std::get_if<NodeId>(&left);
-    const NodeId* b = std::get_if<NodeId>(&right);
-    if (e.kind == ExpressionKind::product)
-        return a ? scaled(*a, right) : scaled(std::get<NodeId>(right), left);
-    if (a) return divide(*a, *b, e.children[1].offset);
-    return scaled(divide(constant(1), *b, e.children[1].offset), left);
+    return sum_of(std::move(summands), {});
+}
+
+Value Grounder::product(const Expression& e) {
+    std::vector<NodeId> factors;
+    std::optional<NodeArgument> geometric;
+    const auto take = [&](Value next) {
+        if (const NodeId* factor = std::get_if<NodeId>(&next)) {
+            factors.push_back(*factor);
+        } else {
+            geometric = std::get<NodeArgument>(std::move(next));
+        }
+    };
+    // Each quotient contains those before it.
+    require_depth(depth_ + static_cast<std::size_t>(std::ranges::count(e.name, '/')), e.offset);
+    take(value(e.children[0]));
+    for (std::size_t i = 1; i < e.children.size(); ++i) {
+        const Expression& child = e.children[i];
+        if (e.name[i - 1] == '*') {
+            take(value(child));
+            continue;
+        }
+        const NodeId divisor = scalar(child);
+        if (geometric) {
+            factors.push_back(divide(constant(1), divisor, child.offset));
+        } else {
+            factors = {divide(multiply(std::move(factors)), divisor, child.offset)};
+        }
+    }
+    const NodeId factor = multiply(std::move(factors));
+    return geometric ? scaled(factor, *geometric) : Value(factor);
 }
 
 NodeId Grounder::power(const Expression& e) {

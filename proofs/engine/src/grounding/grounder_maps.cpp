@@ -110,10 +110,8 @@ std::vector<Direction> Grounder::directions(const Statement& statement) {
         result[0].dimension = count(statement.dimension[0]);
     }
     if (number_of_coefficients(result) > limits_.variables) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the number of coefficients of the map exceeds the limit variables = " +
-                        std::to_string(limits_.variables),
-                    {}, statement.offset);
+        throw limit_error("the number of coefficients of the map exceeds", "variables", limits_.variables, {},
+                          statement.offset);
     }
     return result;
 }
@@ -256,10 +254,8 @@ void Grounder::declare_raised(const Statement& statement) {
         map.directions[i].degree = degree;
     }
     if (number_of_coefficients(map.directions) > limits_.variables) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the number of coefficients of the map exceeds the limit variables = " +
-                        std::to_string(limits_.variables),
-                    {}, statement.offset);
+        throw limit_error("the number of coefficients of the map exceeds", "variables", limits_.variables, {},
+                          statement.offset);
     }
     const auto known = monomials(before.directions);
     const std::size_t steps =

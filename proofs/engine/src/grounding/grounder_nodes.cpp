@@ -26,10 +26,8 @@ bool Grounder::is_one(NodeId id) const {
 void Grounder::spend(std::size_t steps, std::size_t offset) {
     steps_ += steps;
     if (steps_ <= limits_.expansion_work) return;
-    throw Error(ErrorCode::limit_exceeded,
-                "the number of steps to write the statement out exceeds the limit expansion_work = " +
-                    std::to_string(limits_.expansion_work),
-                {}, offset);
+    throw limit_error("the number of steps to write the statement out exceeds", "expansion_work",
+                      limits_.expansion_work, {}, offset);
 }
 
 NodeId Grounder::push(Node node, std::size_t offset) {
@@ -101,7 +99,7 @@ NodeId Grounder::raise(NodeId base, std::size_t exponent, std::size_t offset) {
             return constant(pow(*value, exponent));
         }
     } catch (const Error& error) {
-        throw Error(error.code(), error.message(), {}, offset);
+        throw error.at(Place()).at(offset);
     }
     // The power 0 is kept: it is 1 only where its base is defined.
     return exponent == 1 ? base : push({NodeKind::power, {}, exponent, {base}, 0});

@@ -24,10 +24,8 @@ Set interval_to(std::size_t n) {
 
 void require_elements(const Integer& elements, const Limits& limits, std::size_t offset) {
     if (elements <= Integer(limits.expansion_terms)) return;
-    throw Error(ErrorCode::limit_exceeded,
-                "the number of elements or cases exceeds the limit expansion_terms = " +
-                    std::to_string(limits.expansion_terms),
-                {}, offset);
+    throw limit_error("the number of elements or cases exceeds", "expansion_terms", limits.expansion_terms,
+                      {}, offset);
 }
 
 Grounder::Binding::Binding(Grounder& grounder, const std::string& name, Bound value)
@@ -77,10 +75,8 @@ std::size_t Grounder::count(const Expression& e) {
                     {}, e.offset);
     }
     if (static_cast<std::size_t>(value) > limits_.degree) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the number " + std::to_string(value) +
-                        " exceeds the limit degree = " + std::to_string(limits_.degree),
-                    {}, e.offset);
+        throw limit_error("the number " + std::to_string(value) + " exceeds", "degree", limits_.degree, {},
+                          e.offset);
     }
     return static_cast<std::size_t>(value);
 }

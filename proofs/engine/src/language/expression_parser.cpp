@@ -11,9 +11,25 @@ namespace blossom::proofs {
 
 namespace {
 
-Expression binary(ExpressionKind kind, Expression left, Expression right) {
-    const std::size_t offset = left.offset;
-    return {kind, offset, "", {std::move(left), std::move(right)}, {}};
+/// Without copies of them, which an initializer list would make.
+template <class... Children>
+std::vector<Expression> children(Children... of) {
+    std::vector<Expression> list;
+    list.reserve(sizeof...(of));
+    (list.push_back(std::move(of)), ...);
+    return list;
+}
+
+/// The sum or product of `left` and `right`, a list and not a deep tree however long it is. What stands in
+/// parentheses on the left belongs to the list: (x + y) + z is x + y + z.
+Expression appended(ExpressionKind kind, Expression left, char sign, Expression right) {
+    if (left.kind != kind) {
+        const std::size_t offset = left.offset;
+        left = {kind, offset, "", children(std::move(left)), {}};
+    }
+    left.name += sign;
+    left.children.push_back(std::move(right));
+    return left;
 }
 
 /// Counts how deep the parser is, for as long as it lives.
@@ -22,10 +38,7 @@ public:
     Nesting(std::size_t& depth, const Limits& limits, std::size_t offset) : depth_(depth) {
         if (++depth_ <= limits.nesting) return;
         --depth_;
-        throw Error(
-            ErrorCode::limit_exceeded,
-            "the nesting of the expression exceeds the limit nesting = " + std::to_string(limits.nesting), {},
-            offset);
+        throw limit_error("the nesting of the expression exceeds", "nesting", limits.nesting, {}, offset);
     }
     Nesting(const Nesting&) = delete;
     Nesting& operator=(const Nesting&) = delete;
@@ -44,9 +57,9 @@ Expression ExpressionParser::expression() { return sum(); }
 Expression ExpressionParser::sum() {
     Expression left = product();
     while (is("+") || is("-")) {
-        const auto kind = is("+") ? ExpressionKind::sum : ExpressionKind::difference;
+        const char sign = next().text.front();
         skip();
-        left = binary(kind, std::move(left), product());
+        left = appended(ExpressionKind::sum, std::move(left), sign, product());
     }
     return left;
 }
@@ -54,9 +67,9 @@ Expression ExpressionParser::sum() {
 Expression ExpressionParser::product() {
     Expression left = signed_factor();
     while (is("*") || is("/")) {
-        const auto kind = is("*") ? ExpressionKind::product : ExpressionKind::quotient;
+        const char sign = next().text.front();
         skip();
-        left = binary(kind, std::move(left), signed_factor());
+        left = appended(ExpressionKind::product, std::move(left), sign, signed_factor());
     }
     return left;
 }
@@ -70,8 +83,9 @@ Expression ExpressionParser::signed_factor() {
 
 Expression ExpressionParser::power() {
     Expression base = primary();
-    if (take("^")) return binary(ExpressionKind::power, std::move(base), signed_factor());
-    return base;
+    if (!take("^")) return base;
+    const std::size_t offset = base.offset;
+    return {ExpressionKind::power, offset, "", children(std::move(base), signed_factor()), {}};
 }
 
 Expression ExpressionParser::primary() {

@@ -17,10 +17,8 @@ enum Binding { loose, additive, multiplicative, prefix, exponential, primary };
 Binding binding_of(const Expression& expression) {
     switch (expression.kind) {
         case ExpressionKind::sum:
-        case ExpressionKind::difference:
             return additive;
         case ExpressionKind::product:
-        case ExpressionKind::quotient:
             return multiplicative;
         case ExpressionKind::negative:
             return prefix;
@@ -50,8 +48,20 @@ private:
         return joined(elements, [&](const Expression& element) { return print(element); });
     }
 
-    std::string binary(const Expression& e, Binding left, std::string_view sign, Binding right) const {
-        return print(e.children[0], left) + std::string(sign) + print(e.children[1], right);
+    std::string sum(const Expression& e) const {
+        std::string text = print(e.children[0], additive);
+        for (std::size_t i = 1; i < e.children.size(); ++i) {
+            const std::string sign(1, e.name[i - 1]);
+            text += (tight_ ? sign : " " + sign + " ") + print(e.children[i], multiplicative);
+        }
+        return text;
+    }
+
+    std::string product(const Expression& e) const {
+        std::string text = print(e.children[0], multiplicative);
+        for (std::size_t i = 1; i < e.children.size(); ++i)
+            text += e.name[i - 1] + print(e.children[i], prefix);
+        return text;
     }
 
     static std::string name(const Expression& e) {
@@ -100,13 +110,9 @@ private:
             case ExpressionKind::negative:
                 return "-" + print(e.children[0], prefix);
             case ExpressionKind::sum:
-                return binary(e, additive, tight_ ? "+" : " + ", multiplicative);
-            case ExpressionKind::difference:
-                return binary(e, additive, tight_ ? "-" : " - ", multiplicative);
+                return sum(e);
             case ExpressionKind::product:
-                return binary(e, multiplicative, "*", prefix);
-            case ExpressionKind::quotient:
-                return binary(e, multiplicative, "/", prefix);
+                return product(e);
             case ExpressionKind::power:
                 return print(e.children[0], primary) + "^" + tightly(e.children[1], prefix);
             case ExpressionKind::pair:

@@ -115,8 +115,10 @@ private:
     Kind member(const Expression& e);
     Kind declared(const Declared& declared);
     Kind sum(const Expression& e);
+    Kind sum(Kind a, Kind b, bool difference, std::size_t offset);
     Kind product(const Expression& e);
-    Kind quotient(const Expression& e);
+    Kind product(const Kind& a, const Kind& b, std::size_t offset);
+    Kind quotient(const Kind& a, const Kind& b, std::size_t offset, std::size_t divisor_offset);
     Kind call(const Expression& e);
     Kind over(const Expression& e);
     Kind determinant(const Expression& e);

@@ -25,12 +25,9 @@ Kind Kinds::inferred(const Expression& e) {
             refuse_kind(to_text(kind) + " has no negative", e.offset);
         }
         case ExpressionKind::sum:
-        case ExpressionKind::difference:
             return sum(e);
         case ExpressionKind::product:
             return product(e);
-        case ExpressionKind::quotient:
-            return quotient(e);
         case ExpressionKind::power: {
             const Kind base = require_number(e.children[0]);
             require_integer(e.children[1]);
@@ -105,8 +102,13 @@ Kind Kinds::declared(const Declared& declared) {
 
 /// Masses add: a point and a vector make a point, a point less a point a vector, and two points a pair.
 Kind Kinds::sum(const Expression& e) {
-    Kind a = infer(e.children[0]);
-    Kind b = infer(e.children[1]);
+    Kind kind = infer(e.children[0]);
+    for (std::size_t i = 1; i < e.children.size(); ++i)
+        kind = sum(kind, infer(e.children[i]), e.name[i - 1] == '-', e.offset);
+    return kind;
+}
+
+Kind Kinds::sum(Kind a, Kind b, bool difference, std::size_t offset) {
     if (a.name == KindName::unknown || b.name == KindName::unknown) {
         const Kind known = a.name == KindName::unknown ? b : a;
         return known.name == KindName::point ? Kind{KindName::pair, known.dimension} : known;
@@ -117,8 +119,7 @@ Kind Kinds::sum(const Expression& e) {
         if (kind->is_number()) *kind = {KindName::point, 1};
     }
     if (!a.is_geometric() || !b.is_geometric() || a.dimension != b.dimension)
-        refuse_kind(to_text(a) + " and " + to_text(b) + " cannot be added", e.offset);
-    const bool difference = e.kind == ExpressionKind::difference;
+        refuse_kind(to_text(a) + " and " + to_text(b) + " cannot be added", offset);
     const auto mass = [](const Kind& kind) { return kind.name == KindName::point ? 1 : 0; };
     if (a.name == KindName::pair || b.name == KindName::pair) return {KindName::pair, a.dimension};
     const int sum = mass(a) + (difference ? -mass(b) : mass(b));
@@ -126,30 +127,36 @@ Kind Kinds::sum(const Expression& e) {
 }
 
 Kind Kinds::product(const Expression& e) {
-    const Kind a = infer(e.children[0]);
-    const Kind b = infer(e.children[1]);
+    Kind kind = infer(e.children[0]);
+    for (std::size_t i = 1; i < e.children.size(); ++i) {
+        const Kind next = infer(e.children[i]);
+        kind = e.name[i - 1] == '*' ? product(kind, next, e.offset)
+                                    : quotient(kind, next, e.offset, e.children[i].offset);
+    }
+    return kind;
+}
+
+Kind Kinds::product(const Kind& a, const Kind& b, std::size_t offset) {
     if (a.is_number() && b.is_number()) return a == b ? a : number_kind;
     if (a.name == KindName::unknown && b.name == KindName::unknown) return a;
     if (a.is_geometric() && b.is_geometric())
-        refuse_kind("two points or vectors cannot be multiplied", e.offset);
+        refuse_kind("two points or vectors cannot be multiplied", offset);
     for (const Kind& kind : {a, b}) {
         if (kind.is_geometric())
             return {kind.name == KindName::vector ? kind.name : KindName::pair, kind.dimension};
         if (!kind.is_number() && kind.name != KindName::unknown)
-            refuse_kind(to_text(kind) + " cannot be multiplied", e.offset);
+            refuse_kind(to_text(kind) + " cannot be multiplied", offset);
     }
     return {};
 }
 
-Kind Kinds::quotient(const Expression& e) {
-    const Kind a = infer(e.children[0]);
-    const Kind b = infer(e.children[1]);
+Kind Kinds::quotient(const Kind& a, const Kind& b, std::size_t offset, std::size_t divisor_offset) {
     if (!b.is_number() && b.name != KindName::unknown)
-        refuse_kind(to_text(b) + " cannot divide", e.children[1].offset);
+        refuse_kind(to_text(b) + " cannot divide", divisor_offset);
     if (a.is_geometric()) return {a.name == KindName::vector ? a.name : KindName::pair, a.dimension};
     if (a.is_number()) return a == b ? a : number_kind;
     if (a.name == KindName::unknown) return a;
-    refuse_kind(to_text(a) + " cannot be divided", e.offset);
+    refuse_kind(to_text(a) + " cannot be divided", offset);
 }
 
 void Kinds::require_integer(const Expression& e) {

@@ -52,7 +52,8 @@ std::string_view error_name(ErrorCode code);
 ///
 /// `message` is one sentence that names the place, the value and the rule. `place` is the offending part of
 /// the input, relative to what was being read or called. `offset` is where in a text that was being read, in
-/// bytes from its beginning.
+/// bytes from its beginning. `limit` is the name of the limit that is exceeded, see `limit_error`; "" if none
+/// is.
 class Error : public std::exception {
 public:
     Error(ErrorCode code, std::string message, Place place = {}, std::optional<std::size_t> offset = {})
@@ -62,18 +63,41 @@ public:
     const std::string& message() const { return message_; }
     const Place& place() const { return place_; }
     std::optional<std::size_t> offset() const { return offset_; }
+    std::string_view limit() const { return limit_; }
     const char* what() const noexcept override { return message_.c_str(); }
 
     /// The same error seen from outside: its place lies below `outer`.
-    Error below(const Place& outer) const { return {code_, message_, outer.around(place_), offset_}; }
+    Error below(const Place& outer) const { return at(outer.around(place_)); }
     /// The same error at another place.
-    Error at(Place place) const { return {code_, message_, std::move(place), offset_}; }
+    Error at(Place place) const {
+        Error error = *this;
+        error.place_ = std::move(place);
+        return error;
+    }
+    Error at(std::size_t offset) const {
+        Error error = *this;
+        error.offset_ = offset;
+        return error;
+    }
+    /// The same error in other words.
+    Error saying(std::string message) const {
+        Error error = *this;
+        error.message_ = std::move(message);
+        return error;
+    }
+    /// The same error, for exceeding the limit with this name, a literal.
+    Error exceeding(std::string_view limit) const {
+        Error error = *this;
+        error.limit_ = limit;
+        return error;
+    }
 
 private:
     ErrorCode code_;
     std::string message_;
     Place place_;
     std::optional<std::size_t> offset_;
+    std::string_view limit_;
 };
 
 /// Runs `action`; an error in it lies below the parameter, or the element of a list.

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
+#include <optional>
 #include <string_view>
 
+#include <blossom/rational/error.hpp>
 #include <blossom/rational/place.hpp>
 
 namespace blossom {
@@ -26,6 +27,10 @@ struct Limits {
     std::size_t memory = 1 << 30;               ///< bytes that a `ResourceBudget` takes at once
     std::size_t timeout = 10;                   ///< seconds of processor time of one; 0: no limit
 };
+
+/// `limit_exceeded` with the message "<what> the limit <name> = <limit>", where `what` says what exceeds it.
+Error limit_error(std::string_view what, std::string_view name, std::size_t limit, const Place& place = {},
+                  std::optional<std::size_t> offset = {});
 
 /// Throws `limit_exceeded` unless `value <= limit`.
 /// The message reads "<what> <value> exceeds the limit <name> = <limit>".

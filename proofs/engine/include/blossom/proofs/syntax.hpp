@@ -13,10 +13,8 @@ enum class ExpressionKind {
     number,      ///< name: the text as written
     name,        ///< name; children: the indices of t_3, t_{i,j}
     negative,    ///< -x
-    sum,         ///< x + y
-    difference,  ///< x - y
-    product,     ///< x * y
-    quotient,    ///< x / y
+    sum,         ///< x + y - z; name: the signs between the children, "+-"
+    product,     ///< x * y / z; name: likewise, "*/"
     power,       ///< x ^ y
     pair,        ///< <u, v>
     point,       ///< (x, y): the point with these coordinates

@@ -10,8 +10,7 @@
 namespace blossom::proofs::second {
 
 void WorkLimit::exceeded(const char* name, std::size_t limit) {
-    throw Error(ErrorCode::limit_exceeded,
-                "the evaluation exceeds the limit " + std::string(name) + " = " + std::to_string(limit));
+    throw limit_error("the evaluation exceeds", name, limit);
 }
 
 void require_short_product(const Rational& a, const Rational& b, const Limits& limits) {

@@ -99,7 +99,7 @@ std::vector<typename Field::Element> Evaluation<Field>::polynomial_coefficients(
         return coefficients_from(map, shape, 0, shape.directions.front().degree, scope);
     } catch (const Error& error) {
         if (error.offset()) throw;
-        throw Error(error.code(), error.message(), error.place(), reading_.node(map.body).offset);
+        throw error.at(reading_.node(map.body).offset);
     }
 }
 

@@ -17,10 +17,8 @@ public:
         constexpr std::size_t most = 1000;  // what the stack bears
         if (++depth_ > std::min(limits.nesting, most)) {
             --depth_;
-            throw Error(ErrorCode::limit_exceeded,
-                        "the expressions within expressions exceed the limit nesting = " +
-                            std::to_string(limits.nesting),
-                        {}, offset);
+            throw limit_error("the expressions within expressions exceed", "nesting", limits.nesting, {},
+                              offset);
         }
     }
     NestingLevel(const NestingLevel&) = delete;

@@ -10,9 +10,7 @@ namespace blossom::proofs::second {
 
 void Budget::spend(std::size_t operations) {
     if (operations > work_ - spent_) {
-        throw Error(
-            ErrorCode::limit_exceeded,
-            "the number of term operations exceeds the limit expansion_work = " + std::to_string(work_));
+        throw limit_error("the number of term operations exceeds", "expansion_work", work_);
     }
     spent_ += operations;
     constexpr std::uint64_t words_of_operation = 32;
@@ -23,23 +21,19 @@ void Budget::spend_on_bits(std::size_t bits, std::size_t terms) {
     constexpr std::size_t bits_of_an_operation = 1024;
     if (bits < bits_of_an_operation) return;
     if (bits / 4 > digits_) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the digits of a number exceed the limit digits = " + std::to_string(digits_));
+        throw limit_error("the digits of a number exceed", "digits", digits_);
     }
     spend(bits / bits_of_an_operation * terms);
 }
 
 void Budget::require_terms(std::size_t terms, std::size_t words_per_term) const {
     if (terms > terms_) {
-        throw Error(ErrorCode::limit_exceeded,
-                    "the number of terms, " + std::to_string(terms) +
-                        ", exceeds the limit expansion_terms = " + std::to_string(terms_));
+        throw limit_error("the number of terms, " + std::to_string(terms) + ", exceeds", "expansion_terms",
+                          terms_);
     }
     if (words_per_term > 32 && terms > terms_ * 32 / words_per_term) {
-        throw Error(
-            ErrorCode::limit_exceeded,
-            "a polynomial of " + std::to_string(terms) +
-                " terms has too many symbols for the limit expansion_terms = " + std::to_string(terms_));
+        throw limit_error("a polynomial of " + std::to_string(terms) + " terms has too many symbols for",
+                          "expansion_terms", terms_);
     }
 }
 
