@@ -19,19 +19,15 @@ ProgressiveFrame::ProgressiveFrame(std::span<const Rational> knots, std::span<co
         for (const Coordinates& point : points) {
             rows_[j].push_back(point[j].numerator() * divide_exactly(denominator_, point[j].denominator()));
         }
-        bits_ = std::max(bits_, greatest_bit_length(rows_[j]));
     }
-    knot_bits_ = std::max(greatest_bit_length(knots_.numerators()), knots_.denominator().bit_length());
 }
 
 ProgressiveFrame::ProgressiveFrame(const ProgressiveCurve& curve, const Limits& limits)
     : knots_(curve.knots()),
       denominator_(curve.control_points().denominator()),
-      bits_(greatest_bit_length(curve.control_points().numbers().numerators())),
       limits_(limits) {
     require_within(degree(), limits.degree, "degree", "the formal degree", Part::degree);
     for (const auto row : curve.control_points().rows()) rows_.emplace_back(row.begin(), row.end());
-    knot_bits_ = std::max(greatest_bit_length(knots_.numerators()), knots_.denominator().bit_length());
 }
 
 Coordinates ProgressiveFrame::value(std::span<const Argument> arguments) const {
@@ -54,20 +50,17 @@ BezierCurve ProgressiveFrame::control_points(const Interval& interval) const {
 }
 
 ProgressiveDescent::ProgressiveDescent(const ProgressiveFrame& frame)
-    : triangle_(frame.rows_, frame.knots_.numerators(), frame.knots_.denominator()),
-      denominator_(frame.denominator_),
-      bits_(frame.bits_),
-      knot_bits_(frame.knot_bits_),
-      limits_(frame.limits_) {}
+    : triangle_(frame.rows_, frame.knots_), denominator_(frame.denominator_), limits_(frame.limits_) {}
 
 void ProgressiveDescent::descend(const Argument& argument) {
     const Integer cleared = lcm(argument.u.denominator(), argument.mass.denominator());
     const HomogeneousPair<Integer> pair{
         argument.u.numerator() * divide_exactly(cleared, argument.u.denominator()),
         argument.mass.numerator() * divide_exactly(cleared, argument.mass.denominator())};
-    bits_ += std::max(pair.u.bit_length(), pair.mass.bit_length()) + knot_bits_ + 2;
     triangle_.descend(pair);
-    require_result_bits(bits_ + triangle_.denominator().bit_length(), limits_);
+    std::size_t bits = 0;
+    for (const auto& row : triangle_.rows()) bits = std::max(bits, greatest_bit_length(row));
+    require_result_bits(bits, limits_);
     denominator_ *= cleared;
 }
 

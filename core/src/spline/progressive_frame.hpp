@@ -9,7 +9,7 @@
 
 namespace blossom {
 
-/// 2n knots over one denominator and n + 1 points over another.
+/// 2n knots, which live as long as the frame, and n + 1 points over one denominator.
 class ProgressiveFrame {
 public:
     ProgressiveFrame(std::span<const Rational> knots, std::span<const Coordinates> points,
@@ -25,11 +25,9 @@ public:
 private:
     friend class ProgressiveDescent;
 
-    RationalVector knots_;
+    std::span<const Rational> knots_;
     std::vector<std::vector<Integer>> rows_;
     Integer denominator_;
-    std::size_t bits_ = 0;       ///< of the greatest entry of the rows
-    std::size_t knot_bits_ = 0;  ///< of the greatest knot and its denominator
     Limits limits_;
 };
 
@@ -51,8 +49,6 @@ public:
 private:
     constructions::ProgressiveTriangle<Integer> triangle_;
     Integer denominator_;
-    std::size_t bits_;
-    std::size_t knot_bits_;
     Limits limits_;
 };
 
