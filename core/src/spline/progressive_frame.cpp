@@ -53,15 +53,12 @@ ProgressiveDescent::ProgressiveDescent(const ProgressiveFrame& frame)
     : triangle_(frame.rows_, frame.knots_), denominator_(frame.denominator_), limits_(frame.limits_) {}
 
 void ProgressiveDescent::descend(const Argument& argument) {
-    const Integer cleared = lcm(argument.u.denominator(), argument.mass.denominator());
-    const HomogeneousPair<Integer> pair{
-        argument.u.numerator() * divide_exactly(cleared, argument.u.denominator()),
-        argument.mass.numerator() * divide_exactly(cleared, argument.mass.denominator())};
-    triangle_.descend(pair);
+    const ClearedArguments cleared = cleared_one_by_one({&argument, 1});
+    triangle_.descend(cleared.pairs.front());
     std::size_t bits = 0;
     for (const auto& row : triangle_.rows()) bits = std::max(bits, greatest_bit_length(row));
     require_result_bits(bits, limits_);
-    denominator_ *= cleared;
+    denominator_ *= cleared.scales.front();
 }
 
 }  // namespace blossom
