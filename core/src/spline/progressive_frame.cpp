@@ -23,9 +23,7 @@ ProgressiveFrame::ProgressiveFrame(std::span<const Rational> knots, std::span<co
 }
 
 ProgressiveFrame::ProgressiveFrame(const ProgressiveCurve& curve, const Limits& limits)
-    : knots_(curve.knots()),
-      denominator_(curve.control_points().denominator()),
-      limits_(limits) {
+    : knots_(curve.knots()), denominator_(curve.control_points().denominator()), limits_(limits) {
     require_within(degree(), limits.degree, "degree", "the formal degree", Part::degree);
     for (const auto row : curve.control_points().rows()) rows_.emplace_back(row.begin(), row.end());
 }
