@@ -10,6 +10,7 @@ void measure_curves(const Report& report);
 void measure_evaluation(const Report& report);
 void measure_splines(const Report& report);
 void measure_agreement(const Report& report);
+void measure_patches(const Report& report);
 void measure_threads(const Report& report);
 void measure_machine(const Report& report);
 /// A table in Markdown of times at several degrees, with the exponents; of one work alone, unless empty.

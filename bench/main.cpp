@@ -82,6 +82,7 @@ int main(int argc, char** argv) {
     measure_evaluation(report);
     measure_splines(report);
     measure_agreement(report);
+    measure_patches(report);
     measure_threads(report);
     measure_machine(report);
     return 0;

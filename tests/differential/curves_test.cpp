@@ -28,7 +28,6 @@ Rational rational_near(Random& random, std::size_t bits, std::size_t denominator
 /// f(arguments) for the values over 2n knots, by the plain triangle.
 Coordinates value_of(std::span<const Rational> knots, std::span<const Coordinates> points,
                      const std::vector<Argument>& arguments) {
-    const RationalVector integers(knots);
     const PointArray values(points);
     std::vector<HomogeneousPair<Integer>> pairs;
     Integer denominator = values.denominator();
@@ -38,8 +37,7 @@ Coordinates value_of(std::span<const Rational> knots, std::span<const Coordinate
         denominator *= cleared;
     }
     const auto rows = values.rows();
-    const auto value = constructions::by_progressive_values<Integer>(rows, integers.numerators(),
-                                                                     integers.denominator(), pairs);
+    const auto value = constructions::by_progressive_values<Integer>(rows, knots, pairs);
     Coordinates point;
     for (const Integer& numerator : value.numerators)
         point.emplace_back(numerator, value.denominator * denominator);

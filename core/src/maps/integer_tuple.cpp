@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 namespace blossom {
 
@@ -11,7 +14,9 @@ Tuple<Integer> scaled(const Coordinates& tuple, const Integer& scale) {
     Tuple<Integer> entries;
     entries.reserve(tuple.size());
     for (const Rational& entry : tuple) {
-        entries.push_back(entry.numerator() * divide_exactly(scale, entry.denominator()));
+        entries.push_back(entry.denominator() == scale
+                              ? entry.numerator()
+                              : entry.numerator() * divide_exactly(scale, entry.denominator()));
     }
     return entries;
 }
@@ -31,11 +36,48 @@ std::size_t IntegerTuple::bits() const {
     return std::max(greatest_bit_length(entries) + std::bit_width(entries.size()), scale.bit_length());
 }
 
+// The longest denominator is mostly a multiple of all: barycentric coordinates have the sum 1.
 IntegerTuple cleared(const Coordinates& tuple) {
-    Integer scale = 1;
-    for (const Rational& entry : tuple) scale = lcm(scale, entry.denominator());
+    Integer scale = std::ranges::max(tuple, {}, [](const Rational& entry) {
+                        return entry.denominator().bit_length();
+                    }).denominator();
+    for (const Rational& entry : tuple) {
+        const Integer& denominator = entry.denominator();
+        if (denominator.is_one() || denominator == scale || (scale % denominator).is_zero()) continue;
+        scale = lcm(scale, denominator);
+    }
     Tuple<Integer> entries = scaled(tuple, scale);
     return {std::move(entries), std::move(scale)};
+}
+
+bool WordTuples::add(const Coordinates& tuple) {
+    if (size_ + tuple.size() > most_entries || count_ == most_entries) return false;
+    last_ = size_;
+    std::int64_t scale = 1;
+    for (const Rational& entry : tuple) {
+        if (!entry.numerator().is_word() || !entry.denominator().is_word()) return false;
+        const std::int64_t denominator = entry.denominator().word();
+        if (denominator == scale || scale % denominator == 0) continue;
+        if (__builtin_mul_overflow(denominator / std::gcd(denominator, scale), scale, &scale)) return false;
+    }
+    for (const Rational& entry : tuple) {
+        const std::int64_t denominator = entry.denominator().word();
+        const std::int64_t factor = denominator == scale ? 1 : scale / denominator;
+        std::int64_t& word = entries_[size_++];
+        if (__builtin_mul_overflow(entry.numerator().word(), factor, &word) ||
+            word == std::numeric_limits<std::int64_t>::min())
+            return false;
+    }
+    scales_[count_++] = scale;
+    return true;
+}
+
+void IntegerTuples::add(const Coordinates& tuple, std::size_t times) {
+    IntegerTuple cleared_tuple = cleared(tuple);
+    bits_ += times * cleared_tuple.bits();
+    last_ = entries_.size();
+    std::ranges::move(cleared_tuple.entries, std::back_inserter(entries_));
+    scales_.push_back(std::move(cleared_tuple.scale));
 }
 
 IntegerArguments cleared_one_by_one(const PatchArguments& arguments, std::size_t net_bits,
@@ -72,13 +114,30 @@ IntegerArguments cleared_together(const PatchArguments& arguments, std::size_t n
 
 std::size_t bits_of(const PointArray& points) { return greatest_bit_length(points.numbers().numerators()); }
 
+Integer greatest_magnitude(const PointArray& points) {
+    Integer greatest;
+    for (const Integer& numerator : points.numbers().numerators()) {
+        if (greatest < numerator) {
+            greatest = numerator;
+        } else if (greatest < -numerator) {
+            greatest = -numerator;
+        }
+    }
+    return greatest;
+}
+
+PointArray canonical_points(std::size_t dimension, std::vector<Integer> numerators,
+                            const Integer& denominator) {
+    PointArray points(dimension, RationalVector(std::move(numerators), denominator));
+    points.make_canonical();
+    return points;
+}
+
 PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator) {
     std::vector<Integer> numerators;
     numerators.reserve(rows.size() * rows.front().size());
     for (const auto& row : rows) numerators.insert(numerators.end(), row.begin(), row.end());
-    PointArray points(rows.size(), RationalVector(std::move(numerators), denominator));
-    points.make_canonical();
-    return points;
+    return canonical_points(rows.size(), std::move(numerators), denominator);
 }
 
 }  // namespace blossom

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "rational_access.hpp"
+
 namespace blossom {
 
 Rational::Rational(Integer numerator, Integer denominator)
@@ -68,6 +70,37 @@ Rational abs(Rational value) { return value.sign() < 0 ? -std::move(value) : val
 
 Rational pow(const Rational& base, std::size_t exponent) {
     return {pow(base.numerator(), exponent), pow(base.denominator(), exponent)};
+}
+
+// Over the least common multiple g a' b' of the denominators g a' and g b'. When a factor f of the
+// denominator and the numerator N are divided by gcd(N, f), they have nothing in common, nor has f with what
+// N becomes.
+Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
+                     const Integer& divisor) {
+    const Integer common = gcd(a.denominator(), b.denominator());
+    const bool is_one = common.is_one();
+    const Integer own_of_a = is_one ? a.denominator() : divide_exactly(a.denominator(), common);
+    const Integer own_of_b = is_one ? b.denominator() : divide_exactly(b.denominator(), common);
+    Integer numerator = left * a.numerator() * own_of_b;
+    numerator.add_product(right * b.numerator(), own_of_a);
+    Integer denominator = divisor * common * own_of_a * own_of_b;
+    if (denominator.is_word() && !denominator.is_zero())
+        return {std::move(numerator), std::move(denominator)};
+    if (denominator.is_zero()) return {std::move(numerator), 0};
+    Integer shared = 1;
+    for (const Integer* factor : {&divisor, &common, &own_of_a, &own_of_b}) {
+        if (factor->is_one()) continue;
+        const Integer with_factor = gcd(numerator, *factor);
+        if (with_factor.is_one()) continue;
+        numerator = divide_exactly(numerator, with_factor);
+        shared *= with_factor;
+    }
+    if (!shared.is_one()) denominator = divide_exactly(denominator, shared);
+    if (denominator.sign() < 0) {
+        numerator.negate();
+        denominator.negate();
+    }
+    return RationalAccess::from_lowest_terms(std::move(numerator), std::move(denominator));
 }
 
 std::string to_string(const Rational& value) {

@@ -1,7 +1,6 @@
 #include <blossom/rational/blossom_sums.hpp>
 #include <blossom/rational/integer_polynomials.hpp>
 #include <blossom/rational/row_recurrences.hpp>
-#include <blossom/rational/row_recurrences.hpp>
 
 #include <utility>
 
@@ -173,7 +172,8 @@ IntegerPolynomial multiplied_by_halves(std::span<const LinearFactor<R>> factors)
     constexpr std::size_t few = 64;
     if (factors.size() > few) {
         const std::size_t half = factors.size() / 2;
-        return product(multiplied_by_halves(factors.first(half)), multiplied_by_halves(factors.subspan(half)));
+        return product(multiplied_by_halves(factors.first(half)),
+                       multiplied_by_halves(factors.subspan(half)));
     }
     const auto integers = [&](R LinearFactor<R>::* part) {
         std::vector<Integer> result;
