@@ -9,6 +9,7 @@ void measure_operations(const Report& report);
 void measure_curves(const Report& report);
 void measure_evaluation(const Report& report);
 void measure_splines(const Report& report);
+void measure_patches(const Report& report);
 void measure_agreement(const Report& report);
 void measure_threads(const Report& report);
 void measure_machine(const Report& report);

@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
     measure_curves(report);
     measure_evaluation(report);
     measure_splines(report);
+    measure_patches(report);
     measure_agreement(report);
     measure_threads(report);
     measure_machine(report);

@@ -1,5 +1,6 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
+#include <blossom/core/blossom/patch_values.hpp>
 #include <blossom/rational/error.hpp>
 
 #include "patch_constructions.hpp"
@@ -14,7 +15,7 @@ constexpr auto mass_check(const PolynomialPatch&) { return require_first; }
 
 template <class Map>
 void require_affine_point(const Map& patch, const PatchPoint& point) {
-    require_point(patch.shape(), point);
+    require_point(patch.shape().list(), point);
     for (std::size_t f = 0; f < point.size(); ++f) {
         within(f, [&] { mass_check(patch)(point[f], 1, "a point"); });
     }
@@ -36,10 +37,17 @@ Coordinates blossom_value(const Map& patch, const PatchArguments& arguments, con
 template <PatchRepresentation Map>
 std::vector<Coordinates> evaluate(const Map& patch, std::span<const PatchPoint> points,
                                   const Limits& limits) {
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        within(Part::at, [&] { within(i, [&] { require_affine_point(patch, points[i]); }); });
+    require_within(points.size(), limits.numbers / patch.dimension(), "numbers", "the number of parameters",
+                   Part::at);
+    const std::vector<Rational> numbers = PatchValues(patch, limits).at(points);
+    std::vector<Coordinates> values;
+    values.reserve(points.size());
+    for (auto value = numbers.begin(); value != numbers.end();) {
+        const auto end = value + static_cast<std::ptrdiff_t>(patch.dimension());
+        values.emplace_back(value, end);
+        value = end;
     }
-    return form_values(patch.shape(), form_of(patch), points, limits);
+    return values;
 }
 
 template <PatchRepresentation Map>

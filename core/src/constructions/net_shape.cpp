@@ -137,14 +137,7 @@ std::vector<Integer> multinomials(const NetShape& shape) {
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         std::vector<Integer> longer;
         longer.reserve(products.size() * shape.count(f));
-        const auto [dimension, degree] = shape[f];
-        std::vector<Integer> own;
-        if (dimension == 1) {
-            own = binomial_row(degree);
-        } else {
-            for (const MultiIndex& index : multi_indices(dimension, degree))
-                own.push_back(multinomial(index));
-        }
+        const std::vector<Integer> own = multinomial_row(shape[f]);
         for (const Integer& product : products) {
             for (const Integer& factor : own) longer.push_back(product * factor);
         }

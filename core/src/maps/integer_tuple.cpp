@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
+#include <limits>
+#include <numeric>
 
 namespace blossom {
 
@@ -38,6 +41,35 @@ IntegerTuple cleared(const Coordinates& tuple) {
     return {std::move(entries), std::move(scale)};
 }
 
+bool WordTuples::add(const Coordinates& tuple) {
+    if (size_ + tuple.size() > most_entries || count_ == most_entries) return false;
+    last_ = size_;
+    std::int64_t scale = 1;
+    for (const Rational& entry : tuple) {
+        if (!entry.numerator().is_word() || !entry.denominator().is_word()) return false;
+        const std::int64_t denominator = entry.denominator().word();
+        if (denominator == scale || denominator == 1) continue;
+        if (__builtin_mul_overflow(denominator / std::gcd(denominator, scale), scale, &scale)) return false;
+    }
+    for (const Rational& entry : tuple) {
+        const std::int64_t denominator = entry.denominator().word();
+        const std::int64_t factor = denominator == scale ? 1 : scale / denominator;
+        std::int64_t& word = entries_[size_++];
+        if (__builtin_mul_overflow(entry.numerator().word(), factor, &word) ||
+            word == std::numeric_limits<std::int64_t>::min())
+            return false;
+    }
+    scales_[count_++] = scale;
+    return true;
+}
+
+void IntegerTuples::add(const Coordinates& tuple, std::size_t times) {
+    IntegerTuple cleared_tuple = cleared(tuple);
+    bits_ += times * cleared_tuple.bits();
+    std::ranges::move(cleared_tuple.entries, std::back_inserter(entries_));
+    scales_.push_back(std::move(cleared_tuple.scale));
+}
+
 IntegerArguments cleared_one_by_one(const PatchArguments& arguments, std::size_t net_bits,
                                     const Limits& limits) {
     IntegerArguments result;
@@ -71,6 +103,18 @@ IntegerArguments cleared_together(const PatchArguments& arguments, std::size_t n
 }
 
 std::size_t bits_of(const PointArray& points) { return greatest_bit_length(points.numbers().numerators()); }
+
+Integer greatest_magnitude(const PointArray& points) {
+    Integer greatest;
+    for (const Integer& numerator : points.numbers().numerators()) {
+        if (greatest < numerator) {
+            greatest = numerator;
+        } else if (greatest < -numerator) {
+            greatest = -numerator;
+        }
+    }
+    return greatest;
+}
 
 PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator) {
     std::vector<Integer> numerators;

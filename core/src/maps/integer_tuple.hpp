@@ -5,6 +5,11 @@
 #include <blossom/core/constructions/net_constructions.hpp>
 #include <blossom/core/maps/bezier_patch.hpp>
 #include <blossom/rational/limits.hpp>
+#include <blossom/rational/net_sums.hpp>
+
+#include <cstdint>
+#include <span>
+#include <utility>
 
 namespace blossom {
 
@@ -19,6 +24,45 @@ struct IntegerTuple {
 
 /// Over its own least denominator.
 IntegerTuple cleared(const Coordinates& tuple);
+
+/// Tuples as words, as long as these and the places in the object suffice.
+// The unused part of the arrays is left uninitialized: clearing it would cost more than the work.
+// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+class WordTuples {
+public:
+    /// Whether there is room and words hold the tuple over its least denominator; otherwise the object is of no
+    /// more use.
+    bool add(const Coordinates& tuple);
+    /// The entries and the scale of the tuple that was added last.
+    std::pair<std::span<const std::int64_t>, std::int64_t> last() const {
+        return {{entries_ + last_, size_ - last_}, scales_[count_ - 1]};
+    }
+    NetArguments<std::int64_t> arguments() const { return {{entries_, size_}, {scales_, count_}}; }
+
+private:
+    static constexpr std::size_t most_entries = 128;
+
+    std::size_t size_ = 0;
+    std::size_t last_ = 0;  ///< the first entry of the last tuple
+    std::size_t count_ = 0;
+    std::int64_t entries_[most_entries];
+    std::int64_t scales_[most_entries];
+};
+
+/// Tuples as integers.
+class IntegerTuples {
+public:
+    /// For a tuple that counts `times`.
+    void add(const Coordinates& tuple, std::size_t times);
+    /// Bounds those of the product of the sums of absolute values of the entries of each tuple.
+    std::size_t bits() const { return bits_; }
+    NetArguments<Integer> arguments() const { return {entries_, scales_}; }
+
+private:
+    std::vector<Integer> entries_;
+    std::vector<Integer> scales_;
+    std::size_t bits_ = 0;
+};
 
 /// Lists of tuples as integers: a blossom at `tuples` is `denominator` times that at the arguments.
 struct IntegerArguments {
@@ -37,6 +81,8 @@ IntegerArguments cleared_together(const PatchArguments& arguments, std::size_t n
 
 /// The largest bit length of the numerators of a net.
 std::size_t bits_of(const PointArray& points);
+/// The greatest absolute value of a numerator.
+Integer greatest_magnitude(const PointArray& points);
 
 /// One row of numerators a coordinate over one denominator, made canonical.
 PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator);

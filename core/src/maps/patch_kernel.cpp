@@ -13,34 +13,6 @@ namespace blossom {
 
 namespace {
 
-using IntegerGroups = constructions::Groups<Tuple<Integer>>;
-
-/// prod_j sum_k argument_jk X_k: the power of the most frequent argument by the multinomial theorem, then one
-/// factor after the other.
-std::vector<Integer> weights(const SimplexFactor& factor, const IntegerGroups& groups) {
-    const auto most = std::ranges::max_element(groups, {}, [](const auto& group) { return group.second; });
-    if (most == groups.end()) return {1};
-    std::vector<Integer> power = constructions::monomials(most->first, most->second);
-    const std::vector<Integer> coefficients = multinomials(NetShape({{factor.dimension, most->second}}));
-    for (std::size_t i = 0; i < power.size(); ++i) power[i] *= coefficients[i];
-    std::vector<Tuple<Integer>> forms;
-    for (auto group = groups.begin(); group != groups.end(); ++group) {
-        if (group != most) forms.insert(forms.end(), group->second, group->first);
-    }
-    return constructions::times_linear_forms<Integer>(factor.dimension, most->second, std::move(power),
-                                                      forms);
-}
-
-Coordinates contracted_points(const PointArray& points, const std::vector<std::vector<Integer>>& weights,
-                              const Integer& denominator) {
-    Quotients<Integer> value{{}, points.denominator()};
-    for (const auto row : points.rows()) {
-        value.numerators.push_back(
-            constructions::contracted(std::vector<Integer>(row.begin(), row.end()), std::span(weights)));
-    }
-    return reduced(value, denominator);
-}
-
 /// prod n_f! / (n_f - k_f)!
 Integer derivative_factor(const NetShape& shape, const PatchArguments& directions) {
     Integer factor = 1;
@@ -58,39 +30,40 @@ void require_length(std::size_t given, std::size_t needed, ErrorCode code, const
 
 }  // namespace
 
+NetSums net_sums(const NetShape& shape, const PointArray& net, const Integer& greatest) {
+    return {net.numbers(), net.dimension(), shape.list(), greatest};
+}
+
+bool words_are_within(const NetSums& sums, const Limits& limits) {
+    // The sum of the entries of a tuple has a few bits more than a word; a decimal digit has more than three.
+    constexpr std::size_t tuple_bits = 72;
+    return sums.sum_bits(tuple_bits) / 3 < limits.digits;
+}
+
 Coordinates polar_value(const NetShape& shape, const PointArray& polar, const PatchArguments& arguments,
                         const Limits& limits) {
     require_arguments(shape, arguments);
-    const IntegerArguments integers = cleared_one_by_one(arguments, bits_of(polar), limits);
-    std::vector<std::vector<Integer>> factors;
-    factors.reserve(shape.factors());
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
-        factors.push_back(weights(shape[f], constructions::grouped<Tuple<Integer>>(integers.tuples[f])));
+    const NetSums sums = net_sums(shape, polar, greatest_magnitude(polar));
+    Coordinates value(polar.dimension());
+    WordTuples words;
+    const auto are_words = [&] {
+        return std::ranges::all_of(arguments, [&](const auto& list) {
+            return std::ranges::all_of(list, [&](const Coordinates& tuple) { return words.add(tuple); });
+        });
+    };
+    if (words_are_within(sums, limits) && are_words()) {
+        sums.multilinear_values(words.arguments(), value);
+        return value;
     }
-    return contracted_points(polar, factors, integers.denominator);
-}
-
-std::vector<Coordinates> form_values(const NetShape& shape, const PointArray& coefficients,
-                                     std::span<const PatchPoint> points, const Limits& limits) {
-    require_within(points.size(), limits.numbers / coefficients.dimension(), "numbers",
-                   "the number of parameters", Part::at);
-    std::vector<Coordinates> values;
-    values.reserve(points.size());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        within(Part::at, [&] { within(i, [&] { require_point(shape, points[i]); }); });
-        std::size_t bits = bits_of(coefficients);
-        std::vector<std::vector<Integer>> factors;
-        Integer denominator = 1;
-        for (std::size_t f = 0; f < shape.factors(); ++f) {
-            const IntegerTuple tuple = cleared(points[i][f]);
-            bits += shape[f].degree * tuple.bits();
-            require_result_bits(bits, limits);
-            factors.push_back(constructions::monomials(tuple.entries, shape[f].degree));
-            denominator *= pow(tuple.scale, shape[f].degree);
+    IntegerTuples tuples;
+    for (const auto& list : arguments) {
+        for (const Coordinates& tuple : list) {
+            tuples.add(tuple, 1);
+            require_result_bits(sums.sum_bits(0) + tuples.bits(), limits);
         }
-        values.push_back(contracted_points(coefficients, factors, denominator));
     }
-    return values;
+    sums.multilinear_values(tuples.arguments(), value);
+    return value;
 }
 
 PointArray form_of(const NetShape& shape, const PointArray& polar) {
@@ -159,10 +132,9 @@ void require_first(const Coordinates& tuple, int mass, const std::string& what) 
                 what + " must have the mass " + std::to_string(mass) + ", not " + to_string(tuple.front()));
 }
 
-void require_point(const NetShape& shape, const PatchPoint& point) {
-    require_length(point.size(), shape.factors(), ErrorCode::wrong_arity,
-                   "a point with one argument a factor");
-    for (std::size_t f = 0; f < shape.factors(); ++f) {
+void require_point(std::span<const SimplexFactor> shape, const PatchPoint& point) {
+    require_length(point.size(), shape.size(), ErrorCode::wrong_arity, "a point with one argument a factor");
+    for (std::size_t f = 0; f < shape.size(); ++f) {
         within(f, [&] {
             require_length(point[f].size(), shape[f].dimension + 1, ErrorCode::mismatched_dimensions,
                            "the argument of factor " + std::to_string(f));

@@ -13,14 +13,16 @@
 
 namespace blossom {
 
+/// The numbers of a net, with the greatest magnitude among the values of the blossom at the elements of its
+/// frame.
+NetSums net_sums(const NetShape& shape, const PointArray& net, const Integer& greatest);
+/// Whether sums at tuples that words hold are within the limits.
+bool words_are_within(const NetSums& sums, const Limits& limits);
+
 /// The blossom with the values `polar` at the elements of the frame, which the arguments are given in:
 /// prod_j sum_k argument_jk X_k, factor by factor, with the values in place of the monomials in X.
 Coordinates polar_value(const NetShape& shape, const PointArray& polar, const PatchArguments& arguments,
                         const Limits& limits);
-
-/// The homogeneous polynomial with these coefficients at each of the points.
-std::vector<Coordinates> form_values(const NetShape& shape, const PointArray& coefficients,
-                                     std::span<const PatchPoint> points, const Limits& limits);
 
 /// The values times the multinomial coefficients: a homogeneous polynomial.
 PointArray form_of(const NetShape& shape, const PointArray& polar);
@@ -46,7 +48,7 @@ std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArra
                                                  const PatchArguments& directions, const Limits& limits);
 
 /// Errors: `wrong_arity`; `mismatched_dimensions`, at the factor.
-void require_point(const NetShape& shape, const PatchPoint& point);
+void require_point(std::span<const SimplexFactor> shape, const PatchPoint& point);
 /// Errors: the same for each direction, below `Part::directions`.
 void require_directions(const NetShape& shape, const PatchArguments& directions);
 

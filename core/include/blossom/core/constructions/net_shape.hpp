@@ -2,6 +2,7 @@
 
 #include <blossom/rational/integer.hpp>
 #include <blossom/rational/limits.hpp>
+#include <blossom/rational/net_sums.hpp>
 
 #include <cstddef>
 #include <limits>
@@ -27,14 +28,6 @@ std::size_t position(std::span<const std::size_t> index);
 /// n! / (i_0! ... i_s!).
 Integer multinomial(std::span<const std::size_t> index);
 
-/// One factor of the domain of a patch: a simplex of some dimension, with the degree that the map has in it.
-struct SimplexFactor {
-    std::size_t dimension = 1;
-    std::size_t degree = 0;
-
-    friend bool operator==(const SimplexFactor&, const SimplexFactor&) = default;
-};
-
 /// The shape of a control net over a product of simplices: one multi-index a factor.
 ///
 /// A curve is one segment, a triangular patch one triangle, a tensor-product patch several segments, a prism
@@ -56,6 +49,7 @@ public:
 
     std::size_t factors() const { return factors_.size(); }
     const SimplexFactor& operator[](std::size_t factor) const { return factors_[factor]; }
+    const std::vector<SimplexFactor>& list() const { return factors_; }
     /// The number of points of the net.
     std::size_t size() const { return size_; }
     /// The number of indices of one factor.

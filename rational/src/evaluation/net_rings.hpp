@@ -1,0 +1,151 @@
+#pragma once
+
+// The rings in which sums over nets are computed, see net_weights.hpp. Each has as well multiply_each(to, a,
+// b, count), read(integers, to) and Room, memory for numbers that are written before they are read.
+
+#include <blossom/rational/integer.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "number/backend.hpp"
+#include "number/uint128.hpp"
+#include "residues/residue_products.hpp"
+#include "residues/residue_system.hpp"
+
+namespace blossom {
+
+/// Integers modulo 2^64 or 2^128. Only the sums themselves have to fit.
+template <class Word>
+struct WordRing {
+    using Number = Word;
+
+    /// On the stack while they are few.
+    class Room {
+    public:
+        // The unused part of the array is left uninitialized: clearing it would cost more than the work.
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+        explicit Room(std::size_t size) {
+            if (size > in_place) heap_ = std::make_unique_for_overwrite<Word[]>(size);
+        }
+        Word* data() { return heap_ ? heap_.get() : words_; }
+
+    private:
+        static constexpr std::size_t in_place = 128;
+
+        Word words_[in_place];
+        std::unique_ptr<Word[]> heap_;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
+    };
+
+    static Word one() { return 1; }
+    static void scale(Word* to, const Word* from, Word factor, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor;
+    }
+    static void add_multiple(Word* to, const Word* from, Word factor, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) to[i] += from[i] * factor;
+    }
+    static void multiply_each(Word* to, const Word* a, const Word* b, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) to[i] = a[i] * b[i];
+    }
+    static Word dot(const Word* a, const Word* b, std::size_t count) {
+        Word sum = 0;
+        for (std::size_t i = 0; i < count; ++i) sum += a[i] * b[i];
+        return sum;
+    }
+    static void read(std::span<const std::int64_t> integers, Word* to) {
+        for (const std::int64_t integer : integers) *to++ = static_cast<Word>(integer);
+    }
+    static void read(std::span<const Integer> integers, Word* to) {
+        for (const Integer& integer : integers) *to++ = wrapped(integer);
+    }
+
+private:
+    static Word wrapped(const Integer& integer) {
+        if (integer.is_word()) return static_cast<Word>(integer.word());
+        std::vector<std::uint64_t> words(integer.bit_length() / 64 + 2);
+        IntegerAccess::to_twos_complement(integer, words);
+        Word low = words[0];
+        if constexpr (sizeof(Word) > sizeof(std::uint64_t)) low |= Word{words[1]} << 64;
+        return low;
+    }
+};
+
+/// Integers of any size.
+struct IntegerRing {
+    using Number = Integer;
+
+    class Room {
+    public:
+        explicit Room(std::size_t size) : numbers_(size) {}
+        Integer* data() { return numbers_.data(); }
+
+    private:
+        std::vector<Integer> numbers_;
+    };
+
+    static Integer one() { return 1; }
+    static void scale(Integer* to, const Integer* from, const Integer& factor, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor;
+    }
+    static void add_multiple(Integer* to, const Integer* from, const Integer& factor, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) to[i].add_product(from[i], factor);
+    }
+    static void multiply_each(Integer* to, const Integer* a, const Integer* b, std::size_t count) {
+        for (std::size_t i = 0; i < count; ++i) to[i] = a[i] * b[i];
+    }
+    static Integer dot(const Integer* a, const Integer* b, std::size_t count) {
+        return blossom::dot({a, count}, {b, count});
+    }
+    static void read(std::span<const std::int64_t> integers, Integer* to) { std::ranges::copy(integers, to); }
+    static void read(std::span<const Integer> integers, Integer* to) { std::ranges::copy(integers, to); }
+};
+
+/// Residues modulo the primes of one group. Weights are multiplied by the radix, the numbers of nets and
+/// their sums are not.
+class ResidueRing {
+public:
+    using Number = residues::ResidueVector;
+    using Room = residues::Buffer;
+
+    explicit ResidueRing(const residues::Moduli& moduli) : moduli_(moduli) {}
+
+    Number one() const { return moduli_.radix; }
+    void scale(Number* to, const Number* from, const Number& factor, std::size_t count) const {
+        residues::operations().scale(moduli_, from, factor, count, to);
+    }
+    void add_multiple(Number* to, const Number* from, const Number& factor, std::size_t count) const {
+        constexpr std::size_t at_once = 32;
+        Number products[at_once];
+        for (std::size_t begin = 0; begin < count; begin += at_once) {
+            const std::size_t size = std::min(at_once, count - begin);
+            scale(products, from + begin, factor, size);
+            residues::operations().add(moduli_, to + begin, products, size, to + begin);
+        }
+    }
+    void multiply_each(Number* to, const Number* a, const Number* b, std::size_t count) const {
+        residues::operations().multiply_each(moduli_, a, b, count, to);
+    }
+    Number dot(const Number* a, const Number* b, std::size_t count) const {
+        Number sum = residues::operations().dot(moduli_, a, b, std::min(count, residues::most_terms));
+        for (std::size_t begin = residues::most_terms; begin < count; begin += residues::most_terms) {
+            const Number part = residues::operations().dot(moduli_, a + begin, b + begin,
+                                                           std::min(count - begin, residues::most_terms));
+            residues::operations().add(moduli_, &sum, &part, 1, &sum);
+        }
+        return sum;
+    }
+    template <class R>
+    void read(std::span<const R> integers, Number* to) const {
+        residues::Digits digits;
+        digits.reserve(integers.size(), 2);
+        for (const R& integer : integers) digits.push_back(integer);
+        digits.residues(moduli_, residues::montgomery_powers(moduli_, digits.most_digits()).data(), to);
+    }
+
+private:
+    const residues::Moduli& moduli_;
+};
+
+}  // namespace blossom

@@ -1,0 +1,100 @@
+#pragma once
+
+// The weights of a net and its sums, written once for what calls itself a ring: Number, zero by default, one(),
+// and on rows of numbers scale(to, from, factor, count), add_multiple(to, from, factor, count) and
+// dot(a, b, count).
+
+#include <blossom/rational/net_sums.hpp>
+
+#include <algorithm>
+
+namespace blossom::net_weights {
+
+/// C(degree + dimension, dimension), the number of indices of a net that is in memory.
+inline std::size_t count_of(std::size_t dimension, std::size_t degree) {
+    std::size_t count = 1;
+    for (std::size_t i = 1; i <= dimension; ++i) {
+        count *= degree + i;
+        if (i > 1) count /= i;
+    }
+    return count;
+}
+
+/// x^i for the indices i of a factor. Those with i_0 = n - b are x_0^(n - b) times the monomials of degree b
+/// in the other variables, and these are x_1 times all of degree b - 1, then x_2 times those without x_1, and
+/// so on, each time the end of the list before.
+template <class Ring>
+void set_monomials(const Ring& ring, const SimplexFactor& factor, const typename Ring::Number* x,
+                   typename Ring::Number* monomials) {
+    using Number = typename Ring::Number;
+    const auto [dimension, degree] = factor;
+    monomials[0] = ring.one();
+    if (dimension == 0) {
+        for (std::size_t k = 0; k < degree; ++k) ring.scale(monomials, monomials, x[0], 1);
+        return;
+    }
+    Number* block = monomials;
+    Number* end = block + 1;
+    for (std::size_t b = 1; b <= degree; ++b) {
+        Number* const next = end;
+        for (std::size_t k = 1; k <= dimension; ++k) {
+            const std::size_t count = count_of(dimension - k, b - 1);
+            ring.scale(end, next - count, x[k], count);
+            end += count;
+        }
+        block = next;
+    }
+    Number power = ring.one();
+    for (std::size_t b = degree; b-- > 0;) {
+        const std::size_t count = count_of(dimension - 1, b);
+        block -= count;
+        ring.scale(&power, &power, x[0], 1);
+        ring.scale(block, block, power, count);
+    }
+}
+
+/// product += form * polynomial, where `polynomial` has a degree in dimension + 1 variables: the coefficients
+/// stay in their places with the first variable, and each block moves on to the next with the others.
+template <class Ring>
+void add_product(const Ring& ring, std::size_t dimension, std::size_t degree,
+                 const typename Ring::Number* form, const typename Ring::Number* polynomial,
+                 typename Ring::Number* product) {
+    ring.add_multiple(product, polynomial, form[0], count_of(dimension, degree));
+    if (dimension == 0) return;
+    if (dimension == 1) return ring.add_multiple(product + 1, polynomial, form[1], degree + 1);
+    for (std::size_t b = 0; b <= degree; ++b) {
+        const std::size_t count = count_of(dimension - 1, b);
+        product += count;
+        add_product(ring, dimension - 1, b, form + 1, polynomial, product);
+        polynomial += count;
+    }
+}
+
+/// The coefficients of `weights`, of a degree, times a linear form; `room` has as many places as there were.
+template <class Ring>
+void multiply_by_form(const Ring& ring, std::size_t dimension, std::size_t degree,
+                      const typename Ring::Number* form, typename Ring::Number* weights,
+                      typename Ring::Number* room) {
+    const std::size_t count = count_of(dimension, degree);
+    std::copy(weights, weights + count, room);
+    std::fill(weights, weights + count_of(dimension, degree + 1), typename Ring::Number{});
+    add_product(ring, dimension, degree, form, room, weights);
+}
+
+/// The sum of the numbers of a net times the weights of all factors, which lie one after the other. `room` is
+/// for a number of each row of the last factor.
+template <class Ring>
+typename Ring::Number contracted(const Ring& ring, std::span<const std::size_t> counts,
+                                 const typename Ring::Number* net, std::size_t size,
+                                 const typename Ring::Number* weights_end, typename Ring::Number* room) {
+    for (std::size_t f = counts.size(); f-- > 0;) {
+        weights_end -= counts[f];
+        size /= counts[f];
+        for (std::size_t i = 0; i < size; ++i)
+            room[i] = ring.dot(net + i * counts[f], weights_end, counts[f]);
+        net = room;
+    }
+    return *net;
+}
+
+}  // namespace blossom::net_weights
