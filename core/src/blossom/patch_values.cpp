@@ -1,6 +1,8 @@
 #include <blossom/core/blossom/patch_values.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <numeric>
+
 #include "maps/on_threads.hpp"
 #include "maps/patch_kernel.hpp"
 #include "maps/result_room.hpp"
@@ -42,23 +44,22 @@ void PatchValues::evaluate(const PatchPoint& point, std::span<Rational> value) c
 }
 
 void PatchValues::evaluate_any(const PatchPoint& point, std::span<Rational> value) const {
-    require(point);
-    IntegerTuples tuples;
     const std::span<const SimplexFactor> shape = forms_.shape();
+    require_point(shape, point);
+    IntegerTuples tuples;
     for (std::size_t f = 0; f < shape.size(); ++f) {
         tuples.add(point[f], shape[f].degree);
+        const auto& [entries, scale] = tuples.last();
+        Integer mass = entries.front();
+        if (frame_ == Frame::vertices) mass = std::accumulate(entries.begin() + 1, entries.end(), mass);
+        if (mass != scale) {
+            within(f, [&] {
+                (frame_ == Frame::vertices ? require_mass : require_first)(point[f], 1, "a point");
+            });
+        }
         require_result_bits(forms_.sum_bits(0) + tuples.bits(), limits_);
     }
     forms_.values(tuples.arguments(), value);
-}
-
-void PatchValues::require(const PatchPoint& point) const {
-    require_point(forms_.shape(), point);
-    for (std::size_t f = 0; f < point.size(); ++f) {
-        within(f, [&] {
-            (frame_ == Frame::vertices ? require_mass : require_first)(point[f], 1, "a point");
-        });
-    }
 }
 
 Coordinates PatchValues::operator()(const PatchPoint& point) const {

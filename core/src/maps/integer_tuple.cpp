@@ -14,7 +14,9 @@ Tuple<Integer> scaled(const Coordinates& tuple, const Integer& scale) {
     Tuple<Integer> entries;
     entries.reserve(tuple.size());
     for (const Rational& entry : tuple) {
-        entries.push_back(entry.numerator() * divide_exactly(scale, entry.denominator()));
+        entries.push_back(entry.denominator() == scale
+                              ? entry.numerator()
+                              : entry.numerator() * divide_exactly(scale, entry.denominator()));
     }
     return entries;
 }
@@ -34,9 +36,16 @@ std::size_t IntegerTuple::bits() const {
     return std::max(greatest_bit_length(entries) + std::bit_width(entries.size()), scale.bit_length());
 }
 
+// The longest denominator is mostly a multiple of all: barycentric coordinates have the sum 1.
 IntegerTuple cleared(const Coordinates& tuple) {
-    Integer scale = 1;
-    for (const Rational& entry : tuple) scale = lcm(scale, entry.denominator());
+    Integer scale = std::ranges::max(tuple, {}, [](const Rational& entry) {
+                        return entry.denominator().bit_length();
+                    }).denominator();
+    for (const Rational& entry : tuple) {
+        const Integer& denominator = entry.denominator();
+        if (denominator.is_one() || denominator == scale || (scale % denominator).is_zero()) continue;
+        scale = lcm(scale, denominator);
+    }
     Tuple<Integer> entries = scaled(tuple, scale);
     return {std::move(entries), std::move(scale)};
 }
@@ -66,6 +75,7 @@ bool WordTuples::add(const Coordinates& tuple) {
 void IntegerTuples::add(const Coordinates& tuple, std::size_t times) {
     IntegerTuple cleared_tuple = cleared(tuple);
     bits_ += times * cleared_tuple.bits();
+    last_ = entries_.size();
     std::ranges::move(cleared_tuple.entries, std::back_inserter(entries_));
     scales_.push_back(std::move(cleared_tuple.scale));
 }

@@ -54,13 +54,18 @@ class IntegerTuples {
 public:
     /// For a tuple that counts `times`.
     void add(const Coordinates& tuple, std::size_t times);
-    /// Bounds those of the product of the sums of absolute values of the entries of each tuple.
+    /// The entries and the scale of the tuple that was added last.
+    std::pair<std::span<const Integer>, const Integer&> last() const {
+        return {std::span(entries_).subspan(last_), scales_.back()};
+    }
+    /// Bounds the bits of the product of the sums of absolute values of the entries of each tuple.
     std::size_t bits() const { return bits_; }
     NetArguments<Integer> arguments() const { return {entries_, scales_}; }
 
 private:
     std::vector<Integer> entries_;
     std::vector<Integer> scales_;
+    std::size_t last_ = 0;  ///< the first entry of the last tuple
     std::size_t bits_ = 0;
 };
 

@@ -6,6 +6,7 @@
 #include <blossom/rational/integer.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -17,29 +18,30 @@
 
 namespace blossom {
 
+/// On the stack while they are few.
+template <class Number, std::size_t in_place>
+class Room {
+public:
+    // The unused part of the array is left uninitialized: clearing it would cost more than the work.
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+    explicit Room(std::size_t size) {
+        if (size > in_place) heap_ = std::make_unique_for_overwrite<Number[]>(size);
+    }
+    Number* data() { return heap_ ? heap_.get() : numbers_; }
+
+private:
+    Number numbers_[in_place];
+    std::unique_ptr<Number[]> heap_;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
+};
+
 /// Integers modulo 2^64 or 2^128. Only the sums themselves have to fit.
 template <class Word>
 struct WordRing {
     using Number = Word;
-
-    /// On the stack while they are few.
-    class Room {
-    public:
-        // The unused part of the array is left uninitialized: clearing it would cost more than the work.
-        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
-        explicit Room(std::size_t size) {
-            if (size > in_place) heap_ = std::make_unique_for_overwrite<Word[]>(size);
-        }
-        Word* data() { return heap_ ? heap_.get() : words_; }
-
-    private:
-        static constexpr std::size_t in_place = 128;
-
-        Word words_[in_place];
-        std::unique_ptr<Word[]> heap_;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
-    };
+    using Room = blossom::Room<Word, 128>;
 
     static Word one() { return 1; }
+    static void add(Word* to, Word number) { *to += number; }
     static void scale(Word* to, const Word* from, Word factor, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor;
     }
@@ -86,6 +88,7 @@ struct IntegerRing {
     };
 
     static Integer one() { return 1; }
+    static void add(Integer* to, const Integer& number) { *to += number; }
     static void scale(Integer* to, const Integer* from, const Integer& factor, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor;
     }
@@ -107,11 +110,14 @@ struct IntegerRing {
 class ResidueRing {
 public:
     using Number = residues::ResidueVector;
-    using Room = residues::Buffer;
+    using Room = blossom::Room<residues::ResidueVector, 160>;
 
     explicit ResidueRing(const residues::Moduli& moduli) : moduli_(moduli) {}
 
     Number one() const { return moduli_.radix; }
+    void add(Number* to, const Number& number) const {
+        residues::operations().add(moduli_, to, &number, 1, to);
+    }
     void scale(Number* to, const Number* from, const Number& factor, std::size_t count) const {
         residues::operations().scale(moduli_, from, factor, count, to);
     }
@@ -132,7 +138,7 @@ public:
         for (std::size_t begin = residues::most_terms; begin < count; begin += residues::most_terms) {
             const Number part = residues::operations().dot(moduli_, a + begin, b + begin,
                                                            std::min(count - begin, residues::most_terms));
-            residues::operations().add(moduli_, &sum, &part, 1, &sum);
+            add(&sum, part);
         }
         return sum;
     }

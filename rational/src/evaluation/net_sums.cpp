@@ -2,6 +2,7 @@
 #include <blossom/rational/net_sums.hpp>
 #include <blossom/rational/resource_budget.hpp>
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 
@@ -41,8 +42,8 @@ struct NetSums::Prepared {
         }
     }
 
-    const std::uint64_t* of(WordRing<std::uint64_t> ring) const { return read_once(ring, once_words, words); }
-    const UInt128* of(WordRing<UInt128> ring) const { return read_once(ring, once_wide, wide); }
+    const std::uint64_t* of(WordRing<std::uint64_t> ring) const { return read_once(ring, words); }
+    const UInt128* of(WordRing<UInt128> ring) const { return read_once(ring, wide); }
     const Integer* of(IntegerRing) const { return numbers.numerators().data(); }
 
     /// Those of all rows, one group after the other; for the next call as well, unless they are too large.
@@ -72,20 +73,28 @@ struct NetSums::Prepared {
     std::size_t bits;  ///< of the numbers
 
 private:
+    /// The numbers in a ring, once they have been asked for.
+    template <class Number>
+    struct Read {
+        std::atomic<bool> is_ready = false;
+        std::vector<Number> numbers;
+    };
+
     template <class Ring>
-    const typename Ring::Number* read_once(Ring ring, std::once_flag& once,
-                                           std::vector<typename Ring::Number>& to) const {
-        std::call_once(once, [&] {
-            to.resize(numbers.size());
-            ring.read(std::span(numbers.numerators()), to.data());
-        });
-        return to.data();
+    const typename Ring::Number* read_once(Ring ring, Read<typename Ring::Number>& read) const {
+        if (!read.is_ready.load(std::memory_order_acquire)) {
+            const std::scoped_lock lock(mutex);  // not std::call_once, which calls the system
+            if (read.numbers.empty()) {
+                read.numbers.resize(numbers.size());
+                ring.read(std::span(numbers.numerators()), read.numbers.data());
+                read.is_ready.store(true, std::memory_order_release);
+            }
+        }
+        return read.numbers.data();
     }
 
-    mutable std::once_flag once_words;
-    mutable std::once_flag once_wide;
-    mutable std::vector<std::uint64_t> words;
-    mutable std::vector<UInt128> wide;
+    mutable Read<std::uint64_t> words;
+    mutable Read<UInt128> wide;
     mutable std::mutex mutex;
     mutable NetResidues kept;
 };
@@ -187,8 +196,14 @@ template <class Ring, class R, class Visit>
 [[gnu::always_inline]] inline void each_sum(const Ring& ring, const Tuples<R>& tuples,
                                             const typename Ring::Number* numbers, const Visit& visit) {
     const Prepared& net = tuples.net;
+    if (net.shape.empty()) {
+        for (std::size_t j = 0; j < net.rows; ++j) visit(numbers[j]);
+        return;
+    }
     const std::size_t entries = tuples.given.entries.size();
-    typename Ring::Room memory(entries + net.weights + std::max(net.longest, net.size / net.counts.back()));
+    typename Ring::Room memory(entries + net.weights +
+                               std::max(tuples.weights == Weights::products ? net.longest : 0,
+                                        net.shape.size() > 1 ? net.size / net.counts.back() : 0));
     auto* const x = memory.data();
     auto* const weights = x + entries;
     auto* const room = weights + net.weights;
@@ -198,7 +213,8 @@ template <class Ring, class R, class Visit>
     for (std::size_t f = 0; f < net.shape.size(); ++f) {
         const SimplexFactor& factor = net.shape[f];
         if (tuples.weights == Weights::monomials) {
-            net_weights::set_monomials(ring, factor, x + place, to);
+            f == 0 ? net_weights::set_blocks(ring, factor, x, to)
+                   : net_weights::set_monomials(ring, factor, x + place, to);
             place += factor.dimension + 1;
         } else {
             set_products(ring, factor, tuples.given.entries.data() + place, x + place, to, room);
@@ -206,8 +222,13 @@ template <class Ring, class R, class Visit>
         }
         to += net.counts[f];
     }
-    for (std::size_t j = 0; j < net.rows; ++j)
-        visit(net_weights::contracted(ring, net.counts, numbers + j * net.size, net.size, to, room));
+    for (std::size_t j = 0; j < net.rows; ++j) {
+        const auto* const first = net_weights::contracted_to_first(ring, net.counts, numbers + j * net.size,
+                                                                   net.size, to, room);
+        visit(tuples.weights == Weights::monomials
+                  ? net_weights::sum_of_blocks(ring, net.shape[0], x[0], first, weights)
+                  : ring.dot(first, weights, net.counts[0]));
+    }
 }
 
 template <class R>
@@ -226,7 +247,7 @@ void evaluate_by_residues(const Tuples<R>& tuples, std::size_t bits, std::span<R
     const Prepared& net = tuples.net;
     const std::size_t groups = residues::groups_for(bits);
     const NetResidues numbers = net.residues_for(groups);
-    std::vector<residues::ResidueVector> found(net.rows * groups);
+    Room<residues::ResidueVector, 16> found(net.rows * groups);
     for (std::size_t g = 0; g < groups; ++g) {
         spend_work(words_per_number * (net.numbers.size() + net.weights));
         residues::ResidueVector* to = found.data() + g;
@@ -238,7 +259,7 @@ void evaluate_by_residues(const Tuples<R>& tuples, std::size_t bits, std::span<R
     }
     const PowerDenominator denominator = power_denominator(tuples);
     for (std::size_t j = 0; j < net.rows; ++j)
-        sums[j] = denominator.quotient(residues::integer_with(std::span(found).subspan(j * groups, groups)));
+        sums[j] = denominator.quotient(residues::integer_with({found.data() + j * groups, groups}));
 }
 
 template <class R>

@@ -1,8 +1,8 @@
 #pragma once
 
-// The weights of a net and its sums, written once for what calls itself a ring: Number, zero by default, one(),
-// and on rows of numbers scale(to, from, factor, count), add_multiple(to, from, factor, count) and
-// dot(a, b, count).
+// The weights of a net and its sums, written once for what calls itself a ring: Number, zero by default; one();
+// add(to, number); and on rows of numbers scale(to, from, factor, count), add_multiple(to, from, factor,
+// count) and dot(a, b, count).
 
 #include <blossom/rational/net_sums.hpp>
 
@@ -20,37 +20,58 @@ inline std::size_t count_of(std::size_t dimension, std::size_t degree) {
     return count;
 }
 
-/// x^i for the indices i of a factor. Those with i_0 = n - b are x_0^(n - b) times the monomials of degree b
-/// in the other variables, and these are x_1 times all of degree b - 1, then x_2 times those without x_1, and
-/// so on, each time the end of the list before.
+/// The number of indices with i_0 = n - b. For a point, of dimension 0, there is only b = 0.
+inline std::size_t block_size(const SimplexFactor& factor, std::size_t b) {
+    if (factor.dimension == 0) return b == 0 ? 1 : 0;
+    return count_of(factor.dimension - 1, b);
+}
+
+/// x^i for the indices i of a factor, those with i_0 = n - b in block b. Without the power of x_0 they are the
+/// monomials of degree b in the other variables, and these are x_1 times all of degree b - 1, then x_2 times
+/// those without x_1, and so on, each time the end of the block before.
+template <class Ring>
+void set_blocks(const Ring& ring, const SimplexFactor& factor, const typename Ring::Number* x,
+                typename Ring::Number* monomials) {
+    const auto [dimension, degree] = factor;
+    *monomials++ = ring.one();
+    for (std::size_t b = 1; b <= degree; ++b) {
+        const auto* const before = monomials;
+        for (std::size_t k = 1; k <= dimension; ++k) {
+            const std::size_t count = count_of(dimension - k, b - 1);
+            ring.scale(monomials, before - count, x[k], count);
+            monomials += count;
+        }
+    }
+}
+/// With the power of x_0.
 template <class Ring>
 void set_monomials(const Ring& ring, const SimplexFactor& factor, const typename Ring::Number* x,
                    typename Ring::Number* monomials) {
-    using Number = typename Ring::Number;
-    const auto [dimension, degree] = factor;
-    monomials[0] = ring.one();
-    if (dimension == 0) {
-        for (std::size_t k = 0; k < degree; ++k) ring.scale(monomials, monomials, x[0], 1);
-        return;
-    }
-    Number* block = monomials;
-    Number* end = block + 1;
-    for (std::size_t b = 1; b <= degree; ++b) {
-        Number* const next = end;
-        for (std::size_t k = 1; k <= dimension; ++k) {
-            const std::size_t count = count_of(dimension - k, b - 1);
-            ring.scale(end, next - count, x[k], count);
-            end += count;
-        }
-        block = next;
-    }
-    Number power = ring.one();
-    for (std::size_t b = degree; b-- > 0;) {
-        const std::size_t count = count_of(dimension - 1, b);
-        block -= count;
+    set_blocks(ring, factor, x, monomials);
+    auto power = ring.one();
+    auto* block = monomials + count_of(factor.dimension, factor.degree) - block_size(factor, factor.degree);
+    for (std::size_t b = factor.degree; b-- > 0;) {
+        block -= block_size(factor, b);
         ring.scale(&power, &power, x[0], 1);
-        ring.scale(block, block, power, count);
+        ring.scale(block, block, power, block_size(factor, b));
     }
+}
+
+/// The sum of the numbers of a net of one factor times its monomials, by Horner's rule in x_0 over the
+/// blocks.
+template <class Ring>
+typename Ring::Number sum_of_blocks(const Ring& ring, const SimplexFactor& factor,
+                                    const typename Ring::Number& x, const typename Ring::Number* net,
+                                    const typename Ring::Number* blocks) {
+    typename Ring::Number sum = net[0];
+    for (std::size_t b = 1; b <= factor.degree; ++b) {
+        net += block_size(factor, b - 1);
+        blocks += block_size(factor, b - 1);
+        ring.scale(&sum, &sum, x, 1);
+        const auto next = ring.dot(net, blocks, block_size(factor, b));
+        ring.add(&sum, next);
+    }
+    return sum;
 }
 
 /// product += form * polynomial, where `polynomial` has a degree in dimension + 1 variables: the coefficients
@@ -81,20 +102,21 @@ void multiply_by_form(const Ring& ring, std::size_t dimension, std::size_t degre
     add_product(ring, dimension, degree, form, room, weights);
 }
 
-/// The sum of the numbers of a net times the weights of all factors, which lie one after the other. `room` is
-/// for a number of each row of the last factor.
+/// The net of the first factor that remains when the numbers of a net are summed up with the weights of all
+/// others, which end at `weights_end`; it lies in `room` unless there are no others.
 template <class Ring>
-typename Ring::Number contracted(const Ring& ring, std::span<const std::size_t> counts,
-                                 const typename Ring::Number* net, std::size_t size,
-                                 const typename Ring::Number* weights_end, typename Ring::Number* room) {
-    for (std::size_t f = counts.size(); f-- > 0;) {
+const typename Ring::Number* contracted_to_first(const Ring& ring, std::span<const std::size_t> counts,
+                                                 const typename Ring::Number* net, std::size_t size,
+                                                 const typename Ring::Number* weights_end,
+                                                 typename Ring::Number* room) {
+    for (std::size_t f = counts.size() - 1; f > 0; --f) {
         weights_end -= counts[f];
         size /= counts[f];
         for (std::size_t i = 0; i < size; ++i)
             room[i] = ring.dot(net + i * counts[f], weights_end, counts[f]);
         net = room;
     }
-    return *net;
+    return net;
 }
 
 }  // namespace blossom::net_weights

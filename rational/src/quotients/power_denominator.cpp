@@ -1,25 +1,10 @@
 #include "power_denominator.hpp"
 
+#include <utility>
+
 #include "number/rational_access.hpp"
 
 namespace blossom {
-
-namespace {
-
-/// The part of `base` with the primes of `common`, a divisor of it.
-Integer part_with_primes(const Integer& base, Integer common) {
-    Integer part = common;
-    Integer rest = divide_exactly(base, common);
-    while (!rest.is_one()) {
-        common = gcd(rest, common);
-        if (common.is_one()) break;
-        part *= common;
-        rest = divide_exactly(rest, common);
-    }
-    return part;
-}
-
-}  // namespace
 
 void PowerDenominator::multiply(const Integer& base, std::size_t exponent) {
     if (base.is_one() || exponent == 0) return;
@@ -27,17 +12,21 @@ void PowerDenominator::multiply(const Integer& base, std::size_t exponent) {
     product_ *= pow(base, exponent);
 }
 
-Rational PowerDenominator::quotient(const Integer& numerator) const {
+// With g = gcd(N, base), N / g and base / g have nothing in common, so that each factor `base` is done with by
+// one gcd, and all others once it is 1.
+Rational PowerDenominator::quotient(Integer numerator) const {
     if (numerator.is_zero()) return {};
-    Integer suspected = 1;
+    Integer shared = 1;
     for (const auto& [base, exponent] : powers_) {
-        const Integer common = gcd(numerator, base);
-        if (!common.is_one()) suspected *= pow(part_with_primes(base, common), exponent);
+        for (std::size_t i = 0; i < exponent; ++i) {
+            const Integer common = gcd(numerator, base);
+            if (common.is_one()) break;
+            numerator = divide_exactly(numerator, common);
+            shared *= common;
+        }
     }
-    const Integer common = suspected.is_one() ? suspected : gcd(numerator, suspected);
-    if (common.is_one()) return RationalAccess::from_lowest_terms(numerator, product_);
-    return RationalAccess::from_lowest_terms(divide_exactly(numerator, common),
-                                             divide_exactly(product_, common));
+    return RationalAccess::from_lowest_terms(
+        std::move(numerator), shared.is_one() ? product_ : divide_exactly(product_, shared));
 }
 
 }  // namespace blossom

@@ -10,14 +10,14 @@
 
 namespace blossom {
 
-/// A product > 0 of powers. A prime that divides a numerator N and a power divides gcd(N, base), mostly 1, so
-/// that the gcd of N and the power itself is not needed.
+/// A product > 0 of powers. Only the gcds of a numerator and each base are taken, mostly 1, and not those of
+/// the numerator and whole powers.
 class PowerDenominator {
 public:
     /// By base^exponent for a base > 0.
     void multiply(const Integer& base, std::size_t exponent);
     /// numerator / product in lowest terms.
-    Rational quotient(const Integer& numerator) const;
+    Rational quotient(Integer numerator) const;
 
 private:
     std::vector<std::pair<Integer, std::size_t>> powers_;

@@ -40,7 +40,6 @@ private:
                 const Limits& limits);
     void evaluate(const PatchPoint& point, std::span<Rational> value) const;
     void evaluate_any(const PatchPoint& point, std::span<Rational> value) const;
-    void require(const PatchPoint& point) const;
 
     NetSums forms_;
     Frame frame_;
