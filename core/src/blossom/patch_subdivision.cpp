@@ -1,8 +1,10 @@
 #include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/net_steps.hpp>
 
 #include <algorithm>
 #include <bit>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -12,38 +14,28 @@ namespace blossom {
 
 namespace {
 
-using Levels = std::vector<std::vector<std::vector<Integer>>>;
-
-/// The pyramids of all coordinates, and what the argument was multiplied by.
-struct Pyramids {
-    Levels rows;
-    Integer scale;
-
-    BezierPatch piece(const BezierPatch& patch, std::size_t factor, std::size_t vertex) const {
-        std::vector<std::vector<Integer>> net;
-        for (const auto& levels : rows) {
-            net.push_back(constructions::with_vertex_replaced(patch.shape(), factor, vertex, levels, scale));
-        }
-        return {patch.shape(), canonical_points(net, patch.control_net().denominator() *
-                                                         pow(scale, patch.shape()[factor].degree))};
-    }
-};
-
-Pyramids pyramids(const BezierPatch& patch, std::size_t factor, const Coordinates& argument,
-                  const Limits& limits) {
-    const auto [dimension, degree] = patch.shape()[factor];
+/// The nets in which the argument, or its multiple, takes the place of each of the vertices.
+std::vector<BezierPatch> with_vertices_replaced(const BezierPatch& patch, std::size_t factor,
+                                                const Coordinates& argument,
+                                                std::span<const std::size_t> vertices, const Limits& limits) {
+    const NetShape& shape = patch.shape();
+    const auto [dimension, degree] = shape[factor];
+    const PointArray& net = patch.control_net();
     const IntegerTuple tuple = cleared(argument);
-    require_result_bits(bits_of(patch.control_net()) + degree * tuple.bits(), limits);
+    require_result_bits(bits_of(net) + degree * tuple.bits(), limits);
     const std::size_t entries = multi_index_count(dimension + 1, degree, limits);
-    require_within(
-        entries,
-        limits.numbers / patch.dimension() / patch.shape().before(factor) / patch.shape().behind(factor),
-        "numbers", "the number of points of the pyramid of one factor");
-    Pyramids result{{}, tuple.scale};
-    for (const auto row : patch.control_net().rows()) {
-        result.rows.push_back(constructions::pyramid<Integer>(patch.shape(), factor, row, tuple.entries));
-    }
-    return result;
+    require_within(entries,
+                   limits.numbers / patch.dimension() / shape.before(factor) / shape.behind(factor),
+                   "numbers", "the number of points of the pyramid of one factor");
+    auto pieces = blossom::with_vertices_replaced(
+        {net.numbers().numerators(), shape[factor], shape.behind(factor)}, tuple.entries, tuple.scale,
+        vertices);
+    const Integer denominator = net.denominator() * pow(tuple.scale, degree);
+    std::vector<BezierPatch> patches;
+    patches.reserve(pieces.size());
+    for (auto& numerators : pieces)
+        patches.emplace_back(shape, canonical_points(net.dimension(), std::move(numerators), denominator));
+    return patches;
 }
 
 /// The net with element order[k] of the frame in place k.
@@ -141,7 +133,7 @@ BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<c
             refuse_dependent(dependent);
         }
         if (!is_unit(element, *place)) {
-            result = pyramids(result, factor, element, limits).piece(result, factor, *place);
+            result = with_vertices_replaced(result, factor, element, std::span(&*place, 1), limits).front();
             for (std::size_t i = j + 1; i < vertices; ++i) exchange(remaining[i], element, *place);
         }
         occupant[*place] = j;
@@ -168,11 +160,9 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
                         ", with which it spans no simplex",
                     Part::at);
     }
-    const Pyramids shared = pyramids(patch, factor, point, limits);
-    std::vector<BezierPatch> pieces;
-    pieces.reserve(vertices);
-    for (std::size_t k = 0; k < vertices; ++k) pieces.push_back(shared.piece(patch, factor, k));
-    return pieces;
+    std::vector<std::size_t> all(vertices);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return with_vertices_replaced(patch, factor, point, all, limits);
 }
 
 // The pieces are walks of s steps from (0, m) to (m, s): at each step one of the two vertices moves on to the

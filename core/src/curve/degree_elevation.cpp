@@ -1,5 +1,6 @@
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/net_steps.hpp>
 
 #include <bit>
 #include <string>
@@ -39,6 +40,13 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
     const auto bits_per_degree = static_cast<std::size_t>(std::bit_width(dimension + 1));
     require_result_bits(bits_of(patch.control_net()) + 2 * (degree + r) * bits_per_degree, limits,
                         raised.size() * patch.dimension());
+    if (r == 1) {
+        const PointArray& net = patch.control_net();
+        return {raised, canonical_points(net.dimension(),
+                                         raised_by_one({net.numbers().numerators(), shape[factor],
+                                                        shape.behind(factor)}),
+                                         net.denominator() * Integer(degree + 1))};
+    }
     const std::size_t steps = multi_index_count(dimension, r, limits);
     require_within(
         shape.size(), limits.expansion_work / steps, "expansion_work",

@@ -126,13 +126,18 @@ Integer greatest_magnitude(const PointArray& points) {
     return greatest;
 }
 
+PointArray canonical_points(std::size_t dimension, std::vector<Integer> numerators,
+                            const Integer& denominator) {
+    PointArray points(dimension, RationalVector(std::move(numerators), denominator));
+    points.make_canonical();
+    return points;
+}
+
 PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator) {
     std::vector<Integer> numerators;
     numerators.reserve(rows.size() * rows.front().size());
     for (const auto& row : rows) numerators.insert(numerators.end(), row.begin(), row.end());
-    PointArray points(rows.size(), RationalVector(std::move(numerators), denominator));
-    points.make_canonical();
-    return points;
+    return canonical_points(rows.size(), std::move(numerators), denominator);
 }
 
 }  // namespace blossom

@@ -89,7 +89,10 @@ std::size_t bits_of(const PointArray& points);
 /// The greatest absolute value of a numerator.
 Integer greatest_magnitude(const PointArray& points);
 
-/// One row of numerators a coordinate over one denominator, made canonical.
+/// Numerators over one denominator, those of each of the coordinates after the other, made canonical.
+PointArray canonical_points(std::size_t dimension, std::vector<Integer> numerators,
+                            const Integer& denominator);
+/// One row of numerators a coordinate.
 PointArray canonical_points(const std::vector<std::vector<Integer>>& rows, const Integer& denominator);
 
 /// The same operation on the row of every coordinate.

@@ -1,7 +1,9 @@
 #pragma once
 
 // The rings in which sums over nets are computed, see net_weights.hpp. Each has as well multiply_each(to, a,
-// b, count), read(integers, to) and Room, memory for numbers that are written before they are read.
+// b, count), read(integers, to) and Room, memory for numbers that are written before they are read. Those
+// that net_steps.cpp uses have stride(), the places that a number takes, Factor, what rows are multiplied by,
+// and integer(number).
 
 #include <blossom/rational/integer.hpp>
 
@@ -38,7 +40,10 @@ private:
 template <class Word>
 struct WordRing {
     using Number = Word;
+    using Factor = Word;
     using Room = blossom::Room<Word, 128>;
+
+    static constexpr std::size_t stride() { return 1; }
 
     static Word one() { return 1; }
     static void add(Word* to, Word number) { *to += number; }
@@ -62,6 +67,15 @@ struct WordRing {
     static void read(std::span<const Integer> integers, Word* to) {
         for (const Integer& integer : integers) *to++ = wrapped(integer);
     }
+    static Integer integer(const Word* word) {
+        if constexpr (sizeof(Word) == sizeof(std::uint64_t)) {
+            return static_cast<std::int64_t>(*word);
+        } else {
+            const std::uint64_t words[] = {static_cast<std::uint64_t>(*word),
+                                           static_cast<std::uint64_t>(*word >> 64)};
+            return IntegerAccess::from_twos_complement(words);
+        }
+    }
 
 private:
     static Word wrapped(const Integer& integer) {
@@ -77,6 +91,10 @@ private:
 /// Integers of any size.
 struct IntegerRing {
     using Number = Integer;
+    using Factor = Integer;
+
+    static constexpr std::size_t stride() { return 1; }
+    static const Integer& integer(const Integer* number) { return *number; }
 
     class Room {
     public:
