@@ -32,7 +32,7 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
     const NetShape& shape = patch.shape();
     const auto [dimension, degree] = shape[factor];
     require_degree(degree, r, limits);
-    const NetShape raised = shape.with_degree(factor, degree + r, limits);
+    NetShape raised = shape.with_degree(factor, degree + r, limits);
     require_within(raised.size(), limits.numbers / patch.dimension(), "numbers",
                    "the number of points of the raised net", Part::by);
     if (r == 0) return patch;
@@ -42,7 +42,7 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
                         raised.size() * patch.dimension());
     if (r == 1) {
         const PointArray& net = patch.control_net();
-        return {raised, canonical_points(net.dimension(),
+        return {std::move(raised), canonical_points(net.dimension(),
                                          raised_by_one({net.numbers().numerators(), shape[factor],
                                                         shape.behind(factor)}),
                                          net.denominator() * Integer(degree + 1))};

@@ -2,8 +2,8 @@
 
 // The rings in which sums over nets are computed, see net_weights.hpp. Each has as well multiply_each(to, a,
 // b, count), read(integers, to) and Room, memory for numbers that are written before they are read. Those
-// that net_steps.cpp uses have stride(), the places that a number takes, Factor, what rows are multiplied by,
-// and integer(number).
+// that net_steps.cpp uses have stride(), the places that a number takes; Factor, what rows are multiplied by;
+// integer(number); and product(number, power) as an integer.
 
 #include <blossom/rational/integer.hpp>
 
@@ -41,6 +41,7 @@ template <class Word>
 struct WordRing {
     using Number = Word;
     using Factor = Word;
+    using Power = Word;
     using Room = blossom::Room<Word, 128>;
 
     static constexpr std::size_t stride() { return 1; }
@@ -77,6 +78,11 @@ struct WordRing {
         }
     }
 
+    static Integer product(const Word* word, Word factor) {
+        const Word product = *word * factor;
+        return integer(&product);
+    }
+
 private:
     static Word wrapped(const Integer& integer) {
         if (integer.is_word()) return static_cast<Word>(integer.word());
@@ -92,9 +98,11 @@ private:
 struct IntegerRing {
     using Number = Integer;
     using Factor = Integer;
+    using Power = Integer;
 
     static constexpr std::size_t stride() { return 1; }
     static const Integer& integer(const Integer* number) { return *number; }
+    static Integer product(const Integer* number, const Integer& factor) { return *number * factor; }
 
     class Room {
     public:

@@ -23,6 +23,15 @@ void add_raised(const Ring& ring, std::size_t dimension, std::size_t degree, std
                 const typename Ring::Number* net, typename Ring::Number* raised) {
     using Factor = typename Ring::Factor;
     if (dimension == 0) return ring.add_multiple(raised, net, static_cast<Factor>(degree + 1), behind);
+    if (dimension == 1) {
+        const std::size_t step = behind * ring.stride();
+        for (std::size_t b = 0; b <= degree; ++b, net += step) {
+            ring.add_multiple(raised, net, static_cast<Factor>(degree + 1 - b), behind);
+            raised += step;
+            ring.add_multiple(raised, net, static_cast<Factor>(b + 1), behind);
+        }
+        return;
+    }
     const typename Ring::Number* before = net;
     for (std::size_t b = 0; b <= degree + 1; ++b) {
         const std::size_t size = count_of(dimension - 1, b) * behind;
@@ -81,13 +90,13 @@ std::vector<Integer> raised_in(const Ring& ring, const FactorNets& nets) {
     const auto [dimension, degree] = nets.factor;
     const std::size_t size = count_of(dimension, degree) * nets.behind;
     const std::size_t raised_size = count_of(dimension, degree + 1) * nets.behind;
-    std::vector<typename Ring::Number> net(size * ring.stride());
-    std::vector<typename Ring::Number> raised(raised_size * ring.stride());
+    typename Ring::Room net(size * ring.stride());
+    typename Ring::Room raised(raised_size * ring.stride());
     std::vector<Integer> numbers;
     numbers.reserve(nets.numbers.size() / size * raised_size);
     for (std::size_t begin = 0; begin < nets.numbers.size(); begin += size) {
         ring.read(nets.numbers.subspan(begin, size), net.data());
-        std::ranges::fill(raised, typename Ring::Number{});
+        std::fill_n(raised.data(), raised_size * ring.stride(), typename Ring::Number{});
         add_raised(ring, dimension, degree, nets.behind, net.data(), raised.data());
         for (std::size_t i = 0; i < raised_size; ++i)
             numbers.push_back(ring.integer(raised.data() + i * ring.stride()));
@@ -121,36 +130,39 @@ void start_level(Ring&, const StepBits&, std::size_t) {}
 
 template <class Ring>
 std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets, const StepBits& bits,
-                                              const typename Ring::Factor* argument, const Integer& scale,
+                                              const typename Ring::Factor* argument,
+                                              const typename Ring::Power& scale,
                                               std::span<const std::size_t> vertices) {
     const auto [dimension, degree] = nets.factor;
     const std::size_t size = count_of(dimension, degree) * nets.behind;
-    std::vector<typename Ring::Number> level(size * ring.stride());
-    std::vector<typename Ring::Number> next(dimension == 0 ? level.size() : size * ring.stride());
-    std::vector<Integer> powers{1};
+    typename Ring::Room rooms[] = {typename Ring::Room(size * ring.stride()),
+                                   typename Ring::Room(size * ring.stride())};
+    auto* level = rooms[0].data();
+    auto* next = rooms[1].data();
+    std::vector<typename Ring::Power> powers{1};
     while (powers.size() <= degree) powers.push_back(powers.back() * scale);
     std::vector<std::vector<Integer>> results(vertices.size(), std::vector<Integer>(nets.numbers.size()));
     for (std::size_t begin = 0; begin < nets.numbers.size(); begin += size) {
         start_level(ring, bits, 0);
-        ring.read(nets.numbers.subspan(begin, size), level.data());
+        ring.read(nets.numbers.subspan(begin, size), level);
         for (std::size_t r = 0;; ++r) {
-            const Integer& power = powers[degree - r];
+            const auto& power = powers[degree - r];
             for (std::size_t i = 0; i < vertices.size(); ++i) {
                 each_opposite(dimension, degree - r, vertices[i], r, 0, 0,
                               [&](std::size_t from, std::size_t to, std::size_t count) {
-                                  const auto* number = level.data() + from * nets.behind * ring.stride();
+                                  const auto* number = level + from * nets.behind * ring.stride();
                                   Integer* result = results[i].data() + begin + to * nets.behind;
                                   for (std::size_t k = 0; k < count * nets.behind; ++k) {
-                                      result[k] = ring.integer(number) * power;
+                                      result[k] = ring.product(number, power);
                                       number += ring.stride();
                                   }
                               });
             }
             if (r == degree) break;
             start_level(ring, bits, r + 1);
-            ring.scale(next.data(), level.data(), argument[0],
+            ring.scale(next, level, argument[0],
                        count_of(dimension, degree - r - 1) * nets.behind);
-            add_folded(ring, dimension, degree - r, nets.behind, level.data(), argument, next.data());
+            add_folded(ring, dimension, degree - r, nets.behind, level, argument, next);
             std::swap(level, next);
         }
     }
@@ -193,11 +205,14 @@ std::vector<std::vector<Integer>> with_vertices_replaced(const FactorNets& nets,
     spend_work(nets.numbers.size() * nets.factor.degree * words_for(bits.result));
     if (bits.result < 64) {
         const std::vector<std::uint64_t> argument(words->begin(), words->end());
-        return replaced_in(WordRing<std::uint64_t>(), nets, bits, argument.data(), scale, vertices);
+        return replaced_in(WordRing<std::uint64_t>(), nets, bits, argument.data(),
+                           static_cast<std::uint64_t>(scale.word()), vertices);
     }
     if (bits.result < 128) {
         const std::vector<UInt128> argument(words->begin(), words->end());
-        return replaced_in(WordRing<UInt128>(), nets, bits, argument.data(), scale, vertices);
+        UInt128 wide_scale = 0;
+        WordRing<UInt128>::read(std::span(&scale, 1), &wide_scale);
+        return replaced_in(WordRing<UInt128>(), nets, bits, argument.data(), wide_scale, vertices);
     }
     return replaced_in(LimbRing(words_for(bits.level(bits.degree))), nets, bits, words->data(), scale, vertices);
 }

@@ -38,6 +38,16 @@ inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t
 inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b, std::size_t n) {
     mpn_mul(product, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n));
 }
+/// The carry or borrow of to = a b, to += a b and to -= a b.
+inline Limb set_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
+    return mpn_mul_1(to, a, static_cast<mp_size_t>(size), b);
+}
+inline Limb add_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
+    return mpn_addmul_1(to, a, static_cast<mp_size_t>(size), b);
+}
+inline Limb subtract_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
+    return mpn_submul_1(to, a, static_cast<mp_size_t>(size), b);
+}
 /// quotient[0..m - n] and remainder[0..n) of a / b for m >= n >= 1, the top of b not 0; the remainder may
 /// lie where a does.
 inline void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t m, const Limb* b,
@@ -84,6 +94,34 @@ inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b,
         }
         product[m + j] = static_cast<Limb>(carry);
     }
+}
+inline Limb set_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
+    UInt128 carry = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        carry += UInt128{a[i]} * b;
+        to[i] = static_cast<Limb>(carry);
+        carry >>= 64;
+    }
+    return static_cast<Limb>(carry);
+}
+inline Limb add_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
+    UInt128 carry = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        carry += UInt128{a[i]} * b + to[i];
+        to[i] = static_cast<Limb>(carry);
+        carry >>= 64;
+    }
+    return static_cast<Limb>(carry);
+}
+inline Limb subtract_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
+    UInt128 borrow = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        borrow += UInt128{a[i]} * b;
+        const auto low = static_cast<Limb>(borrow);
+        borrow = (borrow >> 64) + static_cast<Limb>(to[i] < low);
+        to[i] -= low;
+    }
+    return static_cast<Limb>(borrow);
 }
 inline void write(const backend::Number& value, Limb* to, std::size_t size) {
     std::fill(to, to + size, Limb{0});

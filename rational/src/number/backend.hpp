@@ -119,15 +119,17 @@ inline void set_words(Number& value, std::span<const std::uint64_t> words, bool 
 
 /// Sets `value` to the number whose two's complement is `words`.
 inline void set_twos_complement(Number& value, std::span<const std::uint64_t> words) {
-    const auto size = static_cast<mp_size_t>(words.size());
-    mp_limb_t* const limbs = mpz_limbs_write(value.backend().data(), size);
-    const bool negative = words.back() >> 63 != 0;
-    if (negative) {
-        mpn_neg(limbs, words.data(), size);
-    } else {
-        std::ranges::copy(words, limbs);
+    auto size = static_cast<mp_size_t>(words.size());
+    const mpz_ptr data = value.backend().data();
+    mp_limb_t* const limbs = data->_mp_alloc < size ? mpz_limbs_write(data, size) : data->_mp_d;
+    const std::uint64_t sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
+    std::uint64_t carry = sign & 1;
+    for (mp_size_t i = 0; i < size; ++i) {
+        limbs[i] = (words[static_cast<std::size_t>(i)] ^ sign) + carry;
+        carry &= static_cast<std::uint64_t>(limbs[i] == 0);
     }
-    mpz_limbs_finish(value.backend().data(), negative ? -size : size);
+    while (size > 0 && limbs[size - 1] == 0) --size;
+    data->_mp_size = static_cast<int>(sign != 0 ? -size : size);
 }
 
 /// Of the magnitude.

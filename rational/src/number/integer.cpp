@@ -327,7 +327,10 @@ Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words
     const auto sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
     while (used > 1 && words[used - 1] == sign && (words[used - 2] ^ sign) >> 63 == 0) --used;
     if (used == 1) return static_cast<std::int64_t>(words[0]);
-    return computed([&](Number& number) { backend::set_twos_complement(number, words.first(used)); });
+    Integer result;
+    result.large_ = take_large();
+    backend::set_twos_complement(result.large_->value, words.first(used));
+    return result;
 }
 
 void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {

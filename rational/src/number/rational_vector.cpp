@@ -2,8 +2,10 @@
 #include <blossom/rational/rational_vector.hpp>
 
 #include <algorithm>
+#include <bit>
 
 #include "backend.hpp"
+#include "uint128.hpp"
 
 namespace blossom {
 
@@ -89,8 +91,15 @@ bool operator==(const RationalVector& a, const RationalVector& b) {
 
 std::size_t greatest_bit_length(std::span<const Integer> values) {
     std::size_t greatest = 0;
-    for (const Integer& value : values) greatest = std::max(greatest, value.bit_length());
-    return greatest;
+    std::uint64_t words = 0;  // of all magnitudes, a bit that one of them has
+    for (const Integer& value : values) {
+        if (value.is_word()) {
+            words |= magnitude(value.word());
+        } else {
+            greatest = std::max(greatest, value.bit_length());
+        }
+    }
+    return std::max(greatest, static_cast<std::size_t>(std::bit_width(words)));
 }
 
 }  // namespace blossom
