@@ -59,4 +59,67 @@ private:
     Arguments scratch_;
 };
 
+/// Boehm's algorithm in one pass for knots in order, none of which is the end of the domain.
+class Refinement {
+public:
+    Refinement(const blossom::BSplineCurve& curve, std::span<const blossom::Rational> inserted)
+        : degree_(static_cast<slong>(curve.degree())),
+          begin_(static_cast<slong>(curve.knots().begin_index())),
+          old_knots_(curve.knots().knots()),
+          old_points_(DeBoor::first_coordinates(curve)),
+          inserted_(inserted),
+          knots_(std::vector<blossom::Rational>(static_cast<std::size_t>(old_knots_.size()) + inserted.size())),
+          points_(
+              std::vector<blossom::Rational>(static_cast<std::size_t>(old_points_.size()) + inserted.size())),
+          scratch_(std::vector<blossom::Rational>(2)) {}
+
+    void run() {
+        slong old_knot = 0;
+        slong old_point = 0;
+        slong knot = 0;
+        slong point = 0;
+        fmpq* weight = scratch_.data();
+        fmpq* length = scratch_.data() + 1;
+        for (slong k = 0; k < inserted_.size(); ++k) {
+            const fmpq* x = inserted_.data() + k;
+            while (old_knot < old_knots_.size() && fmpq_cmp(old_knots_.data() + old_knot, x) <= 0)
+                fmpq_set(knots_.data() + knot++, old_knots_.data() + old_knot++);
+            const slong first = knot - 1 - begin_;
+            while (point <= first + degree_) fmpq_set(points_.data() + point++, old_points_.data() + old_point++);
+            fmpq* p = points_.data() + first;
+            fmpq_set(points_.data() + point++, p + degree_);
+            for (slong l = degree_ - 1; l >= 0; --l) {
+                const fmpq* begin = knots_.data() + knot - degree_ + l;
+                const fmpq* end = old_knots_.data() + old_knot + l;
+                fmpq_sub(weight, x, begin);
+                fmpq_sub(length, end, begin);
+                fmpq_div(weight, weight, length);
+                fmpq_sub(p + l + 1, p + l + 1, p + l);
+                fmpq_mul(p + l + 1, p + l + 1, weight);
+                fmpq_add(p + l + 1, p + l + 1, p + l);
+            }
+            fmpq_set(knots_.data() + knot++, x);
+        }
+        while (old_knot < old_knots_.size())
+            fmpq_set(knots_.data() + knot++, old_knots_.data() + old_knot++);
+        while (old_point < old_points_.size())
+            fmpq_set(points_.data() + point++, old_points_.data() + old_point++);
+    }
+    std::string text() const {
+        std::string result;
+        for (slong i = 0; i < points_.size(); ++i) result += text_of(points_.data() + i) + " ";
+        return result;
+    }
+
+private:
+    slong degree_;
+    slong begin_;
+    Arguments old_knots_;
+    Arguments old_points_;
+    Arguments inserted_;
+    Arguments knots_;
+    Arguments points_;
+    Arguments scratch_;
+};
+
 }  // namespace flint_peer

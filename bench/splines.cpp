@@ -1,6 +1,12 @@
-// A B-spline curve of ten segments with knots 0, 1, ... at a thousand parameters.
+// B-spline curves of ten segments: with knots 0, 1, ... at a thousand parameters, and with rational knots at
+// parameters in turn, and refined by knots.
 
 #include <blossom/core/spline/curve_values.hpp>
+#include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
+
+#include <algorithm>
+#include <memory>
 
 #include "boost_numbers.hpp"
 #include "cases.hpp"
@@ -81,12 +87,132 @@ void compare_spline(const Report& report, std::size_t degree, std::size_t bits) 
           [&] { return joined(count, [&](std::size_t i) { return boost_values[i].str(); }); }}});
 }
 
+/// With knots and points of `bits` bits above and below the line.
+BSplineCurve rational_spline(std::size_t degree, std::size_t bits) {
+    std::mt19937_64 random(degree * 100 + bits);
+    std::vector<Rational> knots;
+    while (knots.size() < segments + 2 * degree + 1) {
+        knots.push_back(number(random, bits));
+        if (std::ranges::count(knots, knots.back()) > 1) knots.pop_back();
+    }
+    std::ranges::sort(knots);
+    std::vector<Coordinates> points;
+    for (std::size_t i = 0; i < segments + degree; ++i) points.push_back({number(random, bits)});
+    return {degree, knots, points};
+}
+
+std::vector<Rational> inside(const BSplineCurve& curve, std::size_t bits, std::size_t count) {
+    std::mt19937_64 random(bits + count);
+    const Interval domain = curve.knots().domain();
+    std::vector<Rational> result;
+    while (result.size() < count) {
+        const Rational t = number(random, bits);
+        if (domain.a() <= t && t < domain.b()) result.push_back(t);
+    }
+    return result;
+}
+
+template <class Value>
+void compare_values(const Report& report, const char* work, const BSplineCurve& curve, std::size_t bits,
+                    const Value& value) {
+    constexpr std::size_t count = 100;
+    const std::vector<Rational> parameters = inside(curve, bits, count);
+    std::vector<Rational> values;
+    flint_peer::DeBoor flint(curve);
+    const flint_peer::Arguments flint_parameters(parameters);
+    const flint_peer::Arguments flint_values(parameters);
+    std::vector<slong> spans;
+    for (const Rational& t : parameters) spans.push_back(static_cast<slong>(curve.knots().span_at(t)));
+    report.compare("splines", work, curve.degree(), bits,
+                   {{"engine", [&] { values = value(parameters); },
+                     [&] {
+                         std::string text;
+                         for (const Rational& number : values) text += to_string(number) + " ";
+                         return text;
+                     }},
+                    {"FLINT",
+                     [&] {
+                         for (std::size_t i = 0; i < count; ++i)
+                             fmpq_set(flint_values.data() + i,
+                                      flint.value(spans[i], flint_parameters.data() + i));
+                     },
+                     [&] {
+                         std::string text;
+                         for (std::size_t i = 0; i < count; ++i)
+                             text += flint_peer::text_of(flint_values.data() + i) + " ";
+                         return text;
+                     }}});
+}
+
+/// Each knot by itself, or all at once.
+void compare_insertion(const Report& report, const char* work, const BSplineCurve& curve, std::size_t bits,
+                       std::size_t count, bool at_once) {
+    std::vector<Rational> knots = inside(curve, bits, count);
+    std::ranges::sort(knots);
+    knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+    std::erase_if(knots, [&](const Rational& knot) { return curve.knots().multiplicity(knot) > 0; });
+    std::vector<std::vector<Rational>> lists;
+    if (at_once) {
+        lists.push_back(knots);
+    } else {
+        for (const Rational& knot : knots) lists.push_back({knot});
+    }
+    std::vector<BSplineCurve> refined;
+    std::vector<std::unique_ptr<flint_peer::Refinement>> flint;
+    for (const auto& list : lists) flint.push_back(std::make_unique<flint_peer::Refinement>(curve, list));
+    report.compare("splines", work, curve.degree(), bits,
+                   {{"engine",
+                     [&] {
+                         refined.clear();
+                         for (const auto& list : lists) refined.push_back(insert_knots_boehm(curve, list));
+                     },
+                     [&] {
+                         std::string text;
+                         for (const BSplineCurve& one : refined) {
+                             for (const Coordinates& point : one.control_points())
+                                 text += to_string(point[0]) + " ";
+                         }
+                         return text;
+                     }},
+                    {"FLINT",
+                     [&] {
+                         for (const auto& one : flint) one->run();
+                     },
+                     [&] {
+                         std::string text;
+                         for (const auto& one : flint) text += one->text();
+                         return text;
+                     }}});
+}
+
+void compare_rational_knots(const Report& report, std::size_t degree, std::size_t bits) {
+    const BSplineCurve curve = rational_spline(degree, bits);
+    if (report.wants("values over rational knots", degree, bits)) {
+        const SplineValues prepared(curve);
+        compare_values(report, "values over rational knots", curve, bits,
+                       [&](std::span<const Rational> parameters) { return prepared.at(parameters); });
+    }
+    if (report.wants("single values over rational knots", degree, bits)) {
+        compare_values(report, "single values over rational knots", curve, bits,
+                       [&](std::span<const Rational> parameters) {
+                           std::vector<Rational> values;
+                           for (const Rational& t : parameters) values.push_back(de_boor(curve, t).front());
+                           return values;
+                       });
+    }
+    if (report.wants("knot insertion", degree, bits))
+        compare_insertion(report, "knot insertion", curve, bits, 30, false);
+    if (report.wants("refinement by 1000 knots", degree, bits) && bits > 7)
+        compare_insertion(report, "refinement by 1000 knots", curve, bits, 1000, true);
+}
+
 }  // namespace
 
 void measure_splines(const Report& report) {
     for (const std::size_t bits : {7U, 20U, 64U}) {
         for (const std::size_t degree : {3U, 10U}) {
             if (report.wants("de Boor", degree, bits)) compare_spline(report, degree, bits);
+            compare_rational_knots(report, degree, bits);
         }
     }
 }

@@ -68,7 +68,7 @@ TEST_CASE("derose-fig10: the engine's triangle gives the blossom for all argumen
     Random random(11);
     for (std::size_t n = 0; n <= 4; ++n) {
         for (int round = 0; round < 5; ++round) {
-            const RationalVector knots(legal_knots(random, n));
+            const std::vector<Rational> knots = legal_knots(random, n);
             std::vector<Symbol> coefficients;
             for (std::size_t k = 0; k <= n; ++k) coefficients.push_back(variable(k));
             std::vector<Symbol> values;
@@ -84,8 +84,7 @@ TEST_CASE("derose-fig10: the engine's triangle gives the blossom for all argumen
                 pairs.push_back({points.back(), 1});
             }
             const std::vector<std::span<const Symbol>> rows{values};
-            const auto value = constructions::by_progressive_values<Symbol>(rows, knots.numerators(),
-                                                                            knots.denominator(), pairs);
+            const auto value = constructions::by_progressive_values<Symbol>(rows, knots, pairs);
             CHECK(value.numerators.front() ==
                   symbolic_blossom(coefficients, points) * Symbol(value.denominator));
         }
@@ -103,11 +102,9 @@ TEST_CASE(
         const PolynomialRecipe recipe = polynomial_map(random, n, Size::small);
         const Blossom blossom(recipe.curve());
         const ProgressiveCurve curve = progressive_form(recipe.curve(), knots);
-        const RationalVector cleared(knots);
         std::vector<std::vector<Integer>> rows;
         for (const auto row : curve.control_points().rows()) rows.emplace_back(row.begin(), row.end());
-        constructions::ProgressiveTriangle<Integer> triangle(rows, cleared.numerators(),
-                                                             cleared.denominator());
+        constructions::ProgressiveTriangle<Integer> triangle(rows, knots);
         std::vector<Argument> asked;
         for (std::size_t k = 0; k <= n; ++k) {
             for (std::size_t l = 0; l + k <= n; ++l) {

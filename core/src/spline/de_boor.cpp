@@ -9,8 +9,9 @@ namespace blossom {
 
 namespace {
 
-ProgressiveFrame frame_of(const BSplineCurve& curve, std::size_t span, const Limits& limits) {
-    return {curve.knots().around(span), curve.points_of(span), limits};
+Coordinates value_on_span(const BSplineCurve& curve, std::size_t span, std::span<const Argument> arguments,
+                          const Limits& limits) {
+    return ProgressiveFrame(curve.knots().around(span), curve.points_of(span), limits).value(arguments);
 }
 
 Coordinates scaled_difference(const Coordinates& end, const Coordinates& begin, const Rational& scale) {
@@ -78,12 +79,12 @@ Coordinates segment_blossom(const BSplineCurve& curve, std::size_t span, std::sp
                         std::to_string(arguments.size()),
                     Part::arguments);
     }
-    return frame_of(curve, span, limits).value(arguments);
+    return value_on_span(curve, span, arguments, limits);
 }
 
 Coordinates de_boor(const BSplineCurve& curve, const Parameter& t, const Limits& limits) {
     const std::size_t span = curve.knots().span_at(t.value);
-    return frame_of(curve, span, limits).value(with_copies({}, curve.degree(), t));
+    return value_on_span(curve, span, with_copies({}, curve.degree(), t), limits);
 }
 
 Coordinates derivative(const BSplineCurve& curve, std::size_t order, const Parameter& t,
@@ -92,7 +93,7 @@ Coordinates derivative(const BSplineCurve& curve, std::size_t order, const Param
     const std::size_t span = curve.knots().span_at(t.value);
     if (order > n) return Coordinates(curve.dimension());
     Coordinates value =
-        frame_of(curve, span, limits).value(with_copies(with_copies({}, n - order, t), order, delta));
+        value_on_span(curve, span, with_copies(with_copies({}, n - order, t), order, delta), limits);
     const Integer factor = falling_factorial(n, order);
     for (Rational& coordinate : value) coordinate *= factor;
     return value;

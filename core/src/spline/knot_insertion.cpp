@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "knot_weights.hpp"
 #include "progressive_frame.hpp"
 
 namespace blossom {
@@ -74,12 +75,13 @@ public:
         const std::size_t n = curve_.degree();
         while (points_.size() <= first + n) points_.push_back(curve_.control_points()[old_points_++]);
 
-        const std::vector<Rational> knots = around(knot);
-        const ProgressiveFrame frame(knots, std::span(points_).subspan(first, n + 1), limits_);
-        ProgressiveDescent level(frame);
-        if (n > 0) level.descend(Parameter(knot));
         points_.insert(points_.begin() + static_cast<std::ptrdiff_t>(first + n), points_[first + n]);
-        for (std::size_t l = 0; l < n; ++l) points_[first + 1 + l] = level.entry(l);
+        for (std::size_t l = n; l-- > 0;) {
+            const Rational& end = l < at_end_ ? knot : old[old_knots_ + l - at_end_];
+            const KnotWeights weights(knots_[knots_.size() - n + l], end, knot);
+            Coordinates& point = points_[first + 1 + l];
+            weights.combine(points_[first + l], point, point, limits_);
+        }
         if (at_end) {
             ++at_end_;
         } else {
@@ -97,15 +99,6 @@ public:
     }
 
 private:
-    /// n knots on each side of the place.
-    std::vector<Rational> around(const Rational& knot) const {
-        const std::size_t n = curve_.degree();
-        std::vector<Rational> around(knots_.end() - static_cast<std::ptrdiff_t>(n), knots_.end());
-        around.insert(around.end(), std::min(n, at_end_), knot);
-        for (std::size_t i = old_knots_; around.size() < 2 * n; ++i) around.push_back(curve_.knots()[i]);
-        return around;
-    }
-
     const BSplineCurve& curve_;
     const Limits& limits_;
     std::vector<Rational> knots_;

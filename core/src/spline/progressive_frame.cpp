@@ -61,23 +61,31 @@ ProgressiveFrame::ProgressiveFrame(const ProgressiveCurve& curve, const Limits& 
     for (const auto row : curve.control_points().rows()) rows_.emplace_back(row.begin(), row.end());
 }
 
-ProgressiveFrame::ProgressiveFrame(RationalVector knots, std::vector<std::vector<Integer>> rows,
+ProgressiveFrame::ProgressiveFrame(std::span<const Rational> knots, std::vector<std::vector<Integer>> rows,
                                    Integer denominator, const Limits& limits)
-    : knots_(std::move(knots)),
+    : knots_(knots),
       rows_(std::move(rows)),
       denominator_(std::move(denominator)),
       limits_(limits) {}
 
 Coordinates ProgressiveFrame::value(std::span<const Argument> arguments) const {
-    ProgressiveDescent descent(*this);
-    for (const Argument& argument : arguments) descent.descend(argument);
-    return descent.entry(0);
+    constructions::ProgressiveTriangle<Integer> triangle(rows_, knots_);
+    Integer denominator = denominator_;
+    for (const Argument& argument : arguments) {
+        const ClearedArguments cleared = cleared_one_by_one({&argument, 1});
+        triangle.descend(cleared.pairs.front());
+        std::size_t bits = 0;
+        for (const auto& row : triangle.rows()) bits = std::max(bits, greatest_bit_length(row));
+        require_result_bits(bits, limits_);
+        denominator *= cleared.scales.front();
+    }
+    return reduced(triangle.entry(0), denominator);
 }
 
 PointArray ProgressiveFrame::control_points() const {
     const std::size_t n = degree();
-    std::vector<Integer> knots = knots_.numerators();
-    const Integer a = knots[n - 1];
+    std::vector<Rational> knots(knots_.begin(), knots_.end());
+    std::fill_n(knots.begin(), n, knots_[n - 1]);
     ProgressiveDescent at_a(*this);
     Edge behind(rows_.size());
     behind.take(at_a, n);
@@ -87,9 +95,7 @@ PointArray ProgressiveFrame::control_points() const {
     }
     std::vector<std::vector<Integer>> rows = std::move(behind).rows();
     for (auto& row : rows) std::ranges::reverse(row);
-    std::fill_n(knots.begin(), n, a);
-    const ProgressiveFrame clamped(knots_.over_same_denominator(std::move(knots)), std::move(rows),
-                                   at_a.denominator(), limits_);
+    const ProgressiveFrame clamped(knots, std::move(rows), at_a.denominator(), limits_);
 
     ProgressiveDescent at_b(clamped);
     Edge points(rows_.size());

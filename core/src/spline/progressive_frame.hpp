@@ -9,7 +9,7 @@
 
 namespace blossom {
 
-/// 2n knots over one denominator and n + 1 points over another.
+/// 2n knots, which live as long as the frame, and n + 1 points over one denominator.
 class ProgressiveFrame {
 public:
     ProgressiveFrame(std::span<const Rational> knots, std::span<const Coordinates> points,
@@ -17,7 +17,8 @@ public:
     ProgressiveFrame(const ProgressiveCurve& curve, const Limits& limits);
 
     std::size_t degree() const { return knots_.size() / 2; }
-    /// f(arguments), as many as the degree.
+    /// f(arguments), as many as the degree, by `constructions::ProgressiveTriangle`: one value needs the
+    /// lengths of all intervals below the line in any case, so that nothing is divided on the way.
     Coordinates value(std::span<const Argument> arguments) const;
     /// P_k = f(a^(n-k), b^k) over the knots in the middle, a = t_(n-1) and b = t_n.
     ///
@@ -29,21 +30,20 @@ public:
 private:
     friend class ProgressiveDescent;
 
-    ProgressiveFrame(RationalVector knots, std::vector<std::vector<Integer>> rows, Integer denominator,
-                     const Limits& limits);
+    ProgressiveFrame(std::span<const Rational> knots, std::vector<std::vector<Integer>> rows,
+                     Integer denominator, const Limits& limits);
 
-    RationalVector knots_;
+    std::span<const Rational> knots_;
     std::vector<std::vector<Integer>> rows_;
     Integer denominator_;
     Limits limits_;
 };
 
 /// De Boor's triangle on its way down, see `constructions::ProgressiveTriangle`, over a denominator that
-/// grows by little more than the entries need. It looks at the knots of its frame.
+/// grows by little more than the entries need.
 class ProgressiveDescent {
 public:
     explicit ProgressiveDescent(const ProgressiveFrame& frame);
-    explicit ProgressiveDescent(ProgressiveFrame&&) = delete;
 
     /// Cost: n - k combinations and divisions a coordinate at level k. Errors: `limit_exceeded`.
     void descend(const Argument& argument);
@@ -54,7 +54,7 @@ public:
     const Integer& denominator() const { return denominator_; }
 
 private:
-    const RationalVector& knots_;
+    RationalVector knots_;
     std::vector<std::vector<Integer>> rows_;
     Integer denominator_;
     std::size_t level_ = 0;

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "rational_access.hpp"
+
 namespace blossom {
 
 Rational::Rational(Integer numerator, Integer denominator)
@@ -68,6 +70,33 @@ Rational abs(Rational value) { return value.sign() < 0 ? -std::move(value) : val
 
 Rational pow(const Rational& base, std::size_t exponent) {
     return {pow(base.numerator(), exponent), pow(base.denominator(), exponent)};
+}
+
+// Over the least common multiple g a' b' of the denominators g a' and g b'. When a factor f of the denominator
+// and the numerator N are divided by gcd(N, f), they have nothing in common, nor has f with what N becomes.
+Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
+                     const Integer& divisor) {
+    const Integer common = gcd(a.denominator(), b.denominator());
+    const bool is_one = common.is_one();
+    Integer own_of_a = is_one ? a.denominator() : divide_exactly(a.denominator(), common);
+    Integer own_of_b = is_one ? b.denominator() : divide_exactly(b.denominator(), common);
+    Integer numerator = left * a.numerator() * own_of_b;
+    numerator.add_product(right * b.numerator(), own_of_a);
+    Integer denominator = divisor * common * own_of_a * own_of_b;
+    if (denominator.is_word() && !denominator.is_zero())
+        return {std::move(numerator), std::move(denominator)};
+    denominator = divisor.sign() < 0 ? -1 : 1;
+    for (const Integer& factor : {abs(divisor), common, std::move(own_of_a), std::move(own_of_b)}) {
+        if (factor.is_zero()) return {std::move(numerator), 0};
+        const Integer shared = gcd(numerator, factor);
+        if (!shared.is_one()) numerator = divide_exactly(numerator, shared);
+        denominator *= shared.is_one() ? factor : divide_exactly(factor, shared);
+    }
+    if (denominator.sign() < 0) {
+        numerator.negate();
+        denominator.negate();
+    }
+    return RationalAccess::from_lowest_terms(std::move(numerator), std::move(denominator));
 }
 
 std::string to_string(const Rational& value) {

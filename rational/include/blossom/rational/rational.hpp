@@ -67,6 +67,12 @@ Rational abs(Rational value);
 /// base^exponent, with 0^0 = 1.
 Rational pow(const Rational& base, std::size_t exponent);
 
+/// (left a + right b) / divisor in lowest terms. Cost: a gcd of the denominators of a and b, and one of the
+/// numerator and each factor of the denominator, where single operations would reduce four times. Errors:
+/// `zero_denominator`.
+Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
+                     const Integer& divisor);
+
 /// "p" or "p/q" in lowest terms.
 std::string to_string(const Rational& value);
 

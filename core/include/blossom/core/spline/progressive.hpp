@@ -20,65 +20,89 @@ namespace constructions {
 ///
 /// On the level of (u, v) = `argument` neighbours are combined by the coordinates of the argument in
 /// [t_(k+l), t_(n+l)]: (t_(n+l) v - u) / (t_(n+l) - t_(k+l)) and (u - t_(k+l) v) / (t_(n+l) - t_(k+l)).
-/// Written for any commutative ring R that contains the integers; the knots are integers over q, and each
-/// level is scaled by the least common multiple of its differences of knots. Source: DeRose, figure 10, with
-/// the right end t_(n+l), where the print has t_(n+k+l). Statements: derose-fig10, derose-fig10-comment1,
-/// derose-fig10-comment2.
+/// Written for any commutative ring R that contains the integers: each entry has its own denominator, and
+/// those of neighbours differ only by the lengths of the intervals that one of them depends on. Source:
+/// DeRose, figure 10, with the right end t_(n+l), where the print has t_(n+k+l). Statements: derose-fig10,
+/// derose-fig10-comment1, derose-fig10-comment2.
 template <class R>
 class ProgressiveTriangle {
 public:
-    /// One row of n + 1 values per coordinate, and 2n knots t_i = knots[i] / q with t_j != t_(n+l) for l <= j
-    /// < n.
-    ProgressiveTriangle(std::vector<std::vector<R>> rows, std::span<const Integer> knots, Integer q)
-        : rows_(std::move(rows)), knots_(knots), q_(std::move(q)) {}
+    /// One row of n + 1 values per coordinate, and 2n knots t_i with t_j != t_(n+l) for l <= j < n, which live
+    /// as long as the triangle.
+    ProgressiveTriangle(std::vector<std::vector<R>> rows, std::span<const Rational> knots)
+        : rows_(std::move(rows)), knots_(knots), neighbours_(knots.size() / 2) {
+        denominators_.resize(neighbours_.size() + 1, 1);
+    }
 
     /// One level more. Cost: n - k combinations per coordinate, and the weights.
     void descend(const HomogeneousPair<R>& argument) {
         const std::size_t n = knots_.size() / 2;
         const std::size_t entries = n - level_;
-        Integer common = 1;
-        for (std::size_t l = 0; l < entries; ++l) common = lcm(common, knots_[n + l] - knots_[level_ + l]);
+        Integer length_before;
         for (std::size_t l = 0; l < entries; ++l) {
-            const Integer& begin = knots_[level_ + l];
-            const Integer& end = knots_[n + l];
-            const Integer scale = divide_exactly(common, end - begin);
-            const R parameter = R(q_ * scale) * argument.u;
-            const R left = R(end * scale) * argument.mass - parameter;
-            const R right = parameter - R(begin * scale) * argument.mass;
-            for (auto& row : rows_) row[l] = left * row[l] + right * row[l + 1];
+            const Rational& begin = knots_[level_ + l];
+            const Rational& end = knots_[n + l];
+            const Integer left_end = end.numerator() * begin.denominator();
+            const Integer right_end = begin.numerator() * end.denominator();
+            const Integer length = left_end - right_end;
+            auto& [own, next] = neighbours_[l];
+            const R parameter = R(begin.denominator() * end.denominator()) * argument.u;
+            const R left = (R(left_end) * argument.mass - parameter) * R(own);
+            const R right = (parameter - R(right_end) * argument.mass) * R(next);
+            for (auto& row : rows_) {
+                row[l] *= left;
+                accumulate_product(row[l], right, row[l + 1]);
+            }
+            denominators_[l] *= length * own;
+            // The factors of entries l - 1 and l on the new level.
+            if (l > 0) set_neighbours(l - 1, length * own, length_before);
+            length_before = length * next;
         }
         for (auto& row : rows_) row.pop_back();
-        denominator_ *= common;
         ++level_;
     }
 
     std::size_t level() const { return level_; }
     const std::vector<std::vector<R>>& rows() const { return rows_; }
-    /// What the levels have multiplied the rows by.
-    const Integer& denominator() const { return denominator_; }
     /// Entry l of the present row.
     Quotients<R> entry(std::size_t l) const {
-        Quotients<R> value{{}, denominator_};
+        Quotients<R> value{{}, denominators_[l]};
         for (const auto& row : rows_) value.numerators.push_back(row[l]);
         return value;
     }
 
 private:
+    /// What the numerators of entries l and l + 1 are multiplied by to stand over one denominator.
+    struct Neighbours {
+        Integer own = 1;
+        Integer next = 1;
+    };
+
+    /// Short factors are reduced: over equidistant knots they are 1.
+    void set_neighbours(std::size_t l, Integer own, Integer next) {
+        if (own.is_word() && next.is_word()) {
+            const Integer common = gcd(own, next);
+            own /= common;
+            next /= common;
+        }
+        neighbours_[l] = {std::move(own), std::move(next)};
+    }
+
     std::vector<std::vector<R>> rows_;
-    std::span<const Integer> knots_;
-    Integer q_;
-    Integer denominator_ = 1;
+    std::span<const Rational> knots_;
+    std::vector<Neighbours> neighbours_;
+    std::vector<Integer> denominators_;
     std::size_t level_ = 0;
 };
 
 /// The blossom from progressive values: the apex of the triangle.
 /// Cost: n^2 / 2 weights, and as many combinations per coordinate.
 template <class R>
-Quotients<R> by_progressive_values(Rows<R> values, std::span<const Integer> knots, const Integer& q,
+Quotients<R> by_progressive_values(Rows<R> values, std::span<const Rational> knots,
                                    std::span<const HomogeneousPair<R>> arguments) {
     std::vector<std::vector<R>> rows;
     for (const auto row : values) rows.emplace_back(row.begin(), row.end());
-    ProgressiveTriangle<R> triangle(std::move(rows), knots, q);
+    ProgressiveTriangle<R> triangle(std::move(rows), knots);
     for (const auto& argument : arguments) triangle.descend(argument);
     return triangle.entry(0);
 }
