@@ -164,7 +164,7 @@ void compare_insertion(const Report& report, const char* work, const BSplineCurv
                    {{"engine",
                      [&] {
                          refined.clear();
-                         for (const auto& list : lists) refined.push_back(insert_knots_boehm(curve, list));
+                         for (const auto& list : lists) refined.push_back(insert_knots(curve, list));
                      },
                      [&] {
                          std::string text;

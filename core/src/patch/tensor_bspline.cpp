@@ -129,7 +129,7 @@ TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
                    limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
                    Part::knots);
     return with_rows(spline, direction,
-                     [&](const BSplineCurve& row) { return insert_knots_boehm(row, knots, limits); });
+                     [&](const BSplineCurve& row) { return insert_knots(row, knots, limits); });
 }
 
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,

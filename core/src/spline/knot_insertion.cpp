@@ -134,6 +134,15 @@ MergedKnots merged(const KnotVector& knots, std::span<const Rational> inserted) 
 
 }  // namespace
 
+BSplineCurve insert_knots(const BSplineCurve& curve, std::span<const Rational> knots, const Limits& limits) {
+    // By measurement, at degrees 3 and 10: Boehm's algorithm reduces every point as often as a knot is
+    // inserted among those that it depends on.
+    constexpr std::size_t least_per_segment = 6;
+    const std::size_t segments = curve.control_points().size() - curve.degree();
+    const bool many = knots.size() / segments >= least_per_segment;
+    return (many ? insert_knots_oslo : insert_knots_boehm)(curve, knots, limits);
+}
+
 BSplineCurve insert_knots_boehm(const BSplineCurve& curve, std::span<const Rational> knots,
                                 const Limits& limits) {
     require_size(curve, knots.size(), limits);

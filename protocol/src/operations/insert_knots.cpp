@@ -28,9 +28,9 @@ struct InsertKnots {
         const auto knots =
             request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
         const auto read = [](const Json& value) { return read_alternative(value, method_names, "a method"); };
-        const std::size_t method = request.optional("method", read).value_or(0);
+        const auto method = request.optional("method", read);
         request.finish();
-        return methods[method](curve, knots, limits);
+        return method ? methods[*method](curve, knots, limits) : insert_knots(curve, knots, limits);
     }
     AnyMap operator()(TensorBSpline spline) const {
         const auto knots = request.required("knots", [&](const Json& value) {
@@ -73,7 +73,7 @@ Operation insert_knots_operation() {
                               "the knots to insert, in any order, each as often as it is listed; in several "
                               "directions one list each"),
                      optional("method", Shape::words(method_names),
-                              "of a curve: the algorithm; by default boehm")}},
+                              "of a curve: the algorithm; by default the faster one")}},
         .result = {{map_member("the same B-spline with the knots")}},
         .example = {"insert-knots", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,1,2,3,4,5",
                     "--degree", "3", "--insert", "5/2"},

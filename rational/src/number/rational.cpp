@@ -78,20 +78,23 @@ Rational combination(const Integer& left, const Rational& a, const Integer& righ
                      const Integer& divisor) {
     const Integer common = gcd(a.denominator(), b.denominator());
     const bool is_one = common.is_one();
-    Integer own_of_a = is_one ? a.denominator() : divide_exactly(a.denominator(), common);
-    Integer own_of_b = is_one ? b.denominator() : divide_exactly(b.denominator(), common);
+    const Integer own_of_a = is_one ? a.denominator() : divide_exactly(a.denominator(), common);
+    const Integer own_of_b = is_one ? b.denominator() : divide_exactly(b.denominator(), common);
     Integer numerator = left * a.numerator() * own_of_b;
     numerator.add_product(right * b.numerator(), own_of_a);
     Integer denominator = divisor * common * own_of_a * own_of_b;
     if (denominator.is_word() && !denominator.is_zero())
         return {std::move(numerator), std::move(denominator)};
-    denominator = divisor.sign() < 0 ? -1 : 1;
-    for (const Integer& factor : {abs(divisor), common, std::move(own_of_a), std::move(own_of_b)}) {
-        if (factor.is_zero()) return {std::move(numerator), 0};
-        const Integer shared = gcd(numerator, factor);
-        if (!shared.is_one()) numerator = divide_exactly(numerator, shared);
-        denominator *= shared.is_one() ? factor : divide_exactly(factor, shared);
+    if (denominator.is_zero()) return {std::move(numerator), 0};
+    Integer shared = 1;
+    for (const Integer* factor : {&divisor, &common, &own_of_a, &own_of_b}) {
+        if (factor->is_one()) continue;
+        const Integer with_factor = gcd(numerator, *factor);
+        if (with_factor.is_one()) continue;
+        numerator = divide_exactly(numerator, with_factor);
+        shared *= with_factor;
     }
+    if (!shared.is_one()) denominator = divide_exactly(denominator, shared);
     if (denominator.sign() < 0) {
         numerator.negate();
         denominator.negate();
