@@ -21,11 +21,17 @@ namespace blossom {
 class LimbRing {
 public:
     using Number = std::uint64_t;
-    using Factor = std::int64_t;
     using Power = Integer;
     using Room = blossom::Room<std::uint64_t, 128>;
 
-    explicit LimbRing(std::size_t stride) : stride_(stride) {}
+    /// A magnitude with its sign.
+    struct Factor {
+        std::uint64_t word;
+        bool negative;
+        std::vector<std::uint64_t> further;  ///< words, mostly none
+    };
+
+    explicit LimbRing(std::size_t stride) : stride_(stride), operands_(stride), width_(stride) {}
 
     std::size_t stride() const { return stride_; }
     /// For the results of what follows, whose operands have had the width `operands`.
@@ -33,6 +39,14 @@ public:
         operands_ = operands;
         width_ = width;
     }
+
+    static Factor factor(std::size_t value) { return {value, false, {}}; }
+    static Factor factor(const Integer& value) {
+        std::vector<std::uint64_t> words(limbs::size_of(value));
+        limbs::write_magnitude(value, words.data(), words.size());
+        return {words[0], value.sign() < 0, {words.begin() + 1, words.end()}};
+    }
+    static const Integer& power(const Integer& value) { return value; }
 
     void read(std::span<const Integer> integers, Number* to) const {
         for (const Integer& integer : integers) {
@@ -43,69 +57,70 @@ public:
     Integer integer(const Number* number) const {
         return IntegerAccess::from_twos_complement({number, width_});
     }
-
-    Integer product(const Number* number, const Integer& factor) {
+    Integer product(const Number* number, const Integer& power) {
         magnitude_.assign(number, number + width_);
         const bool negative = limbs::take_magnitude(magnitude_);
         const std::size_t size = std::max<std::size_t>(limbs::used(magnitude_.data(), width_), 1);
-        factor_.resize(limbs::size_of(factor));
-        limbs::write_magnitude(factor, factor_.data(), factor_.size());
-        product_.resize(size + factor_.size());
-        limbs::multiply_any(product_.data(), {magnitude_.data(), size}, factor_);
+        power_.resize(limbs::size_of(power));
+        limbs::write_magnitude(power, power_.data(), power_.size());
+        product_.resize(size + power_.size());
+        limbs::multiply_any(product_.data(), {magnitude_.data(), size}, power_);
         return IntegerAccess::from_magnitude(product_, negative);
     }
 
-    void scale(Number* to, const Number* from, Factor factor, std::size_t count) const {
-        for (std::size_t i = 0; i < count; ++i, to += stride_, from += stride_) {
-            std::fill(to + operands_, to + width_, 0);
-            const std::uint64_t size = magnitude(factor);
-            add_top(to, from, limbs::set_multiple(to, from, operands_, size), size);
-            if (factor < 0) limbs::negate(to, width_);
-        }
+    void scale(Number* to, const Number* from, const Factor& factor, std::size_t count) const {
+        for (std::size_t i = 0; i < count; ++i) std::fill_n(to + i * stride_, width_, 0);
+        add_multiple(to, from, factor, count);
     }
-    void add_multiple(Number* to, const Number* from, Factor factor, std::size_t count) const {
-        if (factor < 0) {
-            const std::uint64_t size = magnitude(factor);
-            for (std::size_t i = 0; i < count; ++i, to += stride_, from += stride_)
-                subtract_top(to, from, limbs::subtract_multiple(to, from, operands_, size), size);
-        } else {
-            const auto size = static_cast<std::uint64_t>(factor);
-            for (std::size_t i = 0; i < count; ++i, to += stride_, from += stride_)
-                add_top(to, from, limbs::add_multiple(to, from, operands_, size), size);
+    void add_multiple(Number* to, const Number* from, const Factor& factor, std::size_t count) const {
+        for (std::size_t i = 0; i < count; ++i, to += stride_, from += stride_) {
+            std::span<Number> number(to, width_);
+            add(number, from, factor.word, factor.negative);
+            for (const std::uint64_t word : factor.further) {
+                number = number.subspan(1);
+                if (number.empty()) break;
+                add(number, from, word, factor.negative);
+            }
         }
     }
 
 private:
-    /// The words of `from` beyond its width repeat its sign.
+    /// number += from * factor or number -= from * factor.
+    void add(std::span<Number> number, const Number* from, std::uint64_t factor, bool negative) const {
+        negative ? subtract(number, from, factor) : add(number, from, factor);
+    }
+    // Words of `from` beyond its width repeat its sign.
     std::uint64_t sign_of(const Number* from) const {
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(from[operands_ - 1]) >> 63);
     }
-    void add_top(Number* to, const Number* from, std::uint64_t carry, std::uint64_t factor) const {
+    void add(std::span<Number> to, const Number* from, std::uint64_t factor) const {
+        const std::size_t size = std::min(operands_, to.size());
         const UInt128 repeated = UInt128{sign_of(from)} * factor;
-        UInt128 sum = carry;
-        for (std::size_t i = operands_; i < width_; ++i) {
-            sum += repeated;
-            const auto low = static_cast<std::uint64_t>(sum);
-            to[i] += low;
-            sum = (sum >> 64) + static_cast<std::uint64_t>(to[i] < low);
+        UInt128 carry = limbs::add_multiple(to.data(), from, size, factor);
+        for (Number& word : to.subspan(size)) {
+            carry += repeated;
+            const auto low = static_cast<std::uint64_t>(carry);
+            word += low;
+            carry = (carry >> 64) + static_cast<std::uint64_t>(word < low);
         }
     }
-    void subtract_top(Number* to, const Number* from, std::uint64_t borrow, std::uint64_t factor) const {
+    void subtract(std::span<Number> to, const Number* from, std::uint64_t factor) const {
+        const std::size_t size = std::min(operands_, to.size());
         const UInt128 repeated = UInt128{sign_of(from)} * factor;
-        UInt128 sum = borrow;
-        for (std::size_t i = operands_; i < width_; ++i) {
-            sum += repeated;
-            const auto low = static_cast<std::uint64_t>(sum);
-            sum = (sum >> 64) + static_cast<std::uint64_t>(to[i] < low);
-            to[i] -= low;
+        UInt128 borrow = limbs::subtract_multiple(to.data(), from, size, factor);
+        for (Number& word : to.subspan(size)) {
+            borrow += repeated;
+            const auto low = static_cast<std::uint64_t>(borrow);
+            borrow = (borrow >> 64) + static_cast<std::uint64_t>(word < low);
+            word -= low;
         }
     }
 
     std::size_t stride_;
-    std::size_t operands_ = 1;
-    std::size_t width_ = 1;
+    std::size_t operands_;
+    std::size_t width_;
     std::vector<std::uint64_t> magnitude_;  ///< room of product()
-    std::vector<std::uint64_t> factor_;
+    std::vector<std::uint64_t> power_;
     std::vector<std::uint64_t> product_;
 };
 

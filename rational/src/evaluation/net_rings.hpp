@@ -2,8 +2,9 @@
 
 // The rings in which sums over nets are computed, see net_weights.hpp. Each has as well multiply_each(to, a,
 // b, count), read(integers, to) and Room, memory for numbers that are written before they are read. Those
-// that net_steps.cpp uses have stride(), the places that a number takes; Factor, what rows are multiplied by;
-// integer(number); and product(number, power) as an integer.
+// that net_steps.cpp uses have stride(), the places that a number takes; integer(number); and factor(integer)
+// and power(integer), what rows and single numbers are multiplied by, with product(number, power) as an
+// integer.
 
 #include <blossom/rational/integer.hpp>
 
@@ -78,8 +79,11 @@ struct WordRing {
         }
     }
 
-    static Integer product(const Word* word, Word factor) {
-        const Word product = *word * factor;
+    static Word factor(std::size_t integer) { return integer; }
+    static Word factor(const Integer& integer) { return wrapped(integer); }
+    static Word power(const Integer& integer) { return wrapped(integer); }
+    static Integer product(const Word* word, Word power) {
+        const Word product = *word * power;
         return integer(&product);
     }
 
@@ -97,12 +101,6 @@ private:
 /// Integers of any size.
 struct IntegerRing {
     using Number = Integer;
-    using Factor = Integer;
-    using Power = Integer;
-
-    static constexpr std::size_t stride() { return 1; }
-    static const Integer& integer(const Integer* number) { return *number; }
-    static Integer product(const Integer* number, const Integer& factor) { return *number * factor; }
 
     class Room {
     public:

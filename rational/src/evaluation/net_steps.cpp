@@ -3,8 +3,6 @@
 #include <blossom/rational/resource_budget.hpp>
 
 #include <bit>
-#include <limits>
-#include <optional>
 
 #include "limb_ring.hpp"
 #include "net_rings.hpp"
@@ -21,21 +19,20 @@ using net_weights::count_of;
 template <class Ring>
 void add_raised(const Ring& ring, std::size_t dimension, std::size_t degree, std::size_t behind,
                 const typename Ring::Number* net, typename Ring::Number* raised) {
-    using Factor = typename Ring::Factor;
-    if (dimension == 0) return ring.add_multiple(raised, net, static_cast<Factor>(degree + 1), behind);
+    if (dimension == 0) return ring.add_multiple(raised, net, ring.factor(degree + 1), behind);
     if (dimension == 1) {
         const std::size_t step = behind * ring.stride();
         for (std::size_t b = 0; b <= degree; ++b, net += step) {
-            ring.add_multiple(raised, net, static_cast<Factor>(degree + 1 - b), behind);
+            ring.add_multiple(raised, net, ring.factor(degree + 1 - b), behind);
             raised += step;
-            ring.add_multiple(raised, net, static_cast<Factor>(b + 1), behind);
+            ring.add_multiple(raised, net, ring.factor(b + 1), behind);
         }
         return;
     }
     const typename Ring::Number* before = net;
     for (std::size_t b = 0; b <= degree + 1; ++b) {
         const std::size_t size = count_of(dimension - 1, b) * behind;
-        if (b <= degree) ring.add_multiple(raised, net, static_cast<Factor>(degree + 1 - b), size);
+        if (b <= degree) ring.add_multiple(raised, net, ring.factor(degree + 1 - b), size);
         if (b > 0) add_raised(ring, dimension - 1, b - 1, behind, before, raised);
         before = net;
         net += size * ring.stride();
@@ -130,8 +127,7 @@ void start_level(Ring&, const StepBits&, std::size_t) {}
 
 template <class Ring>
 std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets, const StepBits& bits,
-                                              const typename Ring::Factor* argument,
-                                              const typename Ring::Power& scale,
+                                              std::span<const Integer> entries, const Integer& scale,
                                               std::span<const std::size_t> vertices) {
     const auto [dimension, degree] = nets.factor;
     const std::size_t size = count_of(dimension, degree) * nets.behind;
@@ -139,8 +135,10 @@ std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets,
                                    typename Ring::Room(size * ring.stride())};
     auto* level = rooms[0].data();
     auto* next = rooms[1].data();
+    std::vector<typename Ring::Factor> argument;
+    for (const Integer& entry : entries) argument.push_back(ring.factor(entry));
     std::vector<typename Ring::Power> powers{1};
-    while (powers.size() <= degree) powers.push_back(powers.back() * scale);
+    while (powers.size() <= degree) powers.push_back(powers.back() * ring.power(scale));
     std::vector<std::vector<Integer>> results(vertices.size(), std::vector<Integer>(nets.numbers.size()));
     for (std::size_t begin = 0; begin < nets.numbers.size(); begin += size) {
         start_level(ring, bits, 0);
@@ -162,23 +160,11 @@ std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets,
             start_level(ring, bits, r + 1);
             ring.scale(next, level, argument[0],
                        count_of(dimension, degree - r - 1) * nets.behind);
-            add_folded(ring, dimension, degree - r, nets.behind, level, argument, next);
+            add_folded(ring, dimension, degree - r, nets.behind, level, argument.data(), next);
             std::swap(level, next);
         }
     }
     return results;
-}
-
-/// As words, if all of them are.
-std::optional<std::vector<std::int64_t>> words_of(std::span<const Integer> integers) {
-    std::vector<std::int64_t> words;
-    words.reserve(integers.size());
-    for (const Integer& integer : integers) {
-        if (!integer.is_word() || integer.word() == std::numeric_limits<std::int64_t>::min())
-            return std::nullopt;
-        words.push_back(integer.word());
-    }
-    return words;
 }
 
 }  // namespace
@@ -189,9 +175,7 @@ std::vector<Integer> raised_by_one(const FactorNets& nets) {
     spend_work(nets.numbers.size() * (nets.factor.dimension + 1) * words_for(bits));
     if (bits < 64) return raised_in(WordRing<std::uint64_t>(), nets);
     if (bits < 128) return raised_in(WordRing<UInt128>(), nets);
-    LimbRing ring(words_for(bits));
-    ring.set_width(ring.stride(), ring.stride());
-    return raised_in(ring, nets);
+    return raised_in(LimbRing(words_for(bits)), nets);
 }
 
 std::vector<std::vector<Integer>> with_vertices_replaced(const FactorNets& nets,
@@ -199,22 +183,11 @@ std::vector<std::vector<Integer>> with_vertices_replaced(const FactorNets& nets,
                                                          const Integer& scale,
                                                          std::span<const std::size_t> vertices) {
     const StepBits bits(nets, entries, scale);
-    const auto words = words_of(entries);
-    if (!words)
-        return replaced_in(IntegerRing(), nets, bits, entries.data(), scale, vertices);
     spend_work(nets.numbers.size() * nets.factor.degree * words_for(bits.result));
-    if (bits.result < 64) {
-        const std::vector<std::uint64_t> argument(words->begin(), words->end());
-        return replaced_in(WordRing<std::uint64_t>(), nets, bits, argument.data(),
-                           static_cast<std::uint64_t>(scale.word()), vertices);
-    }
-    if (bits.result < 128) {
-        const std::vector<UInt128> argument(words->begin(), words->end());
-        UInt128 wide_scale = 0;
-        WordRing<UInt128>::read(std::span(&scale, 1), &wide_scale);
-        return replaced_in(WordRing<UInt128>(), nets, bits, argument.data(), wide_scale, vertices);
-    }
-    return replaced_in(LimbRing(words_for(bits.level(bits.degree))), nets, bits, words->data(), scale, vertices);
+    if (bits.result < 64)
+        return replaced_in(WordRing<std::uint64_t>(), nets, bits, entries, scale, vertices);
+    if (bits.result < 128) return replaced_in(WordRing<UInt128>(), nets, bits, entries, scale, vertices);
+    return replaced_in(LimbRing(words_for(bits.level(bits.degree))), nets, bits, entries, scale, vertices);
 }
 
 }  // namespace blossom

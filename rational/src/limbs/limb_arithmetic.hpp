@@ -38,10 +38,7 @@ inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t
 inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b, std::size_t n) {
     mpn_mul(product, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n));
 }
-/// The carry or borrow of to = a b, to += a b and to -= a b.
-inline Limb set_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
-    return mpn_mul_1(to, a, static_cast<mp_size_t>(size), b);
-}
+/// The carry or borrow of to += a b and to -= a b.
 inline Limb add_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
     return mpn_addmul_1(to, a, static_cast<mp_size_t>(size), b);
 }
@@ -94,15 +91,6 @@ inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b,
         }
         product[m + j] = static_cast<Limb>(carry);
     }
-}
-inline Limb set_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
-    UInt128 carry = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-        carry += UInt128{a[i]} * b;
-        to[i] = static_cast<Limb>(carry);
-        carry >>= 64;
-    }
-    return static_cast<Limb>(carry);
 }
 inline Limb add_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
     UInt128 carry = 0;

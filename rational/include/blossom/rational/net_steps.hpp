@@ -27,8 +27,7 @@ std::vector<Integer> raised_by_one(const FactorNets& nets);
 /// Casteljau's pyramid at the argument.
 ///
 /// Cost: one pyramid for all vertices, C(n + s, s + 1) entries of s + 1 multiply-adds, in words of a width
-/// that provably suffices on each level while the entries of the argument are words; and a product for each
-/// number of the result.
+/// that provably suffices on each level, and a product for each number of the result.
 std::vector<std::vector<Integer>> with_vertices_replaced(const FactorNets& nets,
                                                          std::span<const Integer> entries,
                                                          const Integer& scale,
