@@ -95,7 +95,10 @@ class TensorValues : public PatchValues {
 public:
     TensorValues(slong degree, std::span<const blossom::Integer> form, const blossom::Integer& denominator,
                  std::span<const blossom::Rational> u, std::span<const blossom::Rational> v)
-        : PatchValues(form, denominator, u, v), degree_(degree), monomials_(degree + 1), column_(degree + 1) {}
+        : PatchValues(form, denominator, u, v),
+          degree_(degree),
+          monomials_(degree + 1),
+          column_(degree + 1) {}
 
     void run() {
         for (slong i = 0; i < u_.size(); ++i) evaluate(u_.data() + i, v_.data() + i, value(i));
@@ -151,7 +154,8 @@ public:
             for (slong j = 0; j <= b; ++j) {
                 fmpz* point = raised_.at(row + j);
                 fmpz_zero(point);
-                if (b <= degree_) fmpz_addmul_ui(point, net_.at(row + j), static_cast<ulong>(degree_ + 1 - b));
+                if (b <= degree_)
+                    fmpz_addmul_ui(point, net_.at(row + j), static_cast<ulong>(degree_ + 1 - b));
                 if (j < b) fmpz_addmul_ui(point, net_.at(row - b + j), static_cast<ulong>(b - j));
                 if (j > 0) fmpz_addmul_ui(point, net_.at(row - b + j - 1), static_cast<ulong>(j));
             }
@@ -288,7 +292,8 @@ public:
         }
     }
     std::string text() const {
-        return text_of(halves_[1], denominators_.at(1)) + " " + text_of(halves_[0], denominators_.at(0)) + " ";
+        return text_of(halves_[1], denominators_.at(1)) + " " + text_of(halves_[0], denominators_.at(0)) +
+               " ";
     }
 
 private:

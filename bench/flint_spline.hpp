@@ -68,7 +68,8 @@ public:
           old_knots_(curve.knots().knots()),
           old_points_(DeBoor::first_coordinates(curve)),
           inserted_(inserted),
-          knots_(std::vector<blossom::Rational>(static_cast<std::size_t>(old_knots_.size()) + inserted.size())),
+          knots_(
+              std::vector<blossom::Rational>(static_cast<std::size_t>(old_knots_.size()) + inserted.size())),
           points_(
               std::vector<blossom::Rational>(static_cast<std::size_t>(old_points_.size()) + inserted.size())),
           scratch_(std::vector<blossom::Rational>(2)) {}
@@ -85,7 +86,8 @@ public:
             while (old_knot < old_knots_.size() && fmpq_cmp(old_knots_.data() + old_knot, x) <= 0)
                 fmpq_set(knots_.data() + knot++, old_knots_.data() + old_knot++);
             const slong first = knot - 1 - begin_;
-            while (point <= first + degree_) fmpq_set(points_.data() + point++, old_points_.data() + old_point++);
+            while (point <= first + degree_)
+                fmpq_set(points_.data() + point++, old_points_.data() + old_point++);
             fmpq* p = points_.data() + first;
             fmpq_set(points_.data() + point++, p + degree_);
             for (slong l = degree_ - 1; l >= 0; --l) {
@@ -100,8 +102,7 @@ public:
             }
             fmpq_set(knots_.data() + knot++, x);
         }
-        while (old_knot < old_knots_.size())
-            fmpq_set(knots_.data() + knot++, old_knots_.data() + old_knot++);
+        while (old_knot < old_knots_.size()) fmpq_set(knots_.data() + knot++, old_knots_.data() + old_knot++);
         while (old_point < old_points_.size())
             fmpq_set(points_.data() + point++, old_points_.data() + old_point++);
     }

@@ -204,8 +204,7 @@ TEST_CASE("subdivided nets: numbers that end where words do", "[differential]") 
         const auto [argument_bits, net_bits] = sizes(random, NetShape({net_shape[f]}));
         const auto net = rows(random, net_shape, net_bits);
         Coordinates at = of_mass_one(tuple(random, net_shape[f].dimension, argument_bits));
-        if (std::ranges::any_of(at, &Rational::is_zero))
-            at = Coordinates(at.size(), Rational(1, at.size()));
+        if (std::ranges::any_of(at, &Rational::is_zero)) at = Coordinates(at.size(), Rational(1, at.size()));
         const auto pieces = subdivide(BezierPatch(net_shape, points(net)), f, at);
         REQUIRE(pieces.size() == at.size());
         for (std::size_t v = 0; v < pieces.size(); ++v) {

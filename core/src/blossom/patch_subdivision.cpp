@@ -24,12 +24,11 @@ std::vector<BezierPatch> with_vertices_replaced(const BezierPatch& patch, std::s
     const IntegerTuple tuple = cleared(argument);
     require_result_bits(bits_of(net) + degree * tuple.bits(), limits);
     const std::size_t entries = multi_index_count(dimension + 1, degree, limits);
-    require_within(entries,
-                   limits.numbers / patch.dimension() / shape.before(factor) / shape.behind(factor),
+    require_within(entries, limits.numbers / patch.dimension() / shape.before(factor) / shape.behind(factor),
                    "numbers", "the number of points of the pyramid of one factor");
-    auto pieces = blossom::with_vertices_replaced(
-        {net.numbers().numerators(), shape[factor], shape.behind(factor)}, tuple.entries, tuple.scale,
-        vertices);
+    auto pieces =
+        blossom::with_vertices_replaced({net.numbers().numerators(), shape[factor], shape.behind(factor)},
+                                        tuple.entries, tuple.scale, vertices);
     const Integer denominator = net.denominator() * pow(tuple.scale, degree);
     std::vector<BezierPatch> patches;
     patches.reserve(pieces.size());

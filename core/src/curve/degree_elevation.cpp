@@ -42,10 +42,11 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
                         raised.size() * patch.dimension());
     if (r == 1) {
         const PointArray& net = patch.control_net();
-        return {std::move(raised), canonical_points(net.dimension(),
-                                         raised_by_one({net.numbers().numerators(), shape[factor],
-                                                        shape.behind(factor)}),
-                                         net.denominator() * Integer(degree + 1))};
+        return {
+            std::move(raised),
+            canonical_points(net.dimension(),
+                             raised_by_one({net.numbers().numerators(), shape[factor], shape.behind(factor)}),
+                             net.denominator() * Integer(degree + 1))};
     }
     const std::size_t steps = multi_index_count(dimension, r, limits);
     require_within(

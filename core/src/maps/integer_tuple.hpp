@@ -30,8 +30,8 @@ IntegerTuple cleared(const Coordinates& tuple);
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class WordTuples {
 public:
-    /// Whether there is room and words hold the tuple over its least denominator; otherwise the object is of no
-    /// more use.
+    /// Whether there is room and words hold the tuple over its least denominator; otherwise the object is of
+    /// no more use.
     bool add(const Coordinates& tuple);
     /// The entries and the scale of the tuple that was added last.
     std::pair<std::span<const std::int64_t>, std::int64_t> last() const {

@@ -9,8 +9,8 @@
 
 namespace blossom {
 
-/// The coordinates (end - x) / (end - begin) and (x - begin) / (end - begin) of a parameter with respect to two
-/// knots, as integers over one length.
+/// The coordinates (end - x) / (end - begin) and (x - begin) / (end - begin) of a parameter with respect to
+/// two knots, as integers over one length.
 class KnotWeights {
 public:
     KnotWeights(const Rational& begin, const Rational& end, const Rational& x);

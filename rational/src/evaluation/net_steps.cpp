@@ -14,8 +14,8 @@ namespace {
 
 using net_weights::count_of;
 
-/// raised += the net of degree `degree` with its degree raised: block b is (degree + 1 - b) times the old one,
-/// and the block before with its degree raised in the other variables.
+/// raised += the net of degree `degree` with its degree raised: block b is (degree + 1 - b) times the old
+/// one, and the block before with its degree raised in the other variables.
 template <class Ring>
 void add_raised(const Ring& ring, std::size_t dimension, std::size_t degree, std::size_t behind,
                 const typename Ring::Number* net, typename Ring::Number* raised) {
@@ -158,8 +158,7 @@ std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets,
             }
             if (r == degree) break;
             start_level(ring, bits, r + 1);
-            ring.scale(next, level, argument[0],
-                       count_of(dimension, degree - r - 1) * nets.behind);
+            ring.scale(next, level, argument[0], count_of(dimension, degree - r - 1) * nets.behind);
             add_folded(ring, dimension, degree - r, nets.behind, level, argument.data(), next);
             std::swap(level, next);
         }
@@ -184,8 +183,7 @@ std::vector<std::vector<Integer>> with_vertices_replaced(const FactorNets& nets,
                                                          std::span<const std::size_t> vertices) {
     const StepBits bits(nets, entries, scale);
     spend_work(nets.numbers.size() * nets.factor.degree * words_for(bits.result));
-    if (bits.result < 64)
-        return replaced_in(WordRing<std::uint64_t>(), nets, bits, entries, scale, vertices);
+    if (bits.result < 64) return replaced_in(WordRing<std::uint64_t>(), nets, bits, entries, scale, vertices);
     if (bits.result < 128) return replaced_in(WordRing<UInt128>(), nets, bits, entries, scale, vertices);
     return replaced_in(LimbRing(words_for(bits.level(bits.degree))), nets, bits, entries, scale, vertices);
 }

@@ -223,8 +223,8 @@ template <class Ring, class R, class Visit>
         to += net.counts[f];
     }
     for (std::size_t j = 0; j < net.rows; ++j) {
-        const auto* const first = net_weights::contracted_to_first(ring, net.counts, numbers + j * net.size,
-                                                                   net.size, to, room);
+        const auto* const first =
+            net_weights::contracted_to_first(ring, net.counts, numbers + j * net.size, net.size, to, room);
         visit(tuples.weights == Weights::monomials
                   ? net_weights::sum_of_blocks(ring, net.shape[0], x[0], first, weights)
                   : ring.dot(first, weights, net.counts[0]));
@@ -235,9 +235,8 @@ template <class R>
 PowerDenominator power_denominator(const Tuples<R>& tuples) {
     PowerDenominator denominator;
     denominator.multiply(tuples.net.numbers.denominator(), 1);
-    tuples.each([&](std::span<const R>, const R& scale, std::size_t times) {
-        denominator.multiply(scale, times);
-    });
+    tuples.each(
+        [&](std::span<const R>, const R& scale, std::size_t times) { denominator.multiply(scale, times); });
     return denominator;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-// The weights of a net and its sums, written once for what calls itself a ring: Number, zero by default; one();
-// add(to, number); and on rows of numbers scale(to, from, factor, count), add_multiple(to, from, factor,
-// count) and dot(a, b, count).
+// The weights of a net and its sums, written once for what calls itself a ring: Number, zero by default;
+// one(); add(to, number); and on rows of numbers scale(to, from, factor, count), add_multiple(to, from,
+// factor, count) and dot(a, b, count).
 
 #include <blossom/rational/net_sums.hpp>
 
@@ -26,9 +26,9 @@ inline std::size_t block_size(const SimplexFactor& factor, std::size_t b) {
     return count_of(factor.dimension - 1, b);
 }
 
-/// x^i for the indices i of a factor, those with i_0 = n - b in block b. Without the power of x_0 they are the
-/// monomials of degree b in the other variables, and these are x_1 times all of degree b - 1, then x_2 times
-/// those without x_1, and so on, each time the end of the block before.
+/// x^i for the indices i of a factor, those with i_0 = n - b in block b. Without the power of x_0 they are
+/// the monomials of degree b in the other variables, and these are x_1 times all of degree b - 1, then x_2
+/// times those without x_1, and so on, each time the end of the block before.
 template <class Ring>
 void set_blocks(const Ring& ring, const SimplexFactor& factor, const typename Ring::Number* x,
                 typename Ring::Number* monomials) {

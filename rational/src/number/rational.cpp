@@ -72,8 +72,9 @@ Rational pow(const Rational& base, std::size_t exponent) {
     return {pow(base.numerator(), exponent), pow(base.denominator(), exponent)};
 }
 
-// Over the least common multiple g a' b' of the denominators g a' and g b'. When a factor f of the denominator
-// and the numerator N are divided by gcd(N, f), they have nothing in common, nor has f with what N becomes.
+// Over the least common multiple g a' b' of the denominators g a' and g b'. When a factor f of the
+// denominator and the numerator N are divided by gcd(N, f), they have nothing in common, nor has f with what
+// N becomes.
 Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
                      const Integer& divisor) {
     const Integer common = gcd(a.denominator(), b.denominator());

@@ -12,8 +12,8 @@ void PowerDenominator::multiply(const Integer& base, std::size_t exponent) {
     product_ *= pow(base, exponent);
 }
 
-// With g = gcd(N, base), N / g and base / g have nothing in common, so that each factor `base` is done with by
-// one gcd, and all others once it is 1.
+// With g = gcd(N, base), N / g and base / g have nothing in common, so that each factor `base` is done with
+// by one gcd, and all others once it is 1.
 Rational PowerDenominator::quotient(Integer numerator) const {
     if (numerator.is_zero()) return {};
     Integer shared = 1;
@@ -25,8 +25,8 @@ Rational PowerDenominator::quotient(Integer numerator) const {
             shared *= common;
         }
     }
-    return RationalAccess::from_lowest_terms(
-        std::move(numerator), shared.is_one() ? product_ : divide_exactly(product_, shared));
+    return RationalAccess::from_lowest_terms(std::move(numerator),
+                                             shared.is_one() ? product_ : divide_exactly(product_, shared));
 }
 
 }  // namespace blossom

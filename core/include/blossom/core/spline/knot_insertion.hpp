@@ -29,9 +29,9 @@ BSplineCurve insert_knots_boehm(const BSplineCurve& curve, std::span<const Ratio
 /// The same curve over the same knots, by the Oslo algorithm: every new control point whose window of n new
 /// knots contains an inserted one is the blossom value at that window, of a segment at the inserted knot.
 ///
-/// Cost for k knots and m points: n^2 / 2 combinations of integers for each of at most k n new points, O(m + k
-/// n^3), and one reduction per coordinate; k + n new points where all knots lie in one segment. Errors and order of the knots as for `insert_knots_boehm`. Source: DeRose, section 4.7. Statement:
-/// derose-oslo.
+/// Cost for k knots and m points: n^2 / 2 combinations of integers for each of at most k n new points, O(m +
+/// k n^3), and one reduction per coordinate; k + n new points where all knots lie in one segment. Errors and
+/// order of the knots as for `insert_knots_boehm`. Source: DeRose, section 4.7. Statement: derose-oslo.
 BSplineCurve insert_knots_oslo(const BSplineCurve& curve, std::span<const Rational> knots,
                                const Limits& limits = {});
 

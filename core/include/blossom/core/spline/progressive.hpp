@@ -27,8 +27,8 @@ namespace constructions {
 template <class R>
 class ProgressiveTriangle {
 public:
-    /// One row of n + 1 values per coordinate, and 2n knots t_i with t_j != t_(n+l) for l <= j < n, which live
-    /// as long as the triangle.
+    /// One row of n + 1 values per coordinate, and 2n knots t_i with t_j != t_(n+l) for l <= j < n, which
+    /// live as long as the triangle.
     ProgressiveTriangle(std::vector<std::vector<R>> rows, std::span<const Rational> knots)
         : rows_(std::move(rows)), knots_(knots), neighbours_(knots.size() / 2) {
         denominators_.resize(neighbours_.size() + 1, 1);
