@@ -22,8 +22,8 @@ using NetResidues = std::shared_ptr<const std::vector<residues::ResidueVector>>;
 
 /// Nets with fewer numbers are summed up in integers where words do not suffice: by measurement.
 constexpr std::size_t least_residue_numbers = 24;
-/// Residues that would take more bytes are not kept.
-constexpr std::size_t most_kept = std::size_t{64} << 20;
+/// Residues that would take more bytes are not used.
+constexpr std::size_t most_residue_bytes = std::size_t{64} << 20;
 
 }  // namespace
 
@@ -46,7 +46,7 @@ struct NetSums::Prepared {
     const UInt128* of(WordRing<UInt128> ring) const { return read_once(ring, wide); }
     const Integer* of(IntegerRing) const { return numbers.numerators().data(); }
 
-    /// Those of all rows, one group after the other; for the next call as well, unless they are too large.
+    /// Those of all rows, one group after the other, kept for the next call.
     NetResidues residues_for(std::size_t groups) const {
         {
             const std::lock_guard lock(mutex);
@@ -56,7 +56,6 @@ struct NetSums::Prepared {
         const residues::Numbers all(numbers.numerators(), numbers.denominator(), groups);
         for (std::size_t g = 0; g < groups; ++g)
             all.residues(residues::moduli(g), made->data() + g * numbers.size());
-        if (made->size() * sizeof(residues::ResidueVector) > most_kept) return made;
         const std::lock_guard lock(mutex);
         kept = made;
         return made;
@@ -241,10 +240,9 @@ PowerDenominator power_denominator(const Tuples<R>& tuples) {
 }
 
 template <class R>
-void evaluate_by_residues(const Tuples<R>& tuples, std::size_t bits, std::span<Rational> sums) {
+void evaluate_by_residues(const Tuples<R>& tuples, std::size_t groups, std::span<Rational> sums) {
     constexpr std::uint64_t words_per_number = 64;
     const Prepared& net = tuples.net;
-    const std::size_t groups = residues::groups_for(bits);
     const NetResidues numbers = net.residues_for(groups);
     Room<residues::ResidueVector, 16> found(net.rows * groups);
     for (std::size_t g = 0; g < groups; ++g) {
@@ -263,8 +261,11 @@ void evaluate_by_residues(const Tuples<R>& tuples, std::size_t bits, std::span<R
 
 template <class R>
 void evaluate_beyond_words(const Tuples<R>& tuples, std::size_t bits, std::span<Rational> sums) {
-    if (tuples.net.size >= least_residue_numbers && bits <= residues::most_bits)
-        return evaluate_by_residues(tuples, bits, sums);
+    if (tuples.net.size >= least_residue_numbers && bits <= residues::most_bits) {
+        const std::size_t groups = residues::groups_for(bits);
+        if (tuples.net.numbers.size() * groups <= most_residue_bytes / sizeof(residues::ResidueVector))
+            return evaluate_by_residues(tuples, groups, sums);
+    }
     const PowerDenominator denominator = power_denominator(tuples);
     auto value = sums.begin();
     each_sum(IntegerRing(), tuples, tuples.net.of(IntegerRing()),

@@ -14,8 +14,9 @@ namespace blossom {
 ///
 /// In each factor the coefficients of prod_j sum_k argument_jk X_k, over tuples (mass, x_1, ..., x_s) the
 /// symmetric functions of points, are the weights of the control points, or of the monomial coefficients
-/// divided by multinomial ones. Cost: one multiply-add a point and coordinate; for the weights at most (s +
-/// 1) C(n + s, s + 1) multiply-adds a factor, less where arguments repeat. Errors: those of
+/// divided by multinomial ones. Cost: one multiply-add per point and coordinate; for the weights at most (s +
+/// 1) C(n + s, s + 1) multiply-adds per factor, s C(n + s, s) where all arguments are equal; in words while
+/// these provably suffice, and modulo primes beyond. Errors: those of
 /// `require_arguments`; `limit_exceeded`. Source: DeRose, sections 5 and 6, theorem 3 and equation (3);
 /// Fernandez-Jambrina, equation (9). Statements: derose-tensor-props, derose-thm3, derose-adt-blossom,
 /// fj-eq9, fj-tri-blossom.
@@ -33,10 +34,10 @@ Coordinates blossom_value(const Map& patch, const PatchArguments& arguments, con
 Coordinates blossom_value(const PatchMap& map, const PatchArguments& arguments, Construction construction,
                           const Limits& limits = {});
 
-/// The values at points, by Bernstein polynomials or monomials.
+/// The values at points, by Bernstein polynomials or monomials: those of `PatchValues`, which keeps what is
+/// prepared here for one call.
 ///
-/// Cost: s multiplications a control point for each point, and one multiply-add a control point and
-/// coordinate. Errors: `not_affine` for another mass than 1, `wrong_arity`, `mismatched_dimensions`, with
+/// Cost: one multiplication per control point and coordinate, and that of `PatchValues` for each point. Errors: `not_affine` for another mass than 1, `wrong_arity`, `mismatched_dimensions`, with
 /// places below `Part::at / i`; `limit_exceeded`. Statements: fj-tri-def, fj-tensor-matrix.
 template <PatchRepresentation Map>
 std::vector<Coordinates> evaluate(const Map& patch, std::span<const PatchPoint> points,
