@@ -57,7 +57,7 @@ bool WordTuples::add(const Coordinates& tuple) {
     for (const Rational& entry : tuple) {
         if (!entry.numerator().is_word() || !entry.denominator().is_word()) return false;
         const std::int64_t denominator = entry.denominator().word();
-        if (denominator == scale || denominator == 1) continue;
+        if (denominator == scale || scale % denominator == 0) continue;
         if (__builtin_mul_overflow(denominator / std::gcd(denominator, scale), scale, &scale)) return false;
     }
     for (const Rational& entry : tuple) {

@@ -166,11 +166,32 @@ public:
         }
         return sum;
     }
-    template <class R>
-    void read(std::span<const R> integers, Number* to) const {
+    void read(std::span<const std::int64_t> integers, Number* to) const {
+        // The magnitude in digits of as many bits as the primes have, of which 2^bits is congruent to delta.
+        const std::size_t bits = residues::operations().prime_bits;
+        const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
+        Number step;
+        scale(&step, &moduli_.square, moduli_.delta, 1);
+        for (const std::int64_t integer : integers) {
+            Number power = moduli_.square;
+            *to = {};
+            for (std::uint64_t rest = magnitude(integer); rest != 0;) {
+                Number digit;
+                std::ranges::fill(digit.lane, rest & mask);
+                scale(&digit, &digit, power, 1);
+                add(to, digit);
+                rest >>= bits;
+                if (rest != 0) scale(&power, &power, step, 1);
+            }
+            const Number zero{};
+            if (integer < 0) residues::operations().subtract(moduli_, &zero, to, 1, to);
+            ++to;
+        }
+    }
+    void read(std::span<const Integer> integers, Number* to) const {
         residues::Digits digits;
         digits.reserve(integers.size(), 2);
-        for (const R& integer : integers) digits.push_back(integer);
+        for (const Integer& integer : integers) digits.push_back(integer);
         digits.residues(moduli_, residues::montgomery_powers(moduli_, digits.most_digits()).data(), to);
     }
 
