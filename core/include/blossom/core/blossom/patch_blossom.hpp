@@ -37,8 +37,9 @@ Coordinates blossom_value(const PatchMap& map, const PatchArguments& arguments, 
 /// The values at points, by Bernstein polynomials or monomials: those of `PatchValues`, which keeps what is
 /// prepared here for one call.
 ///
-/// Cost: one multiplication per control point and coordinate, and that of `PatchValues` for each point. Errors: `not_affine` for another mass than 1, `wrong_arity`, `mismatched_dimensions`, with
-/// places below `Part::at / i`; `limit_exceeded`. Statements: fj-tri-def, fj-tensor-matrix.
+/// Cost: one multiplication per control point and coordinate, and that of `PatchValues` for each point.
+/// Errors: `not_affine` for another mass than 1, `wrong_arity`, `mismatched_dimensions`, with places below
+/// `Part::at / i`; `limit_exceeded`. Statements: fj-tri-def, fj-tensor-matrix.
 template <PatchRepresentation Map>
 std::vector<Coordinates> evaluate(const Map& patch, std::span<const PatchPoint> points,
                                   const Limits& limits = {});
