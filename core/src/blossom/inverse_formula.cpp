@@ -91,7 +91,7 @@ SimplexInverseFormula inverse_formula(const SimplexFactor& factor, const Limits&
     return formula;
 }
 
-BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& map, const Limits& limits) {
+BezierPatch control_net_from_values(const NetShape& shape, const PatchFunction& map, const Limits& limits) {
     std::vector<SimplexInverseFormula> formulas;
     std::vector<PatchPoint> points{{}};
     for (std::size_t f = 0; f < shape.factors(); ++f) {
@@ -116,7 +116,7 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
     return {shape, std::move(net)};
 }
 
-Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
+Coordinates blossom_from_values(const NetShape& shape, const PatchFunction& map,
                                 const PatchArguments& arguments, const Limits& limits) {
     require_arguments(shape, arguments);
     within(Part::arguments, [&] { require_masses(arguments, 1, "an argument", require_mass); });

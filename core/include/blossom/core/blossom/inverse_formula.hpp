@@ -28,7 +28,7 @@ struct SimplexInverseFormula {
 SimplexInverseFormula inverse_formula(const SimplexFactor& factor, const Limits& limits = {});
 
 /// A map that can be evaluated, at one barycentric point a factor.
-using PatchValues = std::function<Coordinates(const PatchPoint&)>;
+using PatchFunction = std::function<Coordinates(const PatchPoint&)>;
 
 /// The control net of that shape which the inverse formula gives for a map, applied in one factor after the
 /// other; the map is called once for each choice of a node a factor.
@@ -36,7 +36,7 @@ using PatchValues = std::function<Coordinates(const PatchPoint&)>;
 /// It is the net of the map when that is a polynomial of these degrees. Errors: `mismatched_dimensions` if
 /// the values have different dimensions; `limit_exceeded`. Source: Fernandez-Jambrina, equation (23).
 /// Statements: fj-eq23, fj-tensor-inverse.
-BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& map, const Limits& limits = {});
+BezierPatch control_net_from_values(const NetShape& shape, const PatchFunction& map, const Limits& limits = {});
 
 /// The blossom at points from values of a map alone: b[u_1..u_n] = 1/n! sum_N (-1)^(n-N) N^n sum b(mean of N
 /// of the u_i), in one factor after the other. In a factor of degree 0 the map is taken at the first vertex.
@@ -44,7 +44,7 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchValues& ma
 /// Cost: prod (m_i + 1) calls, m_i the multiplicities. Errors: those of `require_arguments`; `not_affine` for
 /// an argument whose sum is not 1; `limit_exceeded`. Source: Fernandez-Jambrina, equation (21). Statements:
 /// fj-eq21, fj-tensor-inverse.
-Coordinates blossom_from_values(const NetShape& shape, const PatchValues& map,
+Coordinates blossom_from_values(const NetShape& shape, const PatchFunction& map,
                                 const PatchArguments& arguments, const Limits& limits = {});
 
 /// Control points from values of a map alone: P_i = sum_j weights[i][j] * map(nodes[j]).
