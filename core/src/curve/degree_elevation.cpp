@@ -1,10 +1,15 @@
 #include <blossom/core/curve/degree_elevation.hpp>
+#include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/integer_polynomials.hpp>
 #include <blossom/rational/net_steps.hpp>
 
+#include <algorithm>
 #include <bit>
+#include <iterator>
 #include <string>
 
+#include "maps/binomial_weights.hpp"
 #include "maps/patch_kernel.hpp"
 
 namespace blossom {
@@ -19,8 +24,31 @@ void require_degree(std::size_t n, std::size_t r, const Limits& limits) {
 }  // namespace
 
 BezierCurve elevate(const BezierCurve& curve, std::size_t r, const Limits& limits) {
+    constexpr std::size_t few = 2;
     if (r == 0) return curve;
-    return {elevate(as_patch(curve), 0, r, limits).control_net(), curve.interval()};
+    if (r < few) return {elevate(as_patch(curve), 0, r, limits).control_net(), curve.interval()};
+    const std::size_t n = curve.degree();
+    const PointArray& points = curve.control_points();
+    require_degree(n, r, limits);
+    require_within(n + r + 1, limits.numbers / points.dimension(), "numbers",
+                   "the number of points of the raised net", Part::by);
+    const auto weights = binomial_weights(n + r);
+    require_result_bits(bits_of(points) + (n + r) + weights->denominator.bit_length(), limits,
+                        (n + r + 1) * points.dimension());
+    const std::vector<Integer> binomials = binomial_row(n);
+    const std::vector<Integer> factor = binomial_row(r);
+    std::vector<Integer> numerators;
+    numerators.reserve((n + r + 1) * points.dimension());
+    for (std::size_t j = 0; j < points.dimension(); ++j) {
+        std::vector<Integer> form(points.coordinate(j).begin(), points.coordinate(j).end());
+        for (std::size_t k = 0; k <= n; ++k) form[k] *= binomials[k];
+        std::ranges::move(product(form, factor), std::back_inserter(numerators));
+    }
+    PointArray raised(points.dimension(), points.numbers()
+                                              .over_same_denominator(std::move(numerators))
+                                              .weighted(weights->numerators, weights->denominator));
+    raised.make_canonical();
+    return {std::move(raised), curve.interval()};
 }
 
 PolynomialCurve elevate(const PolynomialCurve& curve, std::size_t r, const Limits& limits) {

@@ -15,7 +15,7 @@ using IntegerPolynomial = std::vector<Integer>;
 
 /// a * b, of which leading zeros are kept: a.size() + b.size() - 1 coefficients, or none.
 ///
-/// Cost: a.size() * b.size() products of numbers; from 64 coefficients of each on one product of two
+/// Cost: a.size() * b.size() products of numbers; from 8 coefficients of each on one product of two
 /// integers, the values at a power of two (Kronecker's substitution), which have as many bits as the
 /// coefficients together.
 IntegerPolynomial product(std::span<const Integer> a, std::span<const Integer> b);

@@ -36,7 +36,8 @@ using PatchFunction = std::function<Coordinates(const PatchPoint&)>;
 /// It is the net of the map when that is a polynomial of these degrees. Errors: `mismatched_dimensions` if
 /// the values have different dimensions; `limit_exceeded`. Source: Fernandez-Jambrina, equation (23).
 /// Statements: fj-eq23, fj-tensor-inverse.
-BezierPatch control_net_from_values(const NetShape& shape, const PatchFunction& map, const Limits& limits = {});
+BezierPatch control_net_from_values(const NetShape& shape, const PatchFunction& map,
+                                    const Limits& limits = {});
 
 /// The blossom at points from values of a map alone: b[u_1..u_n] = 1/n! sum_N (-1)^(n-N) N^n sum b(mean of N
 /// of the u_i), in one factor after the other. In a factor of degree 0 the map is taken at the first vertex.

@@ -11,7 +11,8 @@ namespace blossom {
 /// The same map with formal degree n + r: the blossom q~(u_1..u_{n+r}) is the mean of q over the n-subsets of
 /// arguments, so that the control points become P~_i = sum_j C(n, j) C(r, i - j) / C(n + r, i) P_j.
 ///
-/// Cost: n r multiply-adds a coordinate. Errors: `limit_exceeded` when n + r exceeds the degree.
+/// Cost: a product of polynomials of degrees n and r per coordinate; for r = 1, 2n multiply-adds. Errors:
+/// `limit_exceeded` when n + r exceeds the degree.
 /// Source: DeRose, section 4.4; Goldman, exercise 12. Statements: derose-raise-general, goldman-ex-12b.
 BezierCurve elevate(const BezierCurve& curve, std::size_t r, const Limits& limits = {});
 
