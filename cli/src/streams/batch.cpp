@@ -21,9 +21,9 @@ struct Part {
         bool too_long;
     };
 
-    std::string text = {};
-    std::vector<Line> lines = {};
-    std::vector<Response> responses = {};
+    std::string text;
+    std::vector<Line> lines;
+    std::vector<Response> responses;
 
     /// Where the text of the next line begins.
     std::size_t end() const { return lines.empty() ? 0 : lines.back().end; }

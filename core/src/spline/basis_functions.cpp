@@ -106,7 +106,7 @@ BasisValues basis_values(const KnotVector& knots, const Rational& t, const Limit
     const std::size_t span = knots.span_at(t);
     const RationalVector around(knots.around(span));
     const std::vector<Integer>& all = around.numerators();
-    const Integer cleared = t.denominator();
+    const Integer& cleared = t.denominator();
     const Integer parameter = around.denominator() * t.numerator();
     std::vector<std::vector<Integer>> row{{1}};
     std::vector<Integer>& values = row.front();

@@ -26,8 +26,8 @@ Points read_end(Fields& fields, std::string_view name, const Limits& limits) {
 
 /// The points of both ends, all of one form.
 Points read_ends(Fields& fields, Ends& ends, const Limits& limits) {
-    const Points left = read_end(fields, "left", limits);
-    const Points right = read_end(fields, "right", limits);
+    Points left = read_end(fields, "left", limits);
+    Points right = read_end(fields, "right", limits);
     ends = {left.list(), right.list()};
     if (left.empty()) return right;
     if (!right.empty() && (left.scalar != right.scalar || left.dimension != right.dimension)) {

@@ -16,6 +16,7 @@ Json of_simplex(Fields& request, std::size_t degree, const Limits& limits) {
     request.finish();
     const SimplexInverseFormula formula = inverse_formula({frame.dimension(), degree}, limits);
     std::vector<Coordinates> nodes;
+    nodes.reserve(formula.nodes.size());
     for (const Coordinates& node : formula.nodes) nodes.push_back(frame.combination(node));
     return Json::Object{{"nodes", lists_json(nodes)},
                         {"weights", lists_json(formula.weights)},

@@ -94,6 +94,7 @@ std::vector<ShownMap> shown_maps(const Answered& answered) {
     const std::vector<Map>& maps = answered.answer.maps;
     const Json* list = answered.result().find("maps");
     std::vector<ShownMap> shown;
+    shown.reserve(maps.size());
     for (std::size_t i = 0; i < maps.size(); ++i)
         shown.push_back({maps[i], list ? (*list->array())[i] : *answered.result().find("map")});
     return shown;

@@ -24,7 +24,8 @@ struct Segments {
     }
     std::vector<AnyMap> operator()(const TensorBSpline& spline) const {
         std::vector<AnyMap> segments;
-        for (const auto& spans : boxes_of(spline, limits)) segments.push_back(segment(spline, spans, limits));
+        for (const auto& spans : boxes_of(spline, limits))
+            segments.emplace_back(segment(spline, spans, limits));
         return segments;
     }
 };

@@ -46,7 +46,7 @@ public:
         limbs::write_magnitude(value, words.data(), words.size());
         return {words[0], value.sign() < 0, {words.begin() + 1, words.end()}};
     }
-    static const Integer& power(const Integer& value) { return value; }
+    static Integer power(const Integer& value) { return value; }
 
     void read(std::span<const Integer> integers, Number* to) const {
         for (const Integer& integer : integers) {

@@ -134,7 +134,7 @@ std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets,
     typename Ring::Room rooms[] = {typename Ring::Room(size * ring.stride()),
                                    typename Ring::Room(size * ring.stride())};
     auto* level = rooms[0].data();
-    auto* next = rooms[1].data();
+    auto* folded = rooms[1].data();
     std::vector<typename Ring::Factor> argument;
     for (const Integer& entry : entries) argument.push_back(ring.factor(entry));
     std::vector<typename Ring::Power> powers{1};
@@ -158,9 +158,9 @@ std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets,
             }
             if (r == degree) break;
             start_level(ring, bits, r + 1);
-            ring.scale(next, level, argument[0], count_of(dimension, degree - r - 1) * nets.behind);
-            add_folded(ring, dimension, degree - r, nets.behind, level, argument.data(), next);
-            std::swap(level, next);
+            ring.scale(folded, level, argument[0], count_of(dimension, degree - r - 1) * nets.behind);
+            add_folded(ring, dimension, degree - r, nets.behind, level, argument.data(), folded);
+            std::swap(level, folded);
         }
     }
     return results;

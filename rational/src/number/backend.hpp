@@ -122,7 +122,7 @@ inline void set_twos_complement(Number& value, std::span<const std::uint64_t> wo
     auto size = static_cast<mp_size_t>(words.size());
     const mpz_ptr data = value.backend().data();
     mp_limb_t* const limbs = data->_mp_alloc < size ? mpz_limbs_write(data, size) : data->_mp_d;
-    const std::uint64_t sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
+    const auto sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
     std::uint64_t carry = sign & 1;
     for (mp_size_t i = 0; i < size; ++i) {
         limbs[i] = (words[static_cast<std::size_t>(i)] ^ sign) + carry;

@@ -188,6 +188,7 @@ void evaluate_by_halves(const PreparedRows& rows, std::span<const LinearFactor<R
                         std::size_t first_row, std::span<Rational> sums) {
     const IntegerPolynomial polynomial = multiplied_by_halves(factors);
     std::vector<Integer> numerators;
+    numerators.reserve(sums.size());
     for (std::size_t j = 0; j < sums.size(); ++j)
         numerators.push_back(dot(rows.integers_of(first_row + j), polynomial));
     set_reduced(sums, numerators, rows, factors);
