@@ -25,6 +25,9 @@ inline std::size_t used(const Limb* number, std::size_t size) {
 
 #if defined(BLOSSOM_NUMBERS_GMP)
 
+/// Whether `multiply` takes fewer than m n products of limbs where m and n are large.
+inline constexpr bool multiplies_long_numbers_fast = true;
+
 static_assert(GMP_NUMB_BITS == 64 && sizeof(mp_limb_t) == sizeof(Limb));
 
 /// The carry or borrow of a + b and a - b; the result may lie where a or b does.
@@ -61,6 +64,8 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
 }
 
 #else
+
+inline constexpr bool multiplies_long_numbers_fast = false;
 
 inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
     UInt128 carry = 0;

@@ -67,7 +67,7 @@ IntegerPolynomial product(std::span<const Integer> a, std::span<const Integer> b
     if (a.empty() || b.empty()) return {};
     IntegerPolynomial result(a.size() + b.size() - 1);
     const std::size_t size = std::min(a.size(), b.size());
-    if (size >= least_size) {
+    if (limbs::multiplies_long_numbers_fast && size >= least_size) {
         const std::size_t bits = greatest_bit_length(a) + greatest_bit_length(b) +
                                  static_cast<std::size_t>(std::bit_width(size)) + 1;
         const std::size_t slot = bits / 64 + 1;

@@ -168,6 +168,11 @@ void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>
 constexpr std::size_t least_factors_of_halves = 1024;
 
 template <class R>
+bool pays_by_halves(std::span<const LinearFactor<R>> factors) {
+    return limbs::multiplies_long_numbers_fast && factors.size() >= least_factors_of_halves;
+}
+
+template <class R>
 IntegerPolynomial multiplied_by_halves(std::span<const LinearFactor<R>> factors) {
     constexpr std::size_t few = 64;
     if (factors.size() > few) {
@@ -211,7 +216,7 @@ void set_large_sums(const PreparedRows& rows, std::span<const LinearFactor<R>> f
 
 void evaluate_integers(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
                        std::span<Rational> sums) {
-    if (factors.size() >= least_factors_of_halves) return evaluate_by_halves(rows, factors, first_row, sums);
+    if (pays_by_halves(factors)) return evaluate_by_halves(rows, factors, first_row, sums);
     const Bounds bits = bounds(rows, factors);
     const fixed_width::LimbRow product = multiplied_out(factors, bits.product);
     set_large_sums(rows, factors, product.limbs(), product.negated(), bits.sum, first_row, sums);
@@ -219,7 +224,7 @@ void evaluate_integers(const PreparedRows& rows, std::span<const WordFactor> fac
 
 void evaluate_integers(const PreparedRows& rows, std::span<const IntegerFactor> factors,
                        std::size_t first_row, std::span<Rational> sums) {
-    if (factors.size() >= least_factors_of_halves) return evaluate_by_halves(rows, factors, first_row, sums);
+    if (pays_by_halves(factors)) return evaluate_by_halves(rows, factors, first_row, sums);
     const std::size_t bits = sum_bits(rows, factors);
     const FactorRow product(factors, bits - rows.bits);
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
