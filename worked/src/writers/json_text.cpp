@@ -56,7 +56,7 @@ private:
     }
 
     std::string text_;
-    std::array<char, 512> part_;  // NOLINT(cppcoreguidelines-pro-type-member-init): what is used has been put
+    std::array<char, 512> part_{};
     std::size_t used_ = 0;
 };
 
