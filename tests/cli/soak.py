@@ -64,7 +64,8 @@ def resident_bytes(pid):
 
 
 def serve(program, lines, jobs, kill_after, slow):
-    """The answers of one process to `lines`, until it ends or is killed; and how much its memory grew between early and late."""
+    """The answers of one process to `lines`, until it ends or is killed; and how much more memory it had during the later half of them
+    than during the first at most: where lines wait for each other, a process holds now more and now less of them."""
     process = subprocess.Popen([program, "batch", "--jobs", str(jobs)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def write():
@@ -78,7 +79,7 @@ def serve(program, lines, jobs, kill_after, slow):
     writer = threading.Thread(target=write)
     writer.start()
     answers = []
-    early = late = None
+    peaks = [0, 0]
     rest = b""
     while True:
         # A slow reader takes a few bytes at a time, so that the process waits for it.
@@ -87,16 +88,14 @@ def serve(program, lines, jobs, kill_after, slow):
             break
         *whole, rest = (rest + block).split(b"\n")
         answers += whole
-        if early is None and len(answers) > len(lines) // 10:
-            early = resident_bytes(process.pid)
+        half = len(answers) > len(lines) // 2
+        peaks[half] = max(peaks[half], resident_bytes(process.pid))
         if kill_after is not None and len(answers) >= kill_after:
             process.send_signal(signal.SIGKILL)
             kill_after = None
-        elif len(answers) > len(lines) * 9 // 10 and late is None:
-            late = resident_bytes(process.pid)
     writer.join()
     process.wait()
-    return answers, (late or 0) - (early or late or 0)
+    return answers, peaks[1] - peaks[0]
 
 
 def main():
