@@ -17,12 +17,17 @@ constexpr std::size_t chunk_size(std::size_t size) {
     return std::max(2 * step, (size + header + step - 1) / step * step);
 }
 
+[[noreturn, gnu::cold]] void refuse(std::size_t size) {
+    blossom::give_back_bytes(chunk_size(size));
+    throw std::bad_alloc();
+}
+
 template <class Allocate>
 void* counted(std::size_t size, const Allocate& allocate) {
     blossom::take_bytes(chunk_size(size));
-    if (void* block = allocate()) return block;
-    blossom::give_back_bytes(chunk_size(size));
-    throw std::bad_alloc();
+    void* const block = allocate();
+    if (!block) refuse(size);
+    return block;
 }
 
 void give_back(void* block, std::size_t chunk) noexcept {
@@ -41,7 +46,7 @@ std::size_t rounded(std::size_t size, std::align_val_t alignment) {
 }  // namespace
 
 void* operator new(std::size_t size) {
-    return counted(size, [&] { return std::malloc(size == 0 ? 1 : size); });
+    return counted(size, [&] { return std::malloc(std::max<std::size_t>(size, 1)); });
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
     const std::size_t whole = rounded(size, alignment);

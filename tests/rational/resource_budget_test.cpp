@@ -38,7 +38,7 @@ TEST_CASE("work beyond a budget is refused with its limit") {
     const ResourceBudget budget(limits);
     CHECK(refusal([] { spend_work(999'000); }).empty());
     CHECK(refusal([] { spend_work(2'000); }) == "the work exceeds the limit work = 1000000 word operations");
-    // And what follows, after what a message needs.
+    CHECK(refusal([] { spend_work(1'000); }).empty());  // what a message needs
     CHECK(refusal([] {
               for (int i = 0; i < 100; ++i) spend_work(1'000);
           }) == "the work exceeds the limit work = 1000000 word operations");
@@ -91,6 +91,37 @@ TEST_CASE("an inner budget that is used up leaves the rest of the outer one") {
     }
     CHECK(refusal([] { spend_work(5'000'000); }).empty());
     CHECK_FALSE(refusal([] { spend_work(5'000'000); }).empty());
+}
+
+TEST_CASE("memory within a budget within another is limited by both, and counts for both") {
+    const Limits outer_limits = limits_of(1'000'000'000, 1'000'000);
+    const ResourceBudget outer(outer_limits);
+    const std::string message = "the memory exceeds the limit memory = ";
+    {
+        const Limits limits = limits_of(1'000'000'000, 10'000'000);
+        const ResourceBudget inner(limits);
+        CHECK(refusal([] { take_bytes(2'000'000); }).starts_with(message));
+        CHECK(refusal([] { take_bytes(600'000); }).empty());
+    }
+    CHECK(refusal([] { take_bytes(600'000); }).starts_with(message));
+    give_back_bytes(600'000);
+    CHECK(refusal([] { take_bytes(600'000); }).empty());
+    give_back_bytes(600'000);
+}
+
+TEST_CASE("taking memory is work, and what is refused for its work is not taken") {
+    const Limits limits = limits_of(10'000, 1'000'000);
+    const ResourceBudget budget(limits);
+    const std::string message = "the work exceeds the limit work = 10000 word operations";
+    CHECK(refusal([] {
+              for (int i = 0; i < 10'000; ++i) {
+                  take_bytes(32);
+                  give_back_bytes(32);
+              }
+          }) == message);
+    CHECK(refusal([] {
+              for (int i = 0; i < 10'000; ++i) take_bytes(100);
+          }) == message);
 }
 
 TEST_CASE("arithmetic beyond 64 bits and kernels count") {

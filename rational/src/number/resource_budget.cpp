@@ -58,7 +58,7 @@ ResourceBudget::~ResourceBudget() {
     const ThreadResources end = thread_resources;
     thread_resources = outer_;
     if (!outer_.limits) return;
-    thread_resources.words_until_check -= words_left(start_) - std::max<std::int64_t>(words_left(end), 0);
+    thread_resources.words_until_check -= words_left(start_) - words_left(end);
     thread_resources.bytes -= start_.bytes - end.bytes;
     thread_resources.nanoseconds -= start_.nanoseconds - end.nanoseconds;
     thread_resources.checked_at = end.checked_at;
@@ -96,13 +96,17 @@ void check_resources() {
     if (const auto exceeded = checked()) throw exceeded->error();
 }
 
-void check_allocation() {
-    if (const auto exceeded = checked()) throw ResourcesExceeded(*exceeded);
-}
-
-void refuse_bytes() {
-    const Limits* limits = thread_resources.limits;
-    throw ResourcesExceeded(Resource::memory, limits ? limits->memory : 0);
+void check_taken(std::int64_t bytes, std::int64_t words) {
+    ThreadResources& resources = thread_resources;
+    if (resources.bytes < 0) {
+        resources.bytes += bytes;
+        resources.words_until_check += words;
+        throw ResourcesExceeded(Resource::memory, resources.limits ? resources.limits->memory : 0);
+    }
+    if (const auto exceeded = checked()) {
+        resources.bytes += bytes;
+        throw ResourcesExceeded(*exceeded);
+    }
 }
 
 Error ResourcesExceeded::error() const {

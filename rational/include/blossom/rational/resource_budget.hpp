@@ -78,10 +78,9 @@ private:
     std::size_t limit_;
 };
 
-/// Errors: `ResourcesExceeded`, for `Limits::memory`.
-[[noreturn]] void refuse_bytes();
-/// Checks the work and the time of this thread. Errors: `ResourcesExceeded`.
-void check_allocation();
+/// Checks the resources of this thread after bytes, and the work of taking them, have been subtracted from
+/// them. What is refused is given back. Errors: `ResourcesExceeded`.
+[[gnu::cold]] void check_taken(std::int64_t bytes, std::int64_t words);
 
 /// Counts bytes that this thread takes, and the work of taking them, for a replacement of `operator new`.
 /// Errors: `ResourcesExceeded`.
@@ -90,10 +89,10 @@ inline void take_bytes(std::size_t bytes) {
     constexpr std::int64_t bytes_per_word = 64;  // memory is written once, several bytes at a time
     constexpr auto most = static_cast<std::size_t>(ThreadResources::unlimited);
     const auto amount = static_cast<std::int64_t>(std::min(bytes, most));
-    if (thread_resources.bytes < amount) refuse_bytes();
-    thread_resources.words_until_check -= words_of_allocation + amount / bytes_per_word;
-    if (thread_resources.words_until_check < 0) check_allocation();
+    const std::int64_t words = words_of_allocation + amount / bytes_per_word;
     thread_resources.bytes -= amount;
+    thread_resources.words_until_check -= words;
+    if (thread_resources.bytes < 0 || thread_resources.words_until_check < 0) check_taken(amount, words);
 }
 /// Bytes that are given back.
 inline void give_back_bytes(std::size_t bytes) noexcept {
