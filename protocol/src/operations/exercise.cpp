@@ -10,6 +10,13 @@ namespace blossom::protocol {
 
 namespace {
 
+std::uint64_t read_seed(const Json& value, const Limits& limits) {
+    const Rational number = read_number(value, limits);
+    const auto seed = number.is_integer() ? number.numerator().to_int64() : std::nullopt;
+    if (seed && *seed >= 0) return static_cast<std::uint64_t>(*seed);
+    throw Error(ErrorCode::wrong_kind, to_string(number) + " is not a seed, an integer from 0 to 2^63 - 1");
+}
+
 Answer answer(Request& request, const Limits& limits) {
     worked::SheetRequest sheet;
     const auto number = [&](std::string_view name, std::size_t otherwise) {
@@ -17,7 +24,8 @@ Answer answer(Request& request, const Limits& limits) {
             .value_or(otherwise);
     };
     sheet.topic = request.required("topic", [](const Json& value) { return read_text(value); });
-    sheet.seed = number("seed", 1);
+    sheet.seed =
+        request.optional("seed", [&](const Json& value) { return read_seed(value, limits); }).value_or(1);
     sheet.count = number("count", 5);
     sheet.level = number("level", 1);
     const bool solutions = request.optional("solutions", read_boolean).value_or(false);
