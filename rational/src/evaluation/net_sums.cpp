@@ -1,8 +1,8 @@
 #include <blossom/rational/combinatorics.hpp>
+#include <blossom/rational/made_once.hpp>
 #include <blossom/rational/net_sums.hpp>
 #include <blossom/rational/resource_budget.hpp>
 
-#include <atomic>
 #include <mutex>
 #include <optional>
 
@@ -72,28 +72,22 @@ struct NetSums::Prepared {
     std::size_t bits;  ///< of the numbers
 
 private:
-    /// The numbers in a ring, once they have been asked for.
+    /// The numbers in a ring.
     template <class Number>
-    struct Read {
-        std::atomic<bool> is_ready = false;
-        std::vector<Number> numbers;
-    };
+    using Read = MadeOnce<std::vector<Number>>;
 
     template <class Ring>
-    const typename Ring::Number* read_once(Ring ring, Read<typename Ring::Number>& read) const {
-        if (!read.is_ready.load(std::memory_order_acquire)) {
-            const std::scoped_lock lock(mutex);  // not std::call_once, which calls the system
-            if (read.numbers.empty()) {
-                read.numbers.resize(numbers.size());
-                ring.read(std::span(numbers.numerators()), read.numbers.data());
-                read.is_ready.store(true, std::memory_order_release);
-            }
-        }
-        return read.numbers.data();
+    const typename Ring::Number* read_once(Ring ring, const Read<typename Ring::Number>& read) const {
+        const auto& all = read.value([&] {
+            std::vector<typename Ring::Number> made(numbers.size());
+            ring.read(std::span(numbers.numerators()), made.data());
+            return made;
+        });
+        return all.data();
     }
 
-    mutable Read<std::uint64_t> words;
-    mutable Read<UInt128> wide;
+    Read<std::uint64_t> words;
+    Read<UInt128> wide;
     mutable std::mutex mutex;
     mutable NetResidues kept;
 };

@@ -78,15 +78,12 @@ Rational pow(const Rational& base, std::size_t exponent) {
 Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
                      const Integer& divisor) {
     const Integer common = gcd(a.denominator(), b.denominator());
-    const bool is_one = common.is_one();
-    const Integer own_of_a = is_one ? a.denominator() : divide_exactly(a.denominator(), common);
-    const Integer own_of_b = is_one ? b.denominator() : divide_exactly(b.denominator(), common);
+    const Integer own_of_a = divide_exactly(a.denominator(), common);
+    const Integer own_of_b = divide_exactly(b.denominator(), common);
     Integer numerator = left * a.numerator() * own_of_b;
     numerator.add_product(right * b.numerator(), own_of_a);
     Integer denominator = divisor * common * own_of_a * own_of_b;
-    if (denominator.is_word() && !denominator.is_zero())
-        return {std::move(numerator), std::move(denominator)};
-    if (denominator.is_zero()) return {std::move(numerator), 0};
+    if (denominator.is_word()) return {std::move(numerator), std::move(denominator)};
     Integer shared = 1;
     for (const Integer* factor : {&divisor, &common, &own_of_a, &own_of_b}) {
         if (factor->is_one()) continue;
