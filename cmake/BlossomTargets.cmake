@@ -30,6 +30,12 @@ target_compile_options(
     $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
 )
 
+# Sanitizers count and take memory in ways of their own.
+set(BLOSSOM_SANITIZED OFF)
+if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  set(BLOSSOM_SANITIZED ON)
+endif()
+
 # All layers together, for a consumer who does not want to choose.
 add_library(blossom_all INTERFACE)
 add_library(blossom::blossom ALIAS blossom_all)
