@@ -106,3 +106,24 @@ TEST_CASE("every limit of the table can be set") {
     CHECK(limits.degree == 7);
     CHECK(limits.line_bytes == 7);
 }
+
+TEST_CASE("the limit of numbers counts those of the result, not those of an algorithm") {
+    const std::string request =
+        R"({"op": "control-points", "map": {"kind": "polynomial", "variables": ["x", "y"], "text": "x + y",
+            "degrees": [2900, 1]}})";
+    const Json net = parse_json(served_at("/result/map/control_net", request), Limits{});
+    const auto& rows = *net.array();
+    REQUIRE(rows.size() == 2901);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Rational x(Integer(i), Integer(2900));
+        const Json::Array expected{Json(to_string(x)), Json(to_string(x + 1))};
+        CHECK(rows[i] == Json(expected));
+    }
+    Limits limits;
+    limits.numbers = 11;
+    const std::string split = R"({"op": "subdivide", "at": ["1/3", "1/2"], "map": {"kind": "tensor",
+        "degrees": [2, 1], "control_net": [[0, 1], [2, 5], [1, 1]]}})";
+    CHECK(names(excess(split, limits), "numbers"));
+    limits.numbers = 12;
+    CHECK(served_at("/ok", split, limits) == "true");
+}

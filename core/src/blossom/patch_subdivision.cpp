@@ -19,13 +19,12 @@ std::vector<BezierPatch> with_vertices_replaced(const BezierPatch& patch, std::s
                                                 const Coordinates& argument,
                                                 std::span<const std::size_t> vertices, const Limits& limits) {
     const NetShape& shape = patch.shape();
-    const auto [dimension, degree] = shape[factor];
+    const std::size_t degree = shape[factor].degree;
     const PointArray& net = patch.control_net();
     const IntegerTuple tuple = cleared(argument);
     require_result_bits(bits_of(net) + degree * tuple.bits(), limits);
-    const std::size_t entries = multi_index_count(dimension + 1, degree, limits);
-    require_within(entries, limits.numbers / patch.dimension() / shape.before(factor) / shape.behind(factor),
-                   "numbers", "the number of points of the pyramid of one factor");
+    require_within(vertices.size() * net.numbers().size(), limits.numbers, "numbers",
+                   "the number of coordinates of the pieces");
     auto pieces =
         blossom::with_vertices_replaced({net.numbers().numerators(), shape[factor], shape.behind(factor)},
                                         tuple.entries, tuple.scale, vertices);
