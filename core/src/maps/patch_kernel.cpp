@@ -100,9 +100,12 @@ std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArra
                                                  const PatchArguments& directions, const Limits& limits) {
     const Integer factor = derivative_factor(shape, directions);
     if (factor.is_zero()) {
-        for (std::size_t f = 0; f < shape.factors(); ++f) shape = shape.with_degree(f, 0);
-        const std::size_t size = polar.dimension();
-        return {std::move(shape), PointArray(size, RationalVector(std::vector<Integer>(size), 1))};
+        for (std::size_t f = 0; f < shape.factors(); ++f) {
+            const std::size_t degree = shape[f].degree;
+            shape = shape.with_degree(f, degree - std::min(degree, directions[f].size()));
+        }
+        std::vector<Integer> zeros(shape.size() * polar.dimension());
+        return {std::move(shape), PointArray(polar.dimension(), RationalVector(std::move(zeros), 1))};
     }
     const IntegerArguments integers = cleared_one_by_one(directions, bits_of(polar), limits);
     auto rows = each_row(polar, [&](std::span<const Integer> row) {
