@@ -194,3 +194,25 @@ TEST_CASE("an error in what a request leaves out is at what leaves it out") {
               R"("op": "basis-functions", "degree": 2, "convention": "polar", "knots": ["0", "1", "2"])") ==
           "bad_knots /knots");
 }
+
+TEST_CASE("the symbolic arguments have different names whatever the variables are called") {
+    const auto expansion = [](const std::string& variables, const std::string& text) {
+        return result_at("/expansion", R"("op": "agree", "map": {"kind": "polynomial", "variables": )" +
+                                           variables + R"(, "text": ")" + text + R"(", "degrees": [11, 1]})");
+    };
+    CHECK(expansion(R"(["x", "y"])", "x^11*y") == R"("x1*x2*x3*x4*x5*x6*x7*x8*x9*x10*x11*y1")");
+    CHECK(expansion(R"(["x", "x1"])", "x^11*x1") ==
+          R"("x_1*x_2*x_3*x_4*x_5*x_6*x_7*x_8*x_9*x_10*x_11*x1_1")");
+}
+
+TEST_CASE("a derivative keeps the degrees of the other directions where it vanishes") {
+    const std::string map =
+        R"(, "map": {"kind": "tensor", "degrees": [3, 1], "control_net": [[0, 1], [2, 5], [1, 1], [4, 0]]})";
+    const auto degrees = [&](const std::string& direction, const std::string& order) {
+        return result_at("/map/degrees",
+                         R"("op": "derivative", "direction": )" + direction + R"(, "order": )" + order + map);
+    };
+    CHECK(degrees("[0, 1]", "1") == "[3, 0]");
+    CHECK(degrees("[0, 1]", "2") == "[3, 0]");
+    CHECK(degrees("[1, 0]", "5") == "[0, 1]");
+}

@@ -2,6 +2,8 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/blossom/agreement.hpp>
 
+#include <set>
+
 #include "blossom_arguments.hpp"
 #include "construction_results.hpp"
 #include "map_options.hpp"
@@ -29,8 +31,8 @@ Json degrees_of(const Patch& patch) {
 
 /// The names of the symbolic arguments, argument by argument in each factor: x1, y1, x2, y2 for variables x
 /// and y; u1, u2, v1 for the directions of a tensor product; v1, w1, ... for barycentric coordinates behind
-/// the first.
-std::vector<std::string> symbol_names(const Patch& patch) {
+/// the first. `separator` stands before the numbers.
+std::vector<std::string> numbered_symbols(const Patch& patch, std::string_view separator) {
     const NetShape& shape = patch.shape();
     const std::string_view letters = patch.tensor ? "uvwxyz" : "vwxyz";
     const auto letter = [&](std::size_t variable) {
@@ -42,11 +44,18 @@ std::vector<std::string> symbol_names(const Patch& patch) {
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         for (std::size_t i = 1; i <= shape[f].degree; ++i) {
             for (std::size_t k = 0; k < shape[f].dimension; ++k)
-                names.push_back(letter(first + k) + std::to_string(i));
+                names.push_back(fmt::format("{}{}{}", letter(first + k), separator, i));
         }
         first += shape[f].dimension;
     }
     return names;
+}
+
+/// These names, which differ: with variables x and x1 they are x_1, x_2, ..., x1_1, ...
+std::vector<std::string> symbol_names(const Patch& patch) {
+    std::vector<std::string> names = numbered_symbols(patch, "");
+    const std::set<std::string_view> different(names.begin(), names.end());
+    return different.size() == names.size() ? names : numbered_symbols(patch, "_");
 }
 
 struct Agree {
