@@ -7,11 +7,11 @@
 
 #include <algorithm>
 
+#include "certificates/proof_certificate.hpp"
+
 namespace blossom::protocol {
 
 namespace {
-
-Json integer(long long value) { return Json::Number{std::to_string(value)}; }
 
 Json texts(const std::vector<std::string>& list) {
     Json::Array result;
@@ -19,14 +19,8 @@ Json texts(const std::vector<std::string>& list) {
     return result;
 }
 
-Json to_json(const proofs::Parameters& parameters) {
-    Json::Object result;
-    for (const auto& [name, value] : parameters) result.emplace_back(name, integer(value));
-    return result;
-}
-
 /// As a map of the protocol.
-Json to_json(const proofs::WitnessMap& map) {
+Json witness_json(const proofs::WitnessMap& map) {
     Json result = Json::Object{{"kind", "polynomial"}, {"text", map.text}};
     const std::vector<std::string> variables = proofs::variables_of(map);
     if (variables.size() > 1) {
@@ -44,14 +38,14 @@ Json to_json(const proofs::WitnessMap& map) {
     return result;
 }
 
-Json to_json(const proofs::Counterexample& counterexample) {
+Json counterexample_json(const proofs::Counterexample& counterexample) {
     Json::Object maps;
-    for (const proofs::WitnessMap& map : counterexample.maps) maps.emplace_back(map.name, to_json(map));
+    for (const proofs::WitnessMap& map : counterexample.maps) maps.emplace_back(map.name, witness_json(map));
     Json::Object variables;
     for (const auto& [name, value] : counterexample.variables) variables.emplace_back(name, value);
     Json::Array values;
     for (const proofs::WitnessValue& value : counterexample.values) values.emplace_back(value.text);
-    Json result = Json::Object{{"parameters", to_json(counterexample.parameters)},
+    Json result = Json::Object{{"parameters", parameters_json(counterexample.parameters)},
                                {"maps", std::move(maps)},
                                {"variables", std::move(variables)},
                                {"left", counterexample.left},
@@ -67,14 +61,14 @@ Json conditions_json(const std::vector<proofs::Condition>& conditions) {
     return list;
 }
 
-Json to_json(const proofs::CaseDecision& decided) {
-    Json result = Json::Object{{"parameters", to_json(decided.parameters)},
+Json case_json(const proofs::CaseDecision& decided) {
+    Json result = Json::Object{{"parameters", parameters_json(decided.parameters)},
                                {"verdict", proofs::verdict_name(decided.verdict)},
                                {"terms", decided.terms},
                                {"conditions", conditions_json(decided.conditions)}};
     if (!decided.open.empty()) result["open"] = texts(decided.open);
     if (!decided.holds_if.empty()) result["holds_if"] = texts(decided.holds_if);
-    if (decided.counterexample) result["counterexample"] = to_json(*decided.counterexample);
+    if (decided.counterexample) result["counterexample"] = counterexample_json(*decided.counterexample);
     if (decided.error) result["error"] = decided.error->message();
     return result;
 }
@@ -178,7 +172,7 @@ Members decision_members() {
 Json to_json(const proofs::Block& block, const proofs::Decision& decision) {
     const proofs::Statement& line = block.statements[decision.statement];
     Json::Array cases;
-    for (const proofs::CaseDecision& decided : decision.cases) cases.emplace_back(to_json(decided));
+    for (const proofs::CaseDecision& decided : decision.cases) cases.emplace_back(case_json(decided));
     Json result = Json::Object{{"verdict", proofs::verdict_name(decision.verdict())},
                                {"as_expected", decision.as_expected()},
                                {"cases", decision.cases.size()},
@@ -188,7 +182,7 @@ Json to_json(const proofs::Block& block, const proofs::Decision& decision) {
                                {"statement", proofs::to_text(line)},
                                {"ranges", ranges_json(block, line)},
                                {"by_case", std::move(cases)}};
-    if (const auto* found = decision.counterexample()) result["counterexample"] = to_json(*found);
+    if (const auto* found = decision.counterexample()) result["counterexample"] = counterexample_json(*found);
     if (const Error* error = decision.error()) result["error"] = error->message();
     return result;
 }

@@ -38,7 +38,7 @@ bool writes(const Option& option, const Place& place) {
     const std::vector<Place::Step>& steps = option.field.steps();
     Place outer;
     for (std::size_t i = 0; i + 1 < steps.size(); ++i) outer = outer.around({steps[i]});
-    return place.begins_with((outer / Part::map).around({steps.back()}));
+    return place.begins_with((outer / blossom::Part::map).around({steps.back()}));
 }
 
 /// The most specific of the given options that write the field at `place`; if none was given,

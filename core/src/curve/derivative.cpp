@@ -6,7 +6,7 @@ namespace blossom {
 
 namespace {
 
-Coordinates scaled(Coordinates value, const Integer& factor) {
+Coordinates multiplied(Coordinates value, const Integer& factor) {
     for (Rational& coordinate : value) coordinate *= factor;
     return value;
 }
@@ -61,8 +61,8 @@ Coordinates derivative(const PolynomialMap& map, std::size_t order, const Parame
     const Blossom blossom(map, limits);
     const std::size_t n = blossom.degree();
     if (order > n) return Coordinates(blossom.dimension());
-    return scaled(blossom(with_copies(with_copies({}, n - order, t), order, delta)),
-                  falling_factorial(n, order));
+    return multiplied(blossom(with_copies(with_copies({}, n - order, t), order, delta)),
+                      falling_factorial(n, order));
 }
 
 PolynomialMap derivative_map(const PolynomialMap& map, std::size_t order) {

@@ -7,23 +7,17 @@
 
 namespace blossom::protocol {
 
+namespace second = proofs::second;
+
 namespace {
 
-using proofs::second::Branch;
-using proofs::second::Certificate;
-using proofs::second::NamedPolynomial;
-using proofs::second::NamedTerm;
-using proofs::second::Step;
-
 constexpr std::size_t version = 2;
-constexpr std::array<std::string_view, 4> ends{"agree", "impossible", "split", "open"};
-
-Json integer(long long value) { return Json::Number{std::to_string(value)}; }
+constexpr std::array<std::string_view, 4> end_names{"agree", "impossible", "split", "open"};
 
 /// [["3/2", ["t_1", 2], ...], ...]
-Json polynomial_json(const NamedPolynomial& polynomial) {
+Json polynomial_json(const second::NamedPolynomial& polynomial) {
     Json::Array terms;
-    for (const NamedTerm& term : polynomial) {
+    for (const second::NamedTerm& term : polynomial) {
         Json::Array parts{term.coefficient};
         for (const auto& [name, exponent] : term.powers) parts.emplace_back(Json::Array{name, exponent});
         terms.emplace_back(std::move(parts));
@@ -32,34 +26,31 @@ Json polynomial_json(const NamedPolynomial& polynomial) {
 }
 
 /// {"steps": [{"symbol", "degree", "relation"}], "end", "pivot"?, "branches"?}
-Json branch_json(const Branch& branch) {
+Json branch_json(const second::Branch& branch) {
     Json::Array steps;
-    for (const Step& step : branch.steps) {
+    for (const second::Step& step : branch.steps) {
         steps.emplace_back(Json::Object{
             {"symbol", step.symbol}, {"degree", step.degree}, {"relation", polynomial_json(step.relation)}});
     }
     Json result =
-        Json::Object{{"steps", std::move(steps)}, {"end", ends[static_cast<std::size_t>(branch.end)]}};
-    if (branch.end != Branch::End::split) return result;
+        Json::Object{{"steps", std::move(steps)}, {"end", end_names[static_cast<std::size_t>(branch.end)]}};
+    if (branch.end != second::Branch::End::split) return result;
     Json::Array branches;
-    for (const Branch& below : branch.branches) branches.emplace_back(branch_json(below));
+    for (const second::Branch& below : branch.branches) branches.emplace_back(branch_json(below));
     result["pivot"] = polynomial_json(branch.pivot);
     result["branches"] = std::move(branches);
     return result;
 }
 
-Json certificate_json(const Certificate& certificate) {
-    Json::Object parameters;
-    for (const auto& [name, value] : certificate.which.parameters)
-        parameters.emplace_back(name, integer(value));
+Json certificate_json(const second::Certificate& certificate) {
     Json::Array conditions;
-    for (const NamedPolynomial& condition : certificate.conditions)
+    for (const second::NamedPolynomial& condition : certificate.conditions)
         conditions.emplace_back(polynomial_json(condition));
     return Json::Object{{"id", certificate.id},
                         {"title", certificate.title},
                         {"text", certificate.text},
                         {"line", certificate.which.line},
-                        {"parameters", std::move(parameters)},
+                        {"parameters", parameters_json(certificate.which.parameters)},
                         {"conditions", std::move(conditions)},
                         {"proof", branch_json(certificate.root)}};
 }
@@ -69,9 +60,9 @@ class CertificateReader {
 public:
     explicit CertificateReader(const Limits& limits) : limits_(limits) {}
 
-    Certificate certificate(const Json& json) const {
+    second::Certificate certificate(const Json& json) const {
         Fields fields(json);
-        Certificate result;
+        second::Certificate result;
         result.id = fields.required("id", read_text);
         result.title = fields.required("title", read_text);
         result.text = fields.required("text", read_text);
@@ -101,11 +92,12 @@ private:
         return list;
     }
 
-    NamedPolynomial polynomial(const Json& json) const {
+    second::NamedPolynomial polynomial(const Json& json) const {
         return read_list(json, [&](const Json& term) {
             const Json::Array& parts = read_array(term);
             if (parts.empty()) throw Error(ErrorCode::wrong_arity, "a term begins with its coefficient");
-            NamedTerm result{within(std::size_t{0}, [&] { return read_number(parts[0], limits_); }), {}};
+            second::NamedTerm result{within(std::size_t{0}, [&] { return read_number(parts[0], limits_); }),
+                                     {}};
             for (std::size_t i = 1; i < parts.size(); ++i)
                 result.powers.push_back(within(i, [&] { return power(parts[i]); }));
             return result;
@@ -119,9 +111,9 @@ private:
                 within(std::size_t{1}, [&] { return read_count(parts[1], limits_); })};
     }
 
-    Step step(const Json& json) const {
+    second::Step step(const Json& json) const {
         Fields fields(json);
-        Step result;
+        second::Step result;
         result.symbol = fields.required("symbol", read_text);
         result.degree =
             fields.required("degree", [&](const Json& degree) { return read_count(degree, limits_); });
@@ -130,15 +122,15 @@ private:
         return result;
     }
 
-    Branch branch(const Json& json) const {
+    second::Branch branch(const Json& json) const {
         Fields fields(json);
-        Branch result;
+        second::Branch result;
         result.steps = fields.required("steps", [&](const Json& steps) {
             return read_list(steps, [&](const Json& one) { return step(one); });
         });
-        result.end = static_cast<Branch::End>(fields.required(
-            "end", [&](const Json& end) { return read_alternative(end, ends, "an end of a branch"); }));
-        if (result.end == Branch::End::split) {
+        result.end = static_cast<second::Branch::End>(fields.required(
+            "end", [&](const Json& end) { return read_alternative(end, end_names, "an end of a branch"); }));
+        if (result.end == second::Branch::End::split) {
             result.pivot = fields.required("pivot", [&](const Json& pivot) { return polynomial(pivot); });
             result.branches = fields.required("branches", [&](const Json& branches) {
                 return read_list(branches, [&](const Json& one) { return branch(one); });
@@ -153,13 +145,21 @@ private:
 
 }  // namespace
 
-Json certificates_json(std::span<const Certificate> certificates) {
+Json parameters_json(const proofs::Parameters& parameters) {
+    Json::Object result;
+    for (const auto& [name, value] : parameters)
+        result.emplace_back(name, Json::Number{std::to_string(value)});
+    return result;
+}
+
+Json certificates_json(std::span<const second::Certificate> certificates) {
     Json::Array proofs;
-    for (const Certificate& certificate : certificates) proofs.emplace_back(certificate_json(certificate));
+    for (const second::Certificate& certificate : certificates)
+        proofs.emplace_back(certificate_json(certificate));
     return Json::Object{{"certificate", version}, {"proofs", std::move(proofs)}};
 }
 
-std::vector<Certificate> read_certificates(const Json& json, const Limits& limits) {
+std::vector<second::Certificate> read_certificates(const Json& json, const Limits& limits) {
     Fields fields(json);
     const std::size_t written =
         fields.required("certificate", [&](const Json& number) { return read_count(number, limits); });
@@ -170,7 +170,7 @@ std::vector<Certificate> read_certificates(const Json& json, const Limits& limit
                     Place{"certificate"});
     }
     const CertificateReader reader(limits);
-    std::vector<Certificate> certificates = fields.required("proofs", [&](const Json& proofs) {
+    std::vector<second::Certificate> certificates = fields.required("proofs", [&](const Json& proofs) {
         return read_list(proofs, [&](const Json& one) { return reader.certificate(one); });
     });
     fields.finish();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <blossom/proofs/certificate.hpp>
+#include <blossom/proofs/ground.hpp>
 
 #include <span>
 #include <vector>
@@ -10,6 +11,9 @@
 /// Certificates of proofs as JSON.
 
 namespace blossom::protocol {
+
+/// {"n": 3, ...}: the values of the parameters of a case.
+Json parameters_json(const proofs::Parameters& parameters);
 
 /// {"certificate": 2, "proofs": [{"id", "title", "text", "line", "parameters", "conditions", "proof"}, ...]}:
 /// of each proved case the text of its block, the line, what must not vanish, and the steps of the

@@ -21,7 +21,7 @@ constexpr std::string_view text_schema = R"({"type": "string"})";
 constexpr std::string_view boolean_schema = R"({"type": "boolean"})";
 
 /// In the order of `ValueKind`.
-constexpr auto entries = std::to_array<ValueEntry>({
+constexpr auto value_entries = std::to_array<ValueEntry>({
     {"number", "number", "numbers",
      R"({
         "description": "An exact number: a string p, p/q or an exact decimal, or a JSON integer",
@@ -145,7 +145,7 @@ constexpr auto entries = std::to_array<ValueEntry>({
     {"map", "map", "maps", R"({"$ref": "#/$defs/map"})", R"({"$ref": "#/$defs/exact_map"})"},
 });
 
-const ValueEntry& entry_of(ValueKind kind) { return entries[static_cast<std::size_t>(kind)]; }
+const ValueEntry& entry_of(ValueKind kind) { return value_entries[static_cast<std::size_t>(kind)]; }
 
 std::string_view fragment(const ValueEntry& entry, Side side) {
     return side == Side::request ? entry.request : entry.result;
@@ -176,7 +176,7 @@ Json schema_of(ValueKind kind, Side side) {
 Json::Object value_definitions() {
     Json::Object definitions;
     for (const Side side : {Side::request, Side::result}) {
-        for (const ValueEntry& entry : entries) {
+        for (const ValueEntry& entry : value_entries) {
             const std::string_view schema = fragment(entry, side);
             if (!stands_alone(schema))
                 definitions.emplace_back(definition_name(entry, side), parse_json(schema, Limits{}));

@@ -45,7 +45,7 @@ struct Format {
     std::string (*write)(const Documents& documents, const worked::Notation& notation, std::size_t columns);
 };
 
-constexpr std::array<Format, 6> formats{
+constexpr std::array<Format, 6> document_formats{
     {{"text",
       [](const Documents& documents, const worked::Notation& notation, std::size_t columns) {
           return joined(
@@ -74,10 +74,10 @@ constexpr std::array<Format, 6> formats{
           return json_text(documents, notation);
       }}}};
 
-std::vector<std::string_view> names_of_formats() { return mapped(formats, &Format::name); }
+std::vector<std::string_view> names_of_formats() { return mapped(document_formats, &Format::name); }
 
 std::string read_format(const Json& value) {
-    return std::string(formats[read_alternative(value, names_of_formats(), "a format")].name);
+    return std::string(document_formats[read_alternative(value, names_of_formats(), "a format")].name);
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ Json DocumentFormat::written(const std::vector<worked::Document>& documents) con
     const bool wide = std::ranges::any_of(
         documents, [](const worked::Document& document) { return largest_degree(document) > widest_degree; });
     const worked::Notation notation{style_.value_or(documents.front().style), multiplicities_.value_or(wide)};
-    const auto* format = std::ranges::find(formats, format_, &Format::name);
+    const auto* format = std::ranges::find(document_formats, format_, &Format::name);
     return Json::Object{{"format", format_}, {"document", format->write(documents, notation, columns_)}};
 }
 

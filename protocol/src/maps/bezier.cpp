@@ -42,7 +42,7 @@ std::string bezier_degree(const Map& map) {
     return ", degree " + std::to_string(std::get<BezierCurve>(map.value).degree());
 }
 
-Members members() {
+Members bezier_members() {
     return control_point_members(
         {defaulted(
              "interval", ValueKind::interval,
@@ -54,7 +54,7 @@ Members members() {
 
 constinit const Kind bezier_kind{
     .name = "bezier",
-    .words = {{{"bezier", read_bezier, members, "A polynomial curve, given by its control points."}}},
+    .words = {{{"bezier", read_bezier, bezier_members, "A polynomial curve, given by its control points."}}},
     .write = write_value<BezierCurve, write>,
     .formula = formula_of_value<BezierCurve, formula>,
     .target = {"bernstein", read_bernstein_target, true},

@@ -44,7 +44,7 @@ Target::Convert read_bspline_target(Fields& request, const Limits& limits) {
     };
 }
 
-Members members() {
+Members bspline_members() {
     return control_point_members({required("degree", ValueKind::count, "the degree n"),
                                   required("knots", Shape::list(ValueKind::number),
                                            "a non-decreasing list of numbers, each at most n + 1 times")});
@@ -54,7 +54,7 @@ Members members() {
 
 constinit const Kind bspline_kind{
     .name = "bspline",
-    .words = {{{"bspline", read_bspline, members,
+    .words = {{{"bspline", read_bspline, bspline_members,
                 "A B-spline curve; with weights, a rational one (NURBS)."}}},
     .write = write_value<BSplineCurve, write>,
     .formula = formula_of_value<BSplineCurve, formula>,

@@ -165,7 +165,7 @@ Target::Convert read_hermite_target(Fields& request, const Limits& limits) {
     };
 }
 
-Members members() {
+Members hermite_members() {
     const Shape numbers = Shape::list(ValueKind::number);
     const Shape points = Shape::list(ValueKind::point);
     return {{required("left", points,
@@ -184,7 +184,7 @@ Members members() {
 
 constinit const Kind hermite_kind{
     .name = "hermite",
-    .words = {{{"hermite", read_hermite, members,
+    .words = {{{"hermite", read_hermite, hermite_members,
                 "A polynomial curve by its value and derivatives at two ends."}}},
     .write = write_value<HermiteCurve, write>,
     .formula = formula_of_value<HermiteCurve, formula>,

@@ -108,7 +108,7 @@ std::string polynomial_degree(const Map& map) {
     return ", formal degree " + std::to_string(std::get<PolynomialCurve>(map.value).degree());
 }
 
-Members members() {
+Members polynomial_members() {
     return {
         {defaulted("degree", ValueKind::count,
                    "the formal degree; at least the actual degree of all coordinates, which is the default"),
@@ -127,7 +127,7 @@ Members members() {
 
 constinit const Kind polynomial_kind{
     .name = "polynomial",
-    .words = {{{"polynomial", read_polynomial, members,
+    .words = {{{"polynomial", read_polynomial, polynomial_members,
                 "A polynomial in one variable for each coordinate."}}},
     .write = write_value<PolynomialCurve, write>,
     .formula = formula_of_value<PolynomialCurve, formula>,

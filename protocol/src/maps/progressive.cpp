@@ -30,7 +30,7 @@ std::string formula(const ProgressiveCurve& curve, const Map& map, std::string_v
                        curve.degree(), numbers_text(*written.find("knots")), control_points_text(written));
 }
 
-Members members() {
+Members progressive_members() {
     return control_point_members(
         {required("knots", Shape::list(ValueKind::number),
                   "2n numbers in any order; control point j is the value of the blossom at the knots j, ..., "
@@ -42,7 +42,7 @@ Members members() {
 
 constinit const Kind progressive_kind{
     .name = "progressive",
-    .words = {{{"progressive", read_progressive, members,
+    .words = {{{"progressive", read_progressive, progressive_members,
                 "One polynomial by control points that are blossom values at consecutive knots."}}},
     .write = write_value<ProgressiveCurve, write>,
     .formula = formula_of_value<ProgressiveCurve, formula>,

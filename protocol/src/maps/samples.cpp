@@ -67,7 +67,7 @@ std::string formula(const Samples& samples, const Map&, std::string_view name) {
                        samples.degree, to_string(samples.interval.a()), to_string(samples.interval.b()));
 }
 
-Members members() {
+Members samples_members() {
     return {{required("degree", ValueKind::count, "the degree of the curve to compute"),
              optional("interval", ValueKind::interval, "the interval, by default `[0, 1]`"),
              required("values", Shape::list(ValueKind::sample, 1),
@@ -79,7 +79,7 @@ Members members() {
 
 constinit const Kind samples_kind{
     .name = "samples",
-    .words = {{{"samples", read_samples, members, "A map that is known only by values."}}},
+    .words = {{{"samples", read_samples, samples_members, "A map that is known only by values."}}},
     .write = write_value<Samples, write>,
     .formula = formula_of_value<Samples, formula>,
 };

@@ -71,7 +71,7 @@ Target::Convert read_taylor_target(Fields& request, const Limits& limits) {
     };
 }
 
-Members members() {
+Members taylor_members() {
     return {{required("center", ValueKind::number, "the number a"),
              required("coefficients", Shape::list(ValueKind::point, 1),
                       "the coefficients of the powers of t - a, lowest power first"),
@@ -86,7 +86,7 @@ Members members() {
 
 constinit const Kind taylor_kind{
     .name = "taylor",
-    .words = {{{"taylor", read_taylor, members, "A polynomial by its expansion at a number."}}},
+    .words = {{{"taylor", read_taylor, taylor_members, "A polynomial by its expansion at a number."}}},
     .write = write_value<TaylorCurve, write>,
     .formula = formula_of_value<TaylorCurve, formula>,
     .target = {"taylor",

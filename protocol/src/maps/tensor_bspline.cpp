@@ -84,7 +84,7 @@ std::string formula(const TensorBSpline& spline, const Map&, std::string_view na
                        spline.directions() == 1 ? "" : "s", degrees, domain, counts);
 }
 
-Members members() {
+Members tensor_bspline_members() {
     return {
         {required("degrees", Shape::list(ValueKind::count), "one degree per direction"),
          required("knots", Shape::list(Shape::list(ValueKind::number)),
@@ -97,7 +97,8 @@ Members members() {
 
 constinit const Kind tensor_bspline_kind{
     .name = "bspline in several directions",
-    .words = {{{"bspline", read_tensor_bspline, members, "A tensor product of B-splines.", "degrees"}}},
+    .words = {{{"bspline", read_tensor_bspline, tensor_bspline_members, "A tensor product of B-splines.",
+                "degrees"}}},
     .write = write_value<TensorBSpline, write>,
     .formula = formula_of_value<TensorBSpline, formula>,
 };

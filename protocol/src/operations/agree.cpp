@@ -94,7 +94,7 @@ private:
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_agree(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     return dispatch_on_kind<Json>(map, Agree{request, map.form, limits});
 }
@@ -180,7 +180,7 @@ std::string verdict(const Answered& answered) {
     return text + answered.style.good(fmt::format("{}{}.", who, for_all ? ", for all arguments" : "")) + "\n";
 }
 
-std::string render(const Answered& answered) {
+std::string render_agree(const Answered& answered) {
     const Json* arguments = answered.request.find("arguments");
     return fmt::format(
         "{}\n\n{}\n{}", description(answered.given()),
@@ -188,7 +188,7 @@ std::string render(const Answered& answered) {
         verdict(answered));
 }
 
-Members result() {
+Members agree_result() {
     const Shape texts = Shape::one_of({ValueKind::text, Shape::list(ValueKind::text, 1)});
     FieldList values;
     for (const std::string_view name : construction_names())
@@ -222,12 +222,12 @@ Operation agree_operation() {
         .request = {{map_field(),
                      arguments_field(Presence::optional,
                                      "the arguments; without them agreement is decided for all")}},
-        .result = result(),
+        .result = agree_result(),
         .example = {"agree", "1 + 2t + 4t^2 - t^3", "--at", "1,2,3"},
         .options = with_map_options({arguments_option("the arguments: T, vector:V, delta, pair:U:MASS; by "
                                                       "default agreement is proved for all arguments")}),
-        .answer = answer,
-        .render = render,
+        .answer = answer_agree,
+        .render = render_agree,
     };
 }
 

@@ -54,8 +54,8 @@ Shape compared_shape() {
 }
 
 /// The members that are multiplied by weights or divided by a denominator.
-constexpr std::string_view divided[] = {"control_points", "control_net",  "left",
-                                        "right",          "coefficients", "terms"};
+constexpr std::string_view divided_fields[] = {"control_points", "control_net",  "left",
+                                               "right",          "coefficients", "terms"};
 
 /// The values of the map at the parameters "at".
 Json values_of(const Map& map, const Json& at, const Limits& limits) {
@@ -85,7 +85,7 @@ void require_complete(const Sides& sides, bool has_parameters) {
     const Json& computed = sides.computed;
     for (const std::string_view rest : {"weights", "denominator"}) {
         if (!sides.exact.find(rest) || computed.find(rest)) continue;
-        for (const std::string_view field : divided) {
+        for (const std::string_view field : divided_fields) {
             if (!computed.find(field)) continue;
             throw Error(ErrorCode::missing_field,
                         fmt::format(R"(the map is rational: its "{}" are compared together with its "{}")",
@@ -155,7 +155,7 @@ Sides read_document(Request& request, const Map& map, const Limits& limits) {
     return sides;
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_audit(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const Sides sides =
         request.has("document") ? read_document(request, map, limits) : read_computed(request, map, limits);
@@ -221,7 +221,7 @@ std::string lines_of(const std::string& name, const Json& errors, const Json& ul
     return text;
 }
 
-std::string render(const Answered& answered) {
+std::string render_audit(const Answered& answered) {
     const Json& result = answered.result();
     std::string text = description(answered.given()) + "\n\n";
     for (const auto& [field, errors] : *result.find("errors")->object()) {
@@ -274,8 +274,8 @@ Operation audit_operation() {
             document_option(
                 R"(instead of --computed: a file of another library, "@NAME" or "-", or its text)"),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_audit,
+        .render = render_audit,
     };
 }
 

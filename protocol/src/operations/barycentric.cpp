@@ -9,7 +9,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_barycentric(Request& request, const Limits& limits) {
     const BarycentricFrame frame =
         request.required("vertices", [&](const Json& value) { return read_vertices(value, limits); });
     const auto coordinates = request.required("at", [&](const Json& value) {
@@ -21,7 +21,7 @@ Answer answer(Request& request, const Limits& limits) {
     return Json::Object{{"coordinates", lists_json(coordinates)}};
 }
 
-std::string render(const Answered& answered) {
+std::string render_barycentric(const Answered& answered) {
     std::string text;
     const Json::Array& points = *answered.request.find("at")->array();
     const std::vector<std::string> coordinates = member_texts(answered.result(), "coordinates");
@@ -47,8 +47,8 @@ Operation barycentric_operation() {
         .options = {field_option("--vertices", "vertices", "P0;P1;...", tuple_list,
                                  "the vertices of the simplex, \"0,0; 1,0; 0,1\""),
                     field_option("--at", "at", "P;Q;...", tuple_list)},
-        .answer = answer,
-        .render = render,
+        .answer = answer_barycentric,
+        .render = render_barycentric,
     };
 }
 

@@ -73,7 +73,7 @@ Json values_json(const KnotVector& knots, const std::vector<Rational>& parameter
     return list;
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_basis_functions(Request& request, const Limits& limits) {
     const KnotVector knots = read_knots(request, limits);
     const auto parameters =
         request.optional("at", [&](const Json& value) { return read_numbers(value, limits); });
@@ -108,7 +108,7 @@ std::string polynomial_text(const Json& piece) {
     return to_text(Polynomial(std::span<const Rational>(coefficients)));
 }
 
-std::string render(const Answered& answered) {
+std::string render_basis_functions(const Answered& answered) {
     if (answered.result().find("basis_values")) return values_text(answered);
     const bool with_abscissae = answered.result().find("greville");
     const auto abscissae =
@@ -126,7 +126,7 @@ std::string render(const Answered& answered) {
     return text;
 }
 
-Members result() {
+Members basis_functions_result() {
     const Shape piece = Shape::object(
         {{required("segment", ValueKind::count, "the index of the knot at which the segment begins"),
           required("interval", ValueKind::interval, "the ends of the segment"),
@@ -156,13 +156,13 @@ Operation basis_functions_operation() {
                               "depends; polar: without them"),
                      optional("at", numbers_shape(),
                               "the parameters; by default the result is polynomials")}},
-        .result = result(),
+        .result = basis_functions_result(),
         .example = {"basis-functions", "--knots", "0,0,0,1,2,2,2", "--degree", "2"},
         .options = {field_option("--knots", "knots", "T0,T1,...", number_list),
                     field_option("--degree", "degree", "N", count), word_option("--convention", "convention"),
                     field_option("--at", "at", "T1,T2,...", number_list)},
-        .answer = answer,
-        .render = render,
+        .answer = answer_basis_functions,
+        .render = render_basis_functions,
     };
 }
 

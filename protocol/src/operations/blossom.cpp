@@ -58,13 +58,13 @@ struct Value {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_blossom(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const auto value = dispatch_on_kind<Coordinates>(map, Value{request, map.form, limits});
     return Json::Object{{"value", within("arguments", [&] { return to_json(value, map.form); })}};
 }
 
-std::string render(const Answered& answered) {
+std::string render_blossom(const Answered& answered) {
     return fmt::format("{}\n\n  p({}) = {}\n", description(answered.given()),
                        arguments_text(*answered.request.find("arguments")),
                        answered.style.bold(member_text(answered.result(), "value")));
@@ -88,8 +88,8 @@ Operation blossom_operation() {
             word_option("--construction", "construction"),
             segment_option(),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_blossom,
+        .render = render_blossom,
     };
 }
 

@@ -193,7 +193,7 @@ Certificate certificate_of(const Json& request, const Limits& limits) {
     return certificate;
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_certify(Request& request, const Limits& limits) {
     const auto certificates = request.required("requests", [&](const Json& value) {
         return read_list(value, [&](const Json& element) { return certificate_of(element, limits); });
     });
@@ -201,7 +201,7 @@ Answer answer(Request& request, const Limits& limits) {
     return Json::Object{{"document", coq_file(certificates, limits)}};
 }
 
-std::string render(const Answered& answered) { return *answered.result().find("document")->text(); }
+std::string render_certify(const Answered& answered) { return *answered.result().find("document")->text(); }
 
 /// One request per line.
 void apply_requests(Json& request, const std::vector<std::string>& values, const Limits& limits) {
@@ -230,8 +230,8 @@ Operation certify_operation() {
                      "JSON",
                      "requests for agree, blossom, control-points or derivative, each on a line",
                      apply_requests}},
-        .answer = answer,
-        .render = render,
+        .answer = answer_certify,
+        .render = render_certify,
     };
 }
 

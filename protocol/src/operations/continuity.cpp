@@ -199,20 +199,20 @@ struct AtKnot {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_continuity(Request& request, const Limits& limits) {
     if (request.has("maps")) return continuity_of_maps(request, limits);
     const Map& map = request.map(limits);
     return dispatch_on_kind<Json>(map, AtKnot{request, map.form, limits});
 }
 
-std::string render(const Answered& answered) {
+std::string render_continuity(const Answered& answered) {
     std::string text = answered.has_given() ? description(answered.given()) + "\n\n" : "";
     return text + fmt::format("Order of contact: {}\n{}.\n",
                               answered.style.bold(point_text(*answered.result().find("order"))),
                               *answered.result().find("reason")->text());
 }
 
-Members request() {
+Members continuity_fields() {
     return {{},
             {{{map_field(),
                required("at", Shape::one_of({ValueKind::number, cut_shape()}),
@@ -221,7 +221,7 @@ Members request() {
                optional("at", ValueKind::number, "the parameter at which two curves meet")}}}};
 }
 
-Members result() {
+Members continuity_result() {
     const Field left = required("left", ValueKind::point, "the value on the left");
     const Field right = required("right", ValueKind::point, "the value on the right");
     const Members difference{
@@ -242,8 +242,8 @@ Operation continuity_operation() {
             "Find the order of continuity of a spline at a knot, or of two curves or patches, with the "
             "reason",
         .documentation = "The order is the greatest k for which the derivatives of orders 0 to k agree.",
-        .request = request(),
-        .result = result(),
+        .request = continuity_fields(),
+        .result = continuity_result(),
         .example = {"continuity", "--control-points", "0; 1; 4; 5; 9", "--knots", "0,0,0,1,2,3,3,3",
                     "--degree", "2", "--at", "1"},
         .options = with_map_options({
@@ -253,8 +253,8 @@ Operation continuity_operation() {
             field_option("--at", "at", "T", plain_text, place_of_division,
                          "the parameter; in several directions a number for one and - for the others"),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_continuity,
+        .render = render_continuity,
     };
 }
 

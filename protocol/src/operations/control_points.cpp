@@ -120,7 +120,7 @@ struct ControlPoints {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_control_points(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, ControlPoints{request, limits})));
 }
@@ -161,7 +161,7 @@ Operation control_points_operation() {
              apply_degree},
             wanted_degrees_option(),
         }),
-        .answer = answer,
+        .answer = answer_control_points,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

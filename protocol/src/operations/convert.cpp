@@ -144,13 +144,13 @@ struct Conversion {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_convert(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, Conversion{request, map, limits})));
 }
 
 /// The fields of each target.
-Members request() {
+Members convert_fields() {
     const std::string basis = "the new basis; tensor and simplex are forms of patches";
     Choice targets;
     for (const Kind* kind : target_kinds()) {
@@ -200,11 +200,11 @@ Operation convert_operation() {
     return {
         .summary = "Convert a map to another basis or form",
         .documentation = "A spline is converted segment by segment.",
-        .request = request(),
+        .request = convert_fields(),
         .result = {{map_member("the same map in the new basis")}},
         .example = {"convert", "--control-points", "1; 5/3; 11/3; 6", "--to", "monomial"},
         .options = options(),
-        .answer = answer,
+        .answer = answer_convert,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

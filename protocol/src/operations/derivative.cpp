@@ -162,7 +162,7 @@ Answer derivative_of(Fields& request, const Map& map, const Limits& limits) {
     return Json::Object{{"values", written_at(values, form)}};
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_derivative(Request& request, const Limits& limits) {
     return derivative_of(request, request.map(limits), limits);
 }
 
@@ -171,7 +171,7 @@ std::string derivative_name(std::size_t order) {
     return order <= 3 ? "P" + std::string(order, '\'') : fmt::format("P^({})", order);
 }
 
-std::string render(const Answered& answered) {
+std::string render_derivative(const Answered& answered) {
     const Json* order = answered.request.find("order");
     const std::string name =
         has_patch(answered.request) ? "DP" : derivative_name(order ? read_count(*order, answered.limits) : 1);
@@ -226,8 +226,8 @@ Operation derivative_operation() {
             field_option("--direction", "direction", "X,Y,...", number_list),
             field_option("--directions", "directions", "D1;D2;...", tuple_list),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_derivative,
+        .render = render_derivative,
         .plot = of_derived_map<plot_of_result>,
         .mesh = of_derived_map<obj_of>,
     };

@@ -51,7 +51,7 @@ std::vector<std::size_t> read_by(const Json& value, const ParameterForm& form, c
     return read_each_direction(value, form.factors, "numbers", read);
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_elevate(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const auto by = request.required(
         "by", [&](const Json& value) { return read_by(value, parameter_form(map), limits); });
@@ -77,7 +77,7 @@ Operation elevate_operation() {
         .result = {{map_member("the same map with its degree raised")}},
         .example = {"elevate", "--control-points", "0; 3; 0", "--by", "2"},
         .options = with_map_options({field_option("--by", "by", "R", count, degrees_to_raise_by)}),
-        .answer = answer,
+        .answer = answer_elevate,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

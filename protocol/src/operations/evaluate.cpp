@@ -13,7 +13,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_evaluate(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const ParameterForm form = parameter_form(map);
     const Parameters parameters = read_parameters(request, form, limits);
@@ -25,7 +25,7 @@ Answer answer(Request& request, const Limits& limits) {
     return result;
 }
 
-std::string render(const Answered& answered) {
+std::string render_evaluate(const Answered& answered) {
     std::string text = description(answered.given()) + "\n\n";
     const Json::Array& parameters = *answered.request.find("at")->array();
     const std::vector<std::string> values = member_texts(answered.result(), "values");
@@ -57,8 +57,8 @@ Operation evaluate_operation() {
                          "the parameters, any rational numbers; for a patch points, separated by ';'"),
             flag_option("--pyramid", "pyramid"),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_evaluate,
+        .render = render_evaluate,
         .plot = plot_of_values,
         .mesh = obj_of,
     };

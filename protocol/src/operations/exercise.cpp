@@ -17,7 +17,7 @@ std::uint64_t read_seed(const Json& value, const Limits& limits) {
     throw Error(ErrorCode::wrong_kind, to_string(number) + " is not a seed, an integer from 0 to 2^63 - 1");
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_exercise(Request& request, const Limits& limits) {
     worked::SheetRequest sheet;
     const auto number = [&](std::string_view name, std::size_t otherwise) {
         return request.optional(name, [&](const Json& value) { return read_count(value, limits); })
@@ -61,7 +61,7 @@ Operation exercise_operation() {
         .result = document_members(),
         .example = {"exercise", "subdivision", "--count", "2"},
         .options = std::move(options),
-        .answer = answer,
+        .answer = answer_exercise,
         .render = document_text,
     };
 }

@@ -9,7 +9,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_explain(Request& request, const Limits& limits) {
     const std::vector<worked::Document> documents =
         request.required("request", [&](const Json& explained) { return chapters_of(explained, limits); });
     const DocumentFormat format = DocumentFormat::read(request, limits);
@@ -30,7 +30,7 @@ Operation explain_operation() {
         .result = document_members(),
         .example = {"explain", "evaluate", "t^2", "--at", "3"},
         .options = {},
-        .answer = answer,
+        .answer = answer_explain,
         .render = document_text,
         .has_own_command = true,
     };

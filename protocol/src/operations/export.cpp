@@ -9,7 +9,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_export(Request& request, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
     const bool several = request.has("maps");
@@ -24,7 +24,9 @@ Answer answer(Request& request, const Limits& limits) {
 }
 
 /// The document alone, as the other library reads it.
-std::string render(const Answered& answered) { return to_text(*answered.result().find("document")) + "\n"; }
+std::string render_export(const Answered& answered) {
+    return to_text(*answered.result().find("document")) + "\n";
+}
 
 }  // namespace
 
@@ -40,8 +42,8 @@ Operation export_operation() {
             maps_option("--maps",
                         "instead of a map: a list of maps, or the --json output of another command"),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_export,
+        .render = render_export,
     };
 }
 

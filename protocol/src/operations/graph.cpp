@@ -9,7 +9,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_graph(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     request.finish();
     return answer_of(within("map", [&] { return graph_of(map, limits); }));
@@ -25,7 +25,7 @@ Operation graph_operation() {
         .result = {{map_member("the graph")}},
         .example = {"graph", "--control-points", "0; 3; 1"},
         .options = with_map_options({}),
-        .answer = answer,
+        .answer = answer_graph,
         .render = described_listing,
         .plot = plot_of_result,
     };

@@ -11,7 +11,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_import(Request& request, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
     auto maps = request.required("document", [&](const Json& value) { return format.read(value, limits); });
@@ -32,7 +32,7 @@ Operation import_operation() {
         .example = {"import", "--format", "tinyspline", "--document",
                     R"({"degree": 1, "dimension": 1, "control_points": [0.1, 2], "knots": [0, 0, 1, 1]})"},
         .options = {format_option(), document_option(R"(the file, "@NAME" or "-", or its text)")},
-        .answer = answer,
+        .answer = answer_import,
         .render = described_listing,
         .plot = plot_of_result,
     };

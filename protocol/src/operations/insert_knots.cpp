@@ -16,7 +16,7 @@ namespace {
 using Insertion = BSplineCurve (*)(const BSplineCurve& curve, std::span<const Rational> knots,
                                    const Limits& limits);
 
-constexpr std::string_view method_names[] = {"boehm", "oslo"};
+constexpr std::string_view insertion_method_names[] = {"boehm", "oslo"};
 constexpr Insertion methods[] = {insert_knots_boehm, insert_knots_oslo};
 
 /// Reads the knots, one list per direction, and inserts them.
@@ -27,7 +27,9 @@ struct InsertKnots {
     AnyMap operator()(const BSplineCurve& curve) const {
         const auto knots =
             request.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
-        const auto read = [](const Json& value) { return read_alternative(value, method_names, "a method"); };
+        const auto read = [](const Json& value) {
+            return read_alternative(value, insertion_method_names, "a method");
+        };
         const auto method = request.optional("method", read);
         request.finish();
         return method ? methods[*method](curve, knots, limits) : insert_knots(curve, knots, limits);
@@ -50,7 +52,7 @@ struct InsertKnots {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_insert_knots(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     return answer_of(like(map, dispatch_on_kind<AnyMap>(map, InsertKnots{request, limits})));
 }
@@ -72,7 +74,7 @@ Operation insert_knots_operation() {
                      required("knots", parameters_shape(),
                               "the knots to insert, in any order, each as often as it is listed; in several "
                               "directions one list each"),
-                     optional("method", Shape::words(method_names),
+                     optional("method", Shape::words(insertion_method_names),
                               "of a curve: the algorithm; by default the faster one")}},
         .result = {{map_member("the same B-spline with the knots")}},
         .example = {"insert-knots", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,1,2,3,4,5",
@@ -83,7 +85,7 @@ Operation insert_knots_operation() {
                          "directions one list each, separated by ';'"),
             word_option("--method", "method"),
         }),
-        .answer = answer,
+        .answer = answer_insert_knots,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

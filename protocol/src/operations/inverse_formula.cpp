@@ -23,7 +23,7 @@ Json of_simplex(Fields& request, std::size_t degree, const Limits& limits) {
                         {"indices", lists_json(multi_indices(frame.dimension(), degree))}};
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_inverse_formula(Request& request, const Limits& limits) {
     const std::size_t degree =
         request.required("degree", [&](const Json& value) { return read_count(value, limits); });
     const auto interval =
@@ -40,7 +40,7 @@ Answer answer(Request& request, const Limits& limits) {
                         {"weights", lists_json(formula.weights)}};
 }
 
-std::string render(const Answered& answered) {
+std::string render_inverse_formula(const Answered& answered) {
     std::vector<std::vector<std::string>> rows{{""}};
     for (std::string& node : member_texts(answered.result(), "nodes"))
         rows.front().push_back(std::move(node));
@@ -76,8 +76,8 @@ Operation inverse_formula_operation() {
                     field_option("--interval", "interval", "A,B", number_list,
                                  "the interval; by default 0,1"),
                     field_option("--vertices", "vertices", "P0;P1;...", tuple_list)},
-        .answer = answer,
-        .render = render,
+        .answer = answer_inverse_formula,
+        .render = render_inverse_formula,
     };
 }
 

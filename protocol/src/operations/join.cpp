@@ -45,7 +45,7 @@ auto at_given_part(const Json& maps, const Action& action) {
     }
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_join(Request& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
     const Json& given = *request.required("maps", [](const Json& value) { return &value; });
     const auto knots =
@@ -86,7 +86,7 @@ Operation join_operation() {
                                 "'segments --json'"),
                     field_option("--knots", "knots", "T0,T1,...", number_list),
                     field_option("--degree", "degree", "N", count)},
-        .answer = answer,
+        .answer = answer_join,
         .render = described_listing,
         .plot = plot_of_result,
     };

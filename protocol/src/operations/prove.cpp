@@ -54,7 +54,7 @@ std::vector<DecidedLine> all_decisions(const Json& value, const Limits& limits) 
     return decisions;
 }
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_prove(Request& request, const Limits& limits) {
     const auto decisions =
         request.required("statement", [&](const Json& value) { return all_decisions(value, limits); });
     request.finish();
@@ -71,7 +71,7 @@ Answer answer(Request& request, const Limits& limits) {
     return result;
 }
 
-std::string render(const Answered& answered) { return to_text(answered.result()) + "\n"; }
+std::string render_prove(const Answered& answered) { return to_text(answered.result()) + "\n"; }
 
 }  // namespace
 
@@ -84,8 +84,8 @@ Operation prove_operation() {
         .result = decision_members(),
         .example = {"prove", "-e", "b[s,t] == (4*b((s+t)/2) - b(s) - b(t))/2", "--degree", "b=2"},
         .options = {},
-        .answer = answer,
-        .render = render,
+        .answer = answer_prove,
+        .render = render_prove,
         .has_own_command = true,
     };
 }

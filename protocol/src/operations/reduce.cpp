@@ -19,10 +19,10 @@ constexpr ReductionMethod all_methods[] = {ReductionMethod::inverse_formula, Red
                                            ReductionMethod::least_squares_endpoints,
                                            ReductionMethod::uniform};
 
-std::vector<std::string_view> method_names() { return mapped(all_methods, reduction_method_name); }
+std::vector<std::string_view> reduction_method_names() { return mapped(all_methods, reduction_method_name); }
 
 ReductionMethod read_method(const Json& value) {
-    return all_methods[read_alternative(value, method_names(), "a method")];
+    return all_methods[read_alternative(value, reduction_method_names(), "a method")];
 }
 
 struct Reduced {
@@ -54,7 +54,7 @@ struct Reduce {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_reduce(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const std::size_t degree =
         request.required("to", [&](const Json& value) { return read_count(value, limits); });
@@ -74,7 +74,7 @@ Answer answer(Request& request, const Limits& limits) {
     return answer;
 }
 
-std::string render(const Answered& answered) {
+std::string render_reduce(const Answered& answered) {
     std::string text = described_listing(answered) + "\n";
     if (*answered.result().find("exact")->boolean())
         return text + answered.style.good("Nothing was lost: this is the same map.") + "\n";
@@ -91,7 +91,8 @@ Operation reduce_operation() {
         .summary = "Approximate a curve by one of lower degree, with the exact error",
         .documentation = "The segments of a spline are reduced one by one.",
         .request = {{map_field(), required("to", ValueKind::count, "the new degree"),
-                     optional("method", Shape::words(method_names()), "the method; by default least-squares"),
+                     optional("method", Shape::words(reduction_method_names()),
+                              "the method; by default least-squares"),
                      optional("interval", ValueKind::interval,
                               "where the error is measured; by default the interval of the map, or [0, 1]")}},
         .result = {{map_member("the curve of lower degree"),
@@ -111,8 +112,8 @@ Operation reduce_operation() {
                 "the interval of the given control points, or else that of the error; by default 0,1"),
             field_option("--over", "interval", "A,B", number_list, "the interval of the error"),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_reduce,
+        .render = render_reduce,
         .plot = plot_of_maps,
     };
 }

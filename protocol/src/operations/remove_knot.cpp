@@ -12,7 +12,7 @@ namespace blossom::protocol {
 
 namespace {
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_remove_knot(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const Rational knot =
         request.required("knot", [&](const Json& value) { return read_number(value, limits); });
@@ -37,7 +37,7 @@ Answer answer(Request& request, const Limits& limits) {
     return answer;
 }
 
-std::string render(const Answered& answered) {
+std::string render_remove_knot(const Answered& answered) {
     const Json& result = answered.result();
     std::string text = described_listing(answered) + fmt::format("\nTimes that the knot was removed: {}\n",
                                                                  point_text(*result.find("removed")));
@@ -77,8 +77,8 @@ Operation remove_knot_operation() {
             field_option("--knot", "knot", "X", plain_text),
             field_option("--times", "times", "N", count),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_remove_knot,
+        .render = render_remove_knot,
         .plot = plot_of_maps,
     };
 }

@@ -61,7 +61,7 @@ private:
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_roots(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const auto interval =
         request.optional("interval", [&](const Json& value) { return read_interval(value, limits); });
@@ -91,7 +91,7 @@ Answer answer(Request& request, const Limits& limits) {
     return Json::Object{{"roots", std::move(list)}};
 }
 
-std::string render(const Answered& answered) {
+std::string render_roots(const Answered& answered) {
     std::string text = description(answered.given()) + "\n\n";
     const Json::Array& list = *answered.result().find("roots")->array();
     if (list.empty()) return text + "There is no root in this interval.\n";
@@ -135,8 +135,8 @@ Operation roots_operation() {
                          "the interval of the roots; by default that of the map, 0,1 for a polynomial"),
             field_option("--width", "width", "W", plain_text),
         }),
-        .answer = answer,
-        .render = render,
+        .answer = answer_roots,
+        .render = render_roots,
     };
 }
 

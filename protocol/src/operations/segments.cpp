@@ -30,7 +30,7 @@ struct Segments {
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_segments(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     request.finish();
     return answer_of(like(map, dispatch_on_kind<std::vector<AnyMap>>(map, Segments{limits})));
@@ -47,7 +47,7 @@ Operation segments_operation() {
         .example = {"segments", "--control-points", "0,0; 1,2; 3,3; 5,1", "--knots", "0,0,0,1,2,2,2",
                     "--degree", "2"},
         .options = with_map_options({}),
-        .answer = answer,
+        .answer = answer_segments,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

@@ -18,7 +18,7 @@ namespace blossom::protocol {
 
 namespace {
 
-using Parts = std::vector<AnyMap>;
+using Pieces = std::vector<AnyMap>;
 
 /// A piece of one factor whose vertices are the combinations of the old ones.
 Patch piece_of(const Patch& patch, BezierPatch net, std::size_t factor,
@@ -84,23 +84,23 @@ struct Subdivide {
     Fields& request;
     const Limits& limits;
 
-    Parts operator()(const BezierCurve& curve) const {
+    Pieces operator()(const BezierCurve& curve) const {
         return divided([&](const Json& at) {
             const auto [left, right] = subdivide(curve, read_number(at, limits), limits);
             return std::vector{left, right};
         });
     }
-    Parts operator()(const OnePolynomial auto& curve) const {
+    Pieces operator()(const OnePolynomial auto& curve) const {
         return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
-    Parts operator()(const BSplineCurve& curve) const {
+    Pieces operator()(const BSplineCurve& curve) const {
         return divided([&](const Json& at) {
             const Rational t = read_number(at, limits);
             const auto [left, right] = as_parameter(Part::at, [&] { return split(curve, t, limits); });
             return std::vector{left, right};
         });
     }
-    Parts operator()(const Patch& patch) const {
+    Pieces operator()(const Patch& patch) const {
         const Patch net = as_net(patch, limits);
         return divided([&](const Json& at) {
             if (!patch.tensor) return parts_of_simplex(net, at, limits);
@@ -112,7 +112,7 @@ struct Subdivide {
                                 });
         });
     }
-    Parts operator()(const TensorBSpline& spline) const {
+    Pieces operator()(const TensorBSpline& spline) const {
         return divided([&](const Json& at) {
             return parts_of_box(spline, spline.directions(), at, limits,
                                 [&](const TensorBSpline& part, std::size_t d, const Rational& t) {
@@ -123,16 +123,16 @@ struct Subdivide {
 
 private:
     template <class Divide>
-    Parts divided(const Divide& divide) const {
+    Pieces divided(const Divide& divide) const {
         auto parts = request.required("at", divide);
         request.finish();
         return {std::make_move_iterator(parts.begin()), std::make_move_iterator(parts.end())};
     }
 };
 
-Answer answer(Request& request, const Limits& limits) {
+Answer answer_subdivide(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
-    return answer_of(like(map, dispatch_on_kind<Parts>(map, Subdivide{request, limits})), "at");
+    return answer_of(like(map, dispatch_on_kind<Pieces>(map, Subdivide{request, limits})), "at");
 }
 
 }  // namespace
@@ -153,7 +153,7 @@ Operation subdivide_operation() {
             "--at", "at", "T", plain_text, place_of_division,
             "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a point or "
             "\"midpoints\", for a tensor product a number or - per direction")}),
-        .answer = answer,
+        .answer = answer_subdivide,
         .render = described_listing,
         .plot = plot_of_maps,
         .mesh = obj_of,

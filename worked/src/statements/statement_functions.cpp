@@ -82,12 +82,11 @@ Formula StatementFormulas::set(const Expression& e) {
 
 Formula StatementFormulas::iterated(const Expression& e) {
     Collection from = collection(e);
-    const auto hidden = bound_.find(e.children[0].name);
-    const std::optional<Bound> before = hidden == bound_.end() ? std::nullopt : std::optional(hidden->second);
+    auto hidden = bound_.extract(e.children[0].name);
     bound_[e.children[0].name] = from.member;
     Formula body = (*this)(e.children.back());
     bound_.erase(e.children[0].name);
-    if (before) bound_[e.children[0].name] = *before;
+    if (hidden) bound_.insert(std::move(hidden));
     const std::string sign = e.name == "prod" ? "∏" : "∑";
     Formula all = summation(sign, std::move(from.below), std::move(from.above), std::move(body));
     if (e.name != "mean") return all;

@@ -23,7 +23,7 @@ bool has_value(FormulaKind kind) {
     return kind == FormulaKind::number || kind == FormulaKind::derivative || kind == FormulaKind::elementary;
 }
 
-Json::Array list_of(const auto& items, const auto& write) {
+Json::Array array_of(const auto& items, const auto& write) {
     Json::Array list;
     list.reserve(items.size());
     for (const auto& item : items) list.emplace_back(write(item));
@@ -37,17 +37,17 @@ Json tree(const Formula& formula) {
         json["span"] = Json::Number{to_string(formula.value - Rational(1))};
     }
     if (!formula.name.empty()) json["name"] = formula.name;
-    if (!formula.parts.empty()) json["parts"] = list_of(formula.parts, tree);
+    if (!formula.parts.empty()) json["parts"] = array_of(formula.parts, tree);
     return json;
 }
 
 Json numbers(const std::vector<Rational>& list) { return Json::Array(list.begin(), list.end()); }
 
-Json points(const std::vector<Coordinates>& list) { return list_of(list, numbers); }
+Json points(const std::vector<Coordinates>& list) { return array_of(list, numbers); }
 
 Json coordinates(const PlanePoint& place) { return Json::Array{place.x, place.y}; }
 
-Json places(const std::vector<PlanePoint>& list) { return list_of(list, coordinates); }
+Json places(const std::vector<PlanePoint>& list) { return array_of(list, coordinates); }
 
 struct DefinitionWriter {
     Json operator()(const PolynomialCurve& curve) const {
@@ -73,7 +73,7 @@ struct DefinitionWriter {
         return json;
     }
     Json operator()(const SymbolicMap& any) const {
-        return Json::Object{{"kind", "symbolic"}, {"coefficients", list_of(any.coefficients, tree)}};
+        return Json::Object{{"kind", "symbolic"}, {"coefficients", array_of(any.coefficients, tree)}};
     }
     Json operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
 };
@@ -105,10 +105,10 @@ public:
         };
         Json json = Json::Object{{"title", document.title},
                                  {"source", document.source},
-                                 {"maps", list_of(document.maps, map)},
+                                 {"maps", array_of(document.maps, map)},
                                  {"points", Json::Object()},
                                  {"statement", blocks(document.statement)},
-                                 {"steps", list_of(document.steps, step)},
+                                 {"steps", array_of(document.steps, step)},
                                  {"result", blocks(document.result)}};
         if (!document.general.empty()) json["general"] = blocks(document.general);
         for (const NamedPoint& point : document.points) {
@@ -123,7 +123,7 @@ public:
 
 private:
     Json blocks(const std::vector<Block>& list) const {
-        return list_of(list, [&](const Block& block) {
+        return array_of(list, [&](const Block& block) {
             return std::visit([&](const auto& content) { return this->block(content); }, block);
         });
     }
@@ -131,7 +131,7 @@ private:
     Json block(const Paragraph& paragraph) const { return Json::Object{{"paragraph", text(paragraph.text)}}; }
 
     Json block(const Display& display) const {
-        return Json::Object{{"display", list_of(display.formulas, formula_)}};
+        return Json::Object{{"display", array_of(display.formulas, formula_)}};
     }
 
     Json block(const Table& table) const {
@@ -141,17 +141,17 @@ private:
             return json;
         };
         const auto title = [&](const Text& one) { return text(one); };
-        const auto row = [&](const std::vector<Cell>& cells) { return list_of(cells, cell); };
+        const auto row = [&](const std::vector<Cell>& cells) { return array_of(cells, cell); };
         return Json::Object{{"table", Json::Object{{"caption", table.caption},
-                                                   {"header", list_of(table.header, title)},
-                                                   {"rows", list_of(table.rows, row)}}}};
+                                                   {"header", array_of(table.header, title)},
+                                                   {"rows", array_of(table.rows, row)}}}};
     }
 
     Json block(const TrianglePyramid& pyramid) const {
         const auto node = [&](const PyramidNode& one) { return this->node(one); };
-        const auto level = [&](const std::vector<PyramidNode>& nodes) { return list_of(nodes, node); };
+        const auto level = [&](const std::vector<PyramidNode>& nodes) { return array_of(nodes, node); };
         return Json::Object{{"pyramid", Json::Object{{"caption", pyramid.caption},
-                                                     {"levels", list_of(pyramid.levels, level)}}}};
+                                                     {"levels", array_of(pyramid.levels, level)}}}};
     }
 
     Json block(const Picture& picture) const {
@@ -172,9 +172,9 @@ private:
         Json json = Json::Object{{"caption", picture.caption},
                                  {"description", picture.description},
                                  {"graph", picture.graph},
-                                 {"curves", list_of(picture.curves, curve)},
-                                 {"lines", list_of(picture.lines, line)},
-                                 {"points", list_of(picture.points, point)}};
+                                 {"curves", array_of(picture.curves, curve)},
+                                 {"lines", array_of(picture.lines, line)},
+                                 {"points", array_of(picture.points, point)}};
         if (!picture.projection.empty()) json["projection"] = points(picture.projection);
         if (!picture.corners.empty()) json["corners"] = places(picture.corners);
         return Json::Object{{"picture", std::move(json)}};
@@ -190,7 +190,7 @@ private:
     }
 
     Json text(const Text& text) const {
-        return list_of(text.parts(), [&](const Text::Part& part) {
+        return array_of(text.parts(), [&](const Text::Part& part) {
             return std::visit(Overloaded{[](const std::string& words) { return Json(words); }, formula_},
                               part);
         });
