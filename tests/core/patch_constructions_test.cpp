@@ -156,7 +156,7 @@ TEST_CASE("patch contact: the pieces of a subdivision are one map, and a changed
         }
         // The left piece has the middle in place of vertex 0, the right one in place of vertex s: they share
         // all vertices of the left one but vertex s.
-        const Face face = shared_face(placed[0].frames, placed[1].frames);
+        const Face face = shared_face(placed[0].frames, placed[1].frames).face;
         CHECK(face[f].size() == s);
         CHECK(face[f].back() == s - 1);
         placed[1].patch = elevate(placed[1].patch, f, 1);
@@ -191,7 +191,7 @@ TEST_CASE("patch contact: by derivatives across the common edge of two triangles
     const auto f = [](const Rational& x, const Rational& y) { return x * x + y; };
     const auto g = [&](const Rational& x, const Rational& y) { return f(x, y) + (x + y - 1) * (x + y - 1); };
     const PlacedPatch left{net_of(lower[0], f), lower};
-    const Face face = shared_face(lower, upper);
+    const Face face = shared_face(lower, upper).face;
     CHECK(face == Face{{1, 2}});
     const PatchContact result = contact(left, {net_of(upper[0], g), upper}, face);
     CHECK(result.order == 1);

@@ -127,7 +127,7 @@ TEST_CASE("rational patches: the contact is that of the quotients, whatever fact
     const auto check = [&](const auto& left_frames, const auto& right_frames, const NetShape& low,
                            const NetShape& high, const SparsePolynomial& distance) {
         const PlacedPatch left = over(map, low, left_frames);
-        const Face face = shared_face(left_frames, right_frames);
+        const Face face = shared_face(left_frames, right_frames).face;
         CHECK(projected_contact(left, over(same, high, right_frames), face).is_infinite());
         CHECK(contact(left, over(same, high, right_frames), face).order == -1);
         for (std::size_t order = 0; order <= 3; ++order) {
@@ -136,7 +136,7 @@ TEST_CASE("rational patches: the contact is that of the quotients, whatever fact
             const PlacedPatch right = over(other, high, right_frames);
             const PatchContact found = projected_contact(left, right, face);
             CHECK(found.order == static_cast<std::ptrdiff_t>(order) - 1);
-            CHECK(projected_contact(right, left, shared_face(right_frames, left_frames)).order ==
+            CHECK(projected_contact(right, left, shared_face(right_frames, left_frames).face).order ==
                   found.order);
         }
     };
@@ -146,10 +146,10 @@ TEST_CASE("rational patches: the contact is that of the quotients, whatever fact
 
     const PlacedPatch vanishing = over({x, one - x - y}, NetShape::simplex(2, 1), left_triangle);
     const PlacedPatch fine = over({x, one}, NetShape::simplex(2, 1), right_triangle);
-    const Face face = shared_face(left_triangle, right_triangle);
+    const Face face = shared_face(left_triangle, right_triangle).face;
     CHECK(failure_code([&] { projected_contact(vanishing, fine, face); }) == ErrorCode::zero_weight);
     CHECK(failure_code([&] {
-              projected_contact(fine, vanishing, shared_face(right_triangle, left_triangle));
+              projected_contact(fine, vanishing, shared_face(right_triangle, left_triangle).face);
           }) == ErrorCode::zero_weight);
     const PlacedPatch weights_alone = over({one}, NetShape::simplex(2, 1), left_triangle);
     CHECK(failure_code([&] { projected_contact(weights_alone, weights_alone, face); }) ==

@@ -216,3 +216,21 @@ TEST_CASE("a derivative keeps the degrees of the other directions where it vanis
     CHECK(degrees("[0, 1]", "2") == "[3, 0]");
     CHECK(degrees("[1, 0]", "5") == "[0, 1]");
 }
+
+TEST_CASE("boxes are compared along the common part of their sides, which the answer names") {
+    // u v over [0, 1]^2 beside 14 v and u v over [1, 2] x [0, 1/2].
+    const auto contact = [](const std::string& net, const std::string& pointer) {
+        return result_at(pointer, R"("op": "continuity", "maps": [
+            {"kind": "tensor", "degrees": [1, 1], "control_net": [[0, 0], [0, 1]]},
+            {"kind": "tensor", "degrees": [1, 1], "control_net": )" +
+                                      net + R"(, "intervals": [[1, 2], [0, "1/2"]]}])");
+    };
+    CHECK(contact("[[0, 7], [0, 7]]", "/order") == "-1");
+    CHECK(contact("[[0, 7], [0, 7]]", "/face") == R"([["1"], ["0", "1/2"]])");
+    CHECK(contact(R"([[0, "1/2"], [0, 1]])", "/order") == R"("infinite")");
+    CHECK(contact(R"([[0, "1/2"], [0, 0]])", "/order") == "0");
+    CHECK(refusal_text(R"("op": "continuity", "maps": [
+        {"kind": "tensor", "degrees": [1, 1], "control_net": [[0, 0], [0, 1]]},
+        {"kind": "tensor", "degrees": [1, 1], "control_net": [[0, 0], [0, 1]], "intervals": [[0, 1], [2, 3]]}])") ==
+          "not_adjacent /maps");
+}

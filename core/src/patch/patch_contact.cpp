@@ -4,6 +4,7 @@
 #include <blossom/rational/error.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 #include "blossom/patch_product.hpp"
@@ -102,23 +103,52 @@ void require_weight(const BezierPatch& patch, const Face& face, const std::strin
                 "the weight of the " + side + " patch is 0 on the whole face, where it has no points");
 }
 
+std::vector<Coordinates> common_vertices(const std::vector<Coordinates>& left,
+                                         const std::vector<Coordinates>& right) {
+    std::vector<Coordinates> common;
+    std::ranges::copy_if(left, std::back_inserter(common), [&](const Coordinates& vertex) {
+        return std::ranges::find(right, vertex) != right.end();
+    });
+    return common;
+}
+
+/// The ends of the intersection of two intervals, in the order of the left one's.
+std::vector<Coordinates> common_interval(const std::vector<Coordinates>& left,
+                                         const std::vector<Coordinates>& right) {
+    const auto [left_least, left_greatest] = std::ranges::minmax(left);
+    const auto [right_least, right_greatest] = std::ranges::minmax(right);
+    const Coordinates& least = std::max(left_least, right_least);
+    const Coordinates& greatest = std::min(left_greatest, right_greatest);
+    if (least > greatest) return {};
+    if (least == greatest) return {least};
+    if (left.front() < left.back()) return {least, greatest};
+    return {greatest, least};
+}
+
 }  // namespace
 
-Face shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right) {
+SharedFace shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right) {
     require_same_factors(left, right);
-    Face face;
+    SharedFace shared;
     for (std::size_t f = 0; f < left.size(); ++f) {
-        auto& own = face.emplace_back();
-        for (std::size_t k = 0; k <= left[f].dimension(); ++k) {
-            const auto& others = right[f].vertices();
-            if (std::ranges::find(others, left[f].vertices()[k]) != others.end()) own.push_back(k);
-        }
-        if (own.empty()) {
+        const std::vector<Coordinates>& vertices = left[f].vertices();
+        const bool is_interval = left[f].dimension() == 1 && left[f].space_dimension() == 1;
+        const std::vector<Coordinates> common = is_interval ? common_interval(vertices, right[f].vertices())
+                                                            : common_vertices(vertices, right[f].vertices());
+        if (common.empty()) {
             throw Error(ErrorCode::not_adjacent,
-                        "the domains share no vertex of factor " + std::to_string(f));
+                        (is_interval ? "the intervals have no common point in factor "
+                                     : "the domains share no vertex of factor ") +
+                            std::to_string(f));
         }
+        auto& own = shared.face.emplace_back();
+        for (std::size_t k = 0; k < vertices.size(); ++k) {
+            const bool is_common = std::ranges::find(common, vertices[k]) != common.end();
+            if (is_common || (is_interval && common.size() == 2)) own.push_back(k);
+        }
+        shared.common.push_back(common);
     }
-    return face;
+    return shared;
 }
 
 PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,

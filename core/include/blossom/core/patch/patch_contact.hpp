@@ -25,9 +25,20 @@ using PatchDifference = DifferenceAt<PatchArguments>;
 /// A face of a product of simplices: for each factor which of the vertices span it.
 using Face = std::vector<std::vector<std::size_t>>;
 
-/// The face of the left domain spanned by those vertices that are vertices of the right one too. Errors:
-/// `mismatched_dimensions` for different factors; `not_adjacent` if a factor has no common vertex.
-Face shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right);
+/// Where two domains meet.
+struct SharedFace {
+    Face face;  ///< of the left domain
+    /// For each factor the vertices of the common part: for a segment, one or two points.
+    std::vector<std::vector<Coordinates>> common;
+    bool is_partial = false;  ///< the common part is less than a face of each domain
+};
+
+/// The face of the left domain on which the common part lies. In a factor that is a segment this is the
+/// intersection of two intervals: the whole segment where they have more than a point in common, so that
+/// boxes may meet along a part of a side. In other factors it is spanned by the vertices of the left simplex
+/// that are vertices of the right one too. Errors: `mismatched_dimensions` for different factors;
+/// `not_adjacent` for intervals without a common point, and for simplices without a common vertex.
+SharedFace shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right);
 
 /// The contact of two patches along a face of the left domain, decided by their blossoms: order k exactly
 /// when f and g agree with at most k arguments anywhere and the others on the face. Blossoms are affine in
