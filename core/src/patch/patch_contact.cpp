@@ -133,8 +133,12 @@ SharedFace shared_face(std::span<const BarycentricFrame> left, std::span<const B
     for (std::size_t f = 0; f < left.size(); ++f) {
         const std::vector<Coordinates>& vertices = left[f].vertices();
         const bool is_interval = left[f].dimension() == 1 && left[f].space_dimension() == 1;
-        const std::vector<Coordinates> common = is_interval ? common_interval(vertices, right[f].vertices())
-                                                            : common_vertices(vertices, right[f].vertices());
+        std::vector<Coordinates> common = common_vertices(vertices, right[f].vertices());
+        if (is_interval) {
+            std::vector<Coordinates> interval = common_interval(vertices, right[f].vertices());
+            shared.is_partial = shared.is_partial || interval != common;
+            common = std::move(interval);
+        }
         if (common.empty()) {
             throw Error(ErrorCode::not_adjacent,
                         (is_interval ? "the intervals have no common point in factor "

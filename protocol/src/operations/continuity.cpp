@@ -138,12 +138,12 @@ Json continuity_of_patches(const std::vector<Map>& maps, const Limits& limits) {
     const PlacedPatch right = required_net(maps[1], 1);
     const PointForm& form = maps[0].form;
     return within("maps", [&] {
-        const auto [face, common] = shared_face(left.frames, right.frames);
+        const auto [face, common, is_partial] = shared_face(left.frames, right.frames);
         const PatchContact found = form.separate_weights() ? projected_contact(left, right, face, limits)
                                                            : contact(left, right, face, limits);
         const bool tensor = std::get<Patch>(maps[0].value).tensor;
         Json result = answer_of(found, form, tensor);
-        result["face"] = arguments_json(common, tensor);
+        if (is_partial) result["face"] = arguments_json(common, tensor);
         return result;
     });
 }
@@ -231,13 +231,14 @@ Members continuity_result() {
         {left, right},
         {{{arguments_field(Presence::required, "the arguments at which the blossoms differ")},
           {required("derivative", ValueKind::count, "the order of the derivatives that differ")}}}};
-    return {{required("order", Shape::one_of({ValueKind::integer, Shape::words({"infinite"})}),
-                      "the order of contact; -1 where the sides do not meet, infinite for one map"),
-             optional("face", Shape::list(Shape::list(ValueKind::number)),
-                      "of patches, the vertices of the common part of their domains, for a tensor product in "
-                      "each direction: the order is that along this part"),
-             optional("first_difference", Shape::object(difference), "the first values that differ"),
-             required("reason", ValueKind::text, "the same as a sentence")}};
+    return {
+        {required("order", Shape::one_of({ValueKind::integer, Shape::words({"infinite"})}),
+                  "the order of contact; -1 where the sides do not meet, infinite for one map"),
+         optional("face", Shape::list(Shape::list(ValueKind::number)),
+                  "of boxes that meet along a part of a side, the ends of the common part in each direction; "
+                  "the order is that along this part"),
+         optional("first_difference", Shape::object(difference), "the first values that differ"),
+         required("reason", ValueKind::text, "the same as a sentence")}};
 }
 
 }  // namespace
