@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 
 #include "backend.hpp"
+#include "rational_access.hpp"
 
 namespace blossom {
 
@@ -25,19 +25,37 @@ std::size_t digits_length(std::string_view text) {
         quoted(text) + R"( is not an exact number; write it as "p", "p/q" or a decimal such as "-0.125")");
 }
 
-/// The value of decimal digits; none for another text. "" is 0.
-std::optional<Integer> integer_from_digits(std::string_view digits, const Limits& limits) {
-    while (digits.starts_with('0')) digits.remove_prefix(1);
-    constexpr std::size_t most_in_word = 18;
-    const bool in_word = digits.size() <= most_in_word;
-    std::int64_t value = 0;
-    for (const char c : digits) {
-        if (!is_digit(c)) return std::nullopt;
-        if (in_word) value = 10 * value + (c - '0');
+/// The decimal digits that a text begins with.
+struct Digits {
+    static constexpr std::size_t most_in_word = 18;
+
+    std::string_view text;
+    std::uint64_t word = 0;  ///< their value modulo 2^64
+
+    explicit Digits(std::string_view from) {
+        const char* at = from.data();
+        const char* const end = at + from.size();
+        for (; at != end && is_digit(*at); ++at) word = 10 * word + static_cast<std::uint64_t>(*at - '0');
+        text = {from.data(), at};
     }
-    require_within(digits.size(), limits.digits, "digits", "a number whose count of digits is");
-    if (in_word) return value;
-    return IntegerAccess::from_number(backend::Number(std::string(digits)));
+    bool empty() const { return text.empty(); }
+    std::size_t size() const { return text.size(); }
+    /// Whether they are surely a word and within the limits.
+    bool are_word(const Limits& limits) const { return size() <= std::min(most_in_word, limits.digits); }
+};
+
+Integer integer_from_many_digits(const Digits& digits, const Limits& limits) {
+    const std::size_t zeros = std::min(digits.text.find_first_not_of('0'), digits.size());
+    const std::string_view significant = digits.text.substr(zeros);
+    require_within(significant.size(), limits.digits, "digits", "a number whose count of digits is");
+    if (significant.size() <= Digits::most_in_word) return digits.word;
+    return IntegerAccess::from_number(backend::Number(std::string(significant)));
+}
+
+/// The value of decimal digits; "" is 0.
+Integer integer_from_digits(const Digits& digits, const Limits& limits) {
+    return digits.are_word(limits) ? static_cast<std::int64_t>(digits.word)
+                                   : integer_from_many_digits(digits, limits);
 }
 
 /// A decimal exponent; one that does not fit is far beyond every limit.
@@ -53,11 +71,11 @@ std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) 
 
 /// An unsigned decimal that `unsigned_decimal_length` has measured.
 Rational decimal(std::string_view text, const Limits& limits) {
-    const std::string_view whole = text.substr(0, digits_length(text));
+    const Digits whole(text);
     text.remove_prefix(whole.size());
-    std::string_view fraction;
+    Digits fraction("");
     if (text.starts_with('.')) {
-        fraction = text.substr(1, digits_length(text.substr(1)));
+        fraction = Digits(text.substr(1));
         text.remove_prefix(1 + fraction.size());
     }
     bool negative_exponent = false;
@@ -68,10 +86,11 @@ Rational decimal(std::string_view text, const Limits& limits) {
         if (negative_exponent || text.starts_with('+')) text.remove_prefix(1);
         exponent = exponent_from_digits(text, limits);
     }
-    if (fraction.empty() && exponent == 0) return *integer_from_digits(whole, limits);
+    if (fraction.empty() && exponent == 0) return integer_from_digits(whole, limits);
     require_within(whole.size() + fraction.size() + exponent, limits.digits, "digits",
                    "a decimal whose count of digits, with those of its exponent, is");
-    const Integer digits = *integer_from_digits(std::string(whole) + std::string(fraction), limits);
+    const std::string all = std::string(whole.text) + std::string(fraction.text);
+    const Integer digits = integer_from_digits(Digits(all), limits);
     const Integer scale = pow(Integer(10), exponent);
     const Integer point = pow(Integer(10), fraction.size());
     return negative_exponent ? Rational(digits, point * scale) : Rational(digits * scale, point);
@@ -134,29 +153,43 @@ Rational parse_rational(std::string_view text, const Limits& limits) {
     std::string_view rest = text;
     const bool negative = rest.starts_with('-');
     if (negative) rest.remove_prefix(1);
-    const auto signed_value = [&](Rational value) { return negative ? -std::move(value) : value; };
-
-    const auto slash = static_cast<std::size_t>(std::ranges::find(rest, '/') - rest.begin());
-    if (slash == rest.size()) {
-        if (rest.empty() || unsigned_decimal_length(rest) != rest.size()) fail(text);
-        return signed_value(decimal(rest, limits));
+    const Digits above(rest);
+    rest.remove_prefix(above.size());
+    if (above.empty() || rest == "/") fail(text);
+    if (!rest.empty() && rest.front() != '/') {
+        const std::string_view magnitude = text.substr(negative ? 1 : 0);
+        if (unsigned_decimal_length(magnitude) != magnitude.size()) fail(text);
+        Rational value = decimal(magnitude, limits);
+        return negative ? -std::move(value) : value;
     }
-    const std::string_view above = rest.substr(0, slash);
-    const std::string_view below = rest.substr(slash + 1);
-    if (above.empty() || below.empty()) fail(text);
-    auto numerator = integer_from_digits(above, limits);
-    auto denominator = integer_from_digits(below, limits);
-    if (!numerator || !denominator) fail(text);
-    if (denominator->is_zero())
+    if (rest.empty()) {
+        Integer value = integer_from_digits(above, limits);
+        return negative ? -std::move(value) : value;
+    }
+    rest.remove_prefix(1);
+    const Digits below(rest);
+    const bool is_complete = below.size() == rest.size();
+    if (is_complete && above.are_word(limits) && below.are_word(limits) && below.word != 0) {
+        const auto numerator = static_cast<std::int64_t>(above.word);
+        return RationalAccess::from_words(negative ? -numerator : numerator,
+                                          static_cast<std::int64_t>(below.word));
+    }
+    Integer numerator = integer_from_digits(above, limits);
+    if (negative) numerator.negate();
+    if (!is_complete) fail(text);
+    Integer denominator = integer_from_digits(below, limits);
+    if (denominator.is_zero())
         throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
-    return signed_value({*std::move(numerator), *std::move(denominator)});
+    return {std::move(numerator), std::move(denominator)};
 }
 
 Integer parse_integer(std::string_view text, const Limits& limits) {
-    const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
-    auto value = integer_from_digits(digits, limits);
-    if (digits.empty() || !value) throw Error(ErrorCode::not_a_number, quoted(text) + " is not an integer");
-    return text.starts_with('-') ? -*std::move(value) : *std::move(value);
+    const std::string_view rest = text.substr(text.starts_with('-') ? 1 : 0);
+    const Digits digits(rest);
+    if (digits.empty() || digits.size() != rest.size())
+        throw Error(ErrorCode::not_a_number, quoted(text) + " is not an integer");
+    Integer value = integer_from_digits(digits, limits);
+    return text.starts_with('-') ? -std::move(value) : value;
 }
 
 std::string to_string(const Integer& value) {

@@ -17,6 +17,10 @@ Rational::Rational(Integer numerator, Integer denominator)
         denominator_.negate();
     }
     if (denominator_.is_one()) return;
+    if (numerator_.is_word() && denominator_.is_word()) {
+        *this = RationalAccess::from_words(numerator_.word(), denominator_.word());
+        return;
+    }
     const Integer common = gcd(numerator_, denominator_);
     if (common.is_one()) return;
     numerator_ = divide_exactly(numerator_, common);

@@ -18,7 +18,14 @@ struct RationalAccess {
     static Rational from_lowest_terms(Integer numerator, Integer denominator) {
         return {std::move(numerator), std::move(denominator), Rational::Reduced{}};
     }
-    /// The same from binary digits, see IntegerAccess::set_magnitude.
+    /// numerator / denominator, reduced, for a denominator > 0.
+    static Rational from_words(std::int64_t numerator, std::int64_t denominator) {
+        const auto common = static_cast<std::int64_t>(
+            gcd_of_words(magnitude(numerator), static_cast<std::uint64_t>(denominator)));
+        if (common == 1) return from_lowest_terms(numerator, denominator);
+        return from_lowest_terms(numerator / common, denominator / common);
+    }
+    /// In lowest terms from binary digits, see IntegerAccess::set_magnitude.
     static void set_lowest_terms(Rational& value, std::span<const std::uint64_t> numerator, bool negative,
                                  std::span<const std::uint64_t> denominator) {
         IntegerAccess::set_magnitude(value.numerator_, numerator, negative);
