@@ -1,5 +1,7 @@
 #include <blossom/core/curve/derivative.hpp>
 
+#include <algorithm>
+
 #include "maps/integer_frame.hpp"
 
 namespace blossom {
@@ -58,11 +60,12 @@ BezierCurve derivative_of(const BezierCurve& curve, std::size_t order) {
 
 Coordinates derivative(const PolynomialMap& map, std::size_t order, const Parameter& t,
                        const Limits& limits) {
-    const Blossom blossom(map, limits);
-    const std::size_t n = blossom.degree();
-    if (order > n) return Coordinates(blossom.dimension());
-    return multiplied(blossom(with_copies(with_copies({}, n - order, t), order, delta)),
-                      falling_factorial(n, order));
+    const std::size_t n = degree_of(map);
+    if (order > n) return Coordinates(dimension_of(map));
+    std::vector<Argument> arguments(n, t);
+    std::fill_n(arguments.begin(), order, delta);
+    const auto value = [&](const auto& curve) { return blossom_value(curve, arguments, limits); };
+    return multiplied(std::visit(value, map), falling_factorial(n, order));
 }
 
 PolynomialMap derivative_map(const PolynomialMap& map, std::size_t order) {
