@@ -35,6 +35,7 @@ TEST_CASE("JSON values are written as they were read") {
     CHECK(echoed("-" + digits) == "-" + digits);
     CHECK(echoed("\xEF\xBB\xBF [1]\r\n") == "[1]");
     CHECK(echoed(R"("\u00e9\ud83d\ude00")") == "\"é😀\"");
+    CHECK(echoed(R"({"\u0061" : "\u0062", "\u0063\u0064": ["\u0065f"]})") == R"({"a": "b", "cd": ["ef"]})");
 }
 
 TEST_CASE("what is no JSON is refused with the place") {

@@ -2,9 +2,9 @@
 
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/utf8.hpp>
+#include <blossom/worked/json_characters.hpp>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <utility>
 
@@ -12,18 +12,8 @@ namespace blossom::protocol {
 
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_space(char c) { return c <= ' ' && (c == ' ' || c == '\t' || c == '\n' || c == '\r'); }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Whether a character stands for itself in a string, and is one byte.
-bool is_plain(char c) {
-    static constexpr std::array<bool, 256> plain = [] {
-        std::array<bool, 256> bytes{};
-        for (std::size_t byte = 0x20; byte < 0x80; ++byte) bytes[byte] = byte != '"' && byte != '\\';
-        return bytes;
-    }();
-    return plain[static_cast<unsigned char>(c)];
-}
 
 void append_utf8(std::string& text, std::uint32_t code) {
     const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
@@ -85,27 +75,35 @@ private:
             return elements.emplace_back(std::forward<decltype(value)>(value));
         };
         do {
-            if (take(']')) return open_.pop_back();
-            if (!elements.empty()) expect(',', "expected ',' or ']' after an element");
+            if (ends(elements, ']', "expected ',' or ']' after an element")) return open_.pop_back();
         } while (!read_value(add));
     }
 
     /// Goes on with an object, likewise.
     void read_members(Json::Object& members) {
-        std::string name;
+        std::string_view name;
         const auto add = [&](auto&& value) -> Json& {
-            return members.emplace_back(std::move(name), std::forward<decltype(value)>(value)).second;
+            return members.emplace_back(name, std::forward<decltype(value)>(value)).second;
         };
         do {
-            if (take('}')) {
+            if (ends(members, '}', "expected ',' or '}' after a member")) {
                 require_distinct_names(members);
                 return open_.pop_back();
             }
-            if (!members.empty()) expect(',', "expected ',' or '}' after a member");
             expect('"', "expected the name of a member in quotation marks");
-            name = read_string();
+            name = read_string(unescaped_name_);
             expect(':', "expected ':' after the name of a member");
         } while (!read_value(add));
+    }
+
+    /// Whether a container ends here; otherwise goes on to its next entry.
+    bool ends(auto& container, char bracket, const char* rule) {
+        if (!container.empty() && take(',')) return false;
+        if (take(bracket)) return true;
+        if (!container.empty()) fail(rule);
+        constexpr std::size_t usual_size = 8;
+        container.reserve(usual_size);
+        return false;
     }
 
     /// Reads a value, and puts it where it belongs by `add`; of a container its beginning, and then the
@@ -122,7 +120,7 @@ private:
                 return open(Json::Array(), add);
             case '"':
                 ++at_;
-                add(read_string());
+                add(read_string(unescaped_));
                 return false;
             case 't':
                 return read_word("true", true, add);
@@ -131,7 +129,7 @@ private:
             case 'n':
                 return read_word("null", Json(), add);
             default:
-                add(Json::Number{read_number()});
+                add(Json::Number{std::string(read_number())});
                 return false;
         }
     }
@@ -140,8 +138,6 @@ private:
         if (open_.size() >= limits_.nesting) {
             throw limit_error("brackets nested deeper than", "nesting", limits_.nesting);
         }
-        constexpr std::size_t usual_size = 4;
-        container.reserve(usual_size);
         open_.push_back(&add(std::move(container)));
         ++at_;
         return true;
@@ -187,7 +183,7 @@ private:
         return false;
     }
 
-    std::string read_number() {
+    std::string_view read_number() {
         const char* const start = at_;
         if (peek() == '-') ++at_;
         if (!is_digit(peek())) fail(at_ == start ? "expected a value" : "expected a digit");
@@ -214,12 +210,12 @@ private:
         while (is_digit(peek())) ++at_;
     }
 
-    /// Reads what follows a quotation mark up to the next one.
-    std::string read_string() {
+    /// Reads what follows a quotation mark up to the next one; `result` is for what has escapes.
+    std::string_view read_string(std::string& result) {
         const char* start = at_;
         skip_plain();
         if (peek() == '"') return {start, at_++};
-        std::string result;
+        result.clear();
         for (;;) {
             result.append(start, at_);
             if (at_ == end_) fail("the closing quotation mark is missing");
@@ -241,9 +237,7 @@ private:
         return result;
     }
 
-    void skip_plain() {
-        while (at_ != end_ && is_plain(*at_)) ++at_;
-    }
+    void skip_plain() { at_ = std::find_if_not(at_, end_, is_plain_in_json); }
 
     void read_escape(std::string& result) {
         ++at_;
@@ -318,8 +312,10 @@ private:
     const char* at_;
     const char* end_;
     const Limits& limits_;
-    Json read_;                ///< the value, once it has begun
-    std::vector<Json*> open_;  ///< the containers around the place that is being read
+    std::string unescaped_name_;  ///< the name that was read last, if it has escapes
+    std::string unescaped_;       ///< likewise of other strings
+    Json read_;                   ///< the value, once it has begun
+    std::vector<Json*> open_;     ///< the containers around the place that is being read
 };
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include <blossom/worked/json.hpp>
+#include <blossom/worked/json_characters.hpp>
 
 #include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <span>
 #include <type_traits>
 
 namespace blossom {
@@ -31,18 +33,33 @@ namespace {
 /// A text that grows; what is short gathers in a part of it that has no bounds to check.
 class GrowingText {
 public:
-    void put(char c) {
+    [[gnu::always_inline]] void put(char c) {
         if (used_ == part_.size()) flush();
         part_[used_++] = c;
     }
     void put(std::string_view characters) {
-        if (characters.size() > part_.size() - used_) flush();
-        if (characters.size() > part_.size()) {
-            text_ += characters;
+        if (characters.size() <= part_.size()) {
+            put_while(characters, [](char) { return true; });
         } else {
-            std::ranges::copy(characters, part_.begin() + static_cast<std::ptrdiff_t>(used_));
-            used_ += characters.size();
+            flush();
+            text_ += characters;
         }
+    }
+    /// Puts the first characters, as long as they are wanted and there is room; their count, at least 1 if
+    /// the first one is wanted.
+    std::size_t put_while(std::string_view characters, const auto& is_wanted) {
+        const std::span<char> to = room(std::min(characters.size(), part_.size()));
+        const std::size_t most = std::min(characters.size(), to.size());
+        std::size_t length = 0;
+        for (; length < most && is_wanted(characters[length]); ++length) to[length] = characters[length];
+        used_ += length;
+        return length;
+    }
+    void put(std::int64_t value) {
+        constexpr std::size_t most_characters = 20;
+        const std::span<char> to = room(most_characters);
+        used_ +=
+            static_cast<std::size_t>(std::to_chars(to.data(), to.data() + to.size(), value).ptr - to.data());
     }
     std::string finish() && {
         flush();
@@ -50,6 +67,11 @@ public:
     }
 
 private:
+    /// The rest of the part, at least so many characters.
+    std::span<char> room(std::size_t least) {
+        if (part_.size() - used_ < least) flush();
+        return std::span(part_).subspan(used_);
+    }
     void flush() {
         text_.append(part_.data(), used_);
         used_ = 0;
@@ -61,11 +83,7 @@ private:
 };
 
 void put_integer(GrowingText& text, const Integer& value) {
-    if (!value.is_word()) return text.put(to_string(value));
-    constexpr std::size_t most_characters = 20;
-    std::array<char, most_characters> digits;  // NOLINT(cppcoreguidelines-pro-type-member-init)
-    const auto end = std::to_chars(digits.begin(), digits.end(), value.word()).ptr;
-    text.put(std::string_view(digits.data(), end));
+    value.is_word() ? text.put(value.word()) : text.put(to_string(value));
 }
 
 void put_escape(GrowingText& text, char c) {
@@ -85,17 +103,10 @@ void put_escape(GrowingText& text, char c) {
 
 void put_string(GrowingText& text, std::string_view value) {
     constexpr std::string_view replacement = "\uFFFD";
-    const auto is_plain = [](char c) {
-        return static_cast<unsigned char>(c) >= 0x20 && static_cast<unsigned char>(c) < 0x80 && c != '"' &&
-               c != '\\';
-    };
     text.put('"');
     while (!value.empty()) {
-        const auto plain =
-            static_cast<std::size_t>(std::ranges::find_if_not(value, is_plain) - value.begin());
-        text.put(value.substr(0, plain));
-        value.remove_prefix(plain);
-        if (value.empty()) break;
+        value.remove_prefix(text.put_while(value, is_plain_in_json));
+        if (value.empty() || is_plain_in_json(value.front())) continue;
         const std::size_t length = character_length(value);
         if (length == 1) {
             put_escape(text, value.front());
@@ -135,7 +146,8 @@ public:
         } else {
             list("{}", *value.object(), [&](auto& member) {
                 put_string(text, member.first);
-                text.put(": ");
+                text.put(':');
+                text.put(' ');
                 write(member.second);
             });
         }
@@ -149,7 +161,10 @@ private:
         text.put(brackets[0]);
         ++level_;
         for (auto& entry : entries) {
-            if (&entry != &entries.front()) text.put(indent_ ? "," : ", ");
+            if (&entry != &entries.front()) {
+                text.put(',');
+                if (!indent_) text.put(' ');
+            }
             begin_line();
             write_entry(entry);
         }

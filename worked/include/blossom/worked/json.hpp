@@ -40,10 +40,11 @@ public:
     Json(Number value) : value_(std::move(value)) {}                    // NOLINT(google-explicit-constructor)
     Json(Rational value) : value_(std::move(value)) {}                  // NOLINT(google-explicit-constructor)
     Json(std::string value) : value_(std::move(value)) {}               // NOLINT(google-explicit-constructor)
-    Json(std::string_view value) : value_(std::string(value)) {}        // NOLINT(google-explicit-constructor)
-    Json(const char* value) : value_(std::string(value)) {}             // NOLINT(google-explicit-constructor)
-    Json(Array value) : value_(std::move(value)) {}                     // NOLINT(google-explicit-constructor)
-    Json(Object value) : value_(std::move(value)) {}                    // NOLINT(google-explicit-constructor)
+    Json(std::string_view value)                                        // NOLINT(google-explicit-constructor)
+        : value_(std::in_place_type<std::string>, value) {}
+    Json(const char* value) : Json(std::string_view(value)) {}  // NOLINT(google-explicit-constructor)
+    Json(Array value) : value_(std::move(value)) {}             // NOLINT(google-explicit-constructor)
+    Json(Object value) : value_(std::move(value)) {}            // NOLINT(google-explicit-constructor)
 
     bool is_null() const { return std::holds_alternative<std::monostate>(value_); }
     /// The value of this alternative, or nullptr.
