@@ -178,6 +178,17 @@ TEST_CASE("a name that is nearly right is suggested") {
           std::string::npos);
 }
 
+TEST_CASE("the first unknown field is named, however many there are") {
+    for (const int count : {1, 7, 62, 63, 64, 65, 200}) {
+        std::string others;
+        for (int i = 0; i < count; ++i) others += R"(, "other )" + std::to_string(i) + R"(": 0)";
+        CHECK(served_at("/error/at", R"({"at": [1], "op": "evaluate", )" + cubic + others + "}") ==
+              R"("/other 0")");
+        CHECK(served_at("/error/at", "{" + others.substr(2) + R"(, "at": [1], "op": "evaluate", )" + cubic +
+                                         "}") == R"("/other 0")");
+    }
+}
+
 TEST_CASE("the id comes back exactly, in errors too") {
     for (const std::string id : {"1", "-0.50", "1e400", "12345678901234567890123", "\"é\"", "null", "false",
                                  "[1, {\"a\": \"b\"}]", "-0"}) {

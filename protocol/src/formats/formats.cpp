@@ -299,7 +299,7 @@ Map as_textbook_spline(const Map& map, const Limits& limits) {
         return join(std::span(&bezier, 1), limits);
     };
     const auto of_spline = [](const BSplineCurve& curve) { return textbook(curve); };
-    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}, {}), map.form,
+    return {dispatch_on_kind<BSplineCurve>(map, Overloads{of_polynomial, of_spline}, Place()), map.form,
             map.variable};
 }
 

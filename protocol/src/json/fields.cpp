@@ -3,6 +3,7 @@
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
+#include <bit>
 
 #include "nearest_name.hpp"
 
@@ -13,6 +14,11 @@ namespace {
 [[noreturn]] void wrong_kind(std::string_view expected, const Json& value) {
     throw Error(ErrorCode::wrong_kind,
                 "expected " + std::string(expected) + ", found " + std::string(type_name(value)));
+}
+
+const Json::Object& read_object(const Json& value) {
+    if (const Json::Object* members = value.object()) return *members;
+    wrong_kind("an object", value);
 }
 
 bool is_integer_text(std::string_view text) { return text.find_first_of(".eE") == std::string_view::npos; }
@@ -32,27 +38,34 @@ std::size_t read_whole(const Json& value, const Limits& limits, std::size_t most
 
 }  // namespace
 
-Fields::Fields(const Json& value) : object_(value) {
-    if (!value.object()) wrong_kind("an object", value);
-}
+Fields::Fields(const Json& value) : members_(read_object(value)) {}
 
 bool Fields::is_asked(std::string_view name) const {
     return std::ranges::find(asked(), name) != asked().end();
 }
 
+std::size_t Fields::index_of(std::string_view name) const {
+    // Mostly members are asked for in their order.
+    for (std::size_t i = next_; i < members_.size(); ++i)
+        if (members_[i].first == name) return i;
+    for (std::size_t i = 0; i < next_; ++i)
+        if (members_[i].first == name) return i;
+    return members_.size();
+}
+
 const Json* Fields::ask(std::string_view name) {
-    const Json* member = object_.find(name);
-    if (!is_asked(name)) {
-        asked_.at(asked_count_++) = name;
-        if (member) ++found_count_;
-    }
-    return member;
+    asked_.at(asked_count_++) = name;
+    const std::size_t i = index_of(name);
+    if (i == members_.size()) return nullptr;
+    if (i < 64) found_ |= std::uint64_t{1} << i;
+    next_ = i + 1;
+    return &members_[i].second;
 }
 
 void Fields::missing(std::string_view name) const {
     std::string message = "the field \"" + std::string(name) + "\" is missing";
     const std::string_view names[] = {name};
-    for (const auto& [written, value] : *object_.object()) {
+    for (const auto& [written, value] : members_) {
         if (is_asked(written) || suggestion(written, names).empty()) continue;
         message += "; was it meant by " + quoted(written) + "?";
         break;
@@ -61,8 +74,8 @@ void Fields::missing(std::string_view name) const {
 }
 
 void Fields::finish() const {
-    if (found_count_ == object_.object()->size()) return;
-    for (const auto& [name, value] : *object_.object()) {
+    if (static_cast<std::size_t>(std::popcount(found_)) == members_.size()) return;
+    for (const auto& [name, value] : members_) {
         if (is_asked(name)) continue;
         throw Error(ErrorCode::unknown_field,
                     "the field " + quoted(name) + " is not known here" + suggestion(name, asked()),

@@ -5,6 +5,8 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -48,7 +50,7 @@ public:
     /// Errors: `wrong_kind` unless `value` is an object.
     explicit Fields(const Json& value);
 
-    bool has(std::string_view name) const { return object_.find(name) != nullptr; }
+    bool has(std::string_view name) const { return index_of(name) < members_.size(); }
 
     /// read(member), with errors below it. Errors: `missing_field`.
     template <class Read>
@@ -69,17 +71,20 @@ public:
     /// Errors: `unknown_field` for the first member that was not asked for.
     void finish() const;
 
-    /// The names that were asked for, in this order.
+    /// The names that were asked for, in this order; one that was asked for again may stand there again.
     std::span<const std::string_view> asked() const { return {asked_.data(), asked_count_}; }
 
 private:
     const Json* ask(std::string_view name);
     bool is_asked(std::string_view name) const;
+    /// The count of members if there is none of this name.
+    std::size_t index_of(std::string_view name) const;
 
-    const Json& object_;
-    std::array<std::string_view, 24> asked_;  ///< more than any object has fields
+    const Json::Object& members_;
+    std::array<std::string_view, 48> asked_;  ///< more than any object has fields
     std::size_t asked_count_ = 0;
-    std::size_t found_count_ = 0;  ///< how many of them there are
+    std::uint64_t found_ = 0;  ///< a bit for each of the first 64 members that was asked for
+    std::size_t next_ = 0;     ///< after the member that was found last
 };
 
 /// An exact number: a string as `parse_rational` takes it, or a JSON integer.

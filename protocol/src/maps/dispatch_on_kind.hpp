@@ -36,8 +36,8 @@ std::string taken_names(std::index_sequence<Indices...>) {
 
 /// function(value) for the kinds of map that it can be called with.
 /// Errors: `wrong_kind` for every other kind, naming those it can be called with; `place` is the map's.
-template <class Result, class Function>
-Result dispatch_on_kind(const Map& map, const Function& function, const Place& place = Part::map) {
+template <class Result, class Function, class Where = Part>
+Result dispatch_on_kind(const Map& map, const Function& function, const Where& place = Part::map) {
     const auto call = [&](const auto& value) -> Result {
         if constexpr (std::is_invocable_v<const Function&, decltype(value)>) {
             return function(value);

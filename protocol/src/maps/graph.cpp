@@ -15,7 +15,7 @@ Map graph_of(const Map& map, const Limits& limits) {
     const auto of_spline = [&](const BSplineCurve& curve) -> AnyMap { return graph(curve, form, limits); };
     PointForm of_points = map.form;
     of_points.scalar = false;
-    return {dispatch_on_kind<AnyMap>(map, Overloads{of_curve, of_spline}, {}), of_points, map.variable};
+    return {dispatch_on_kind<AnyMap>(map, Overloads{of_curve, of_spline}, Place()), of_points, map.variable};
 }
 
 }  // namespace blossom::protocol
