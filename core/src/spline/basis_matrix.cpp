@@ -38,11 +38,11 @@ struct Functions {
     PolynomialMap curve;
 };
 
-Functions functions_on_span(const KnotVector& knots, std::size_t span) {
+Functions functions_on_span(const KnotVector& knots, std::size_t span, const Limits& limits) {
     const auto around = knots.around(span);
     const ProgressiveCurve curve(std::vector<Rational>(around.begin(), around.end()),
                                  unit_points(knots.degree() + 1).to_points());
-    return {knots.first_point(span), control_points(curve, Interval(knots[span], knots[span + 1]))};
+    return {knots.first_point(span), control_points(curve, Interval(knots[span], knots[span + 1]), limits)};
 }
 
 /// The functions of a basis on the only non-empty span, if it has any.
@@ -62,7 +62,7 @@ Functions functions_of(const Basis& basis, const Limits& limits) {
             [&](const NewtonBasis& newton) -> Functions {
                 return {0, monomial_form_of_newton(units, newton.nodes, limits)};
             },
-            [&](const KnotVector& knots) { return functions_on_span(knots, knots.spans().front()); },
+            [&](const KnotVector& knots) { return functions_on_span(knots, knots.spans().front(), limits); },
         },
         basis);
 }
@@ -132,7 +132,7 @@ Matrix matrix_to(const KnotVector& to, const Basis& from, const Limits& limits) 
         const std::size_t wanted = splines ? splines->span_at(to[span_of(to, spans, i)]) : 0;
         if (segment != wanted) {
             const Functions functions =
-                splines ? functions_on_span(*splines, wanted) : functions_of(from, limits);
+                splines ? functions_on_span(*splines, wanted, limits) : functions_of(from, limits);
             blossom.emplace(elevated_to(functions.curve, to.degree(), limits), limits);
             first = functions.first;
             segment = wanted;

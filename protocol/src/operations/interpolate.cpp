@@ -27,14 +27,18 @@ KnotVector read_knots_of_values(const Json& value, std::size_t degree, std::size
     return as_parameter(Part::knots, [&] { return KnotVector(degree, std::move(knots), values); });
 }
 
-/// The Greville abscissae as nodes. Errors: `missing_field` where they are none.
+/// The Greville abscissae as nodes. Errors: `missing_field` where they do not serve as such.
 std::vector<Rational> usual_nodes(const KnotVector& knots, std::string_view field) {
     std::vector<Rational> nodes;
     if (knots.degree() > 0) nodes = greville_abscissae(knots);
-    if (nodes.empty() || std::ranges::adjacent_find(nodes) != nodes.end()) {
-        throw Error(ErrorCode::missing_field,
-                    "the Greville abscissae of these knots are not distinct, so that the nodes must be given",
-                    Place{std::string(field)});
+    const Interval domain = knots.domain();
+    if (nodes.empty() || nodes.front() < domain.a() || nodes.back() > domain.b() ||
+        std::ranges::adjacent_find(nodes) != nodes.end()) {
+        throw Error(
+            ErrorCode::missing_field,
+            "the Greville abscissae of these knots are not distinct parameters of the domain, so that "
+            "the nodes must be given",
+            Place{std::string(field)});
     }
     return nodes;
 }
