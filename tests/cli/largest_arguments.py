@@ -548,6 +548,23 @@ FIELDS = {
     ),
 }
 
+BASES = [
+    {"basis": "monomial", "degree": DEGREE},
+    {"basis": "bernstein", "degree": 300},
+    {"basis": "taylor", "degree": 3, "center": long(1, 1)},
+    {"basis": "bernstein", "degree": 2, "interval": [exponents(0, 2), negative_exponents(1, 2)]},
+    {"basis": "lagrange", "nodes": numbers((300, spread_fractions))},
+    {"basis": "lagrange", "nodes": numbers((4, long_fractions))},
+    {"basis": "newton", "nodes": numbers((DEGREE, small))},
+    {"basis": "bspline", "degree": 3, "knots": numbers((DEGREE, small))},
+    {"basis": "bspline", "degree": 300, "knots": numbers((700, spread_fractions))},
+]
+
+
+def lattice(dimension, degree):
+    return [[index, i] for i, index in enumerate(compositions(degree, dimension + 1))]
+
+
 # Fields that mean something else in one operation.
 OF_OPERATION = {
     ("subdivide", "at"): (STYLES[1:], lambda a_map, level: parameter(a_map, level or small, 1, 2)),
@@ -561,6 +578,18 @@ OF_OPERATION = {
     ("inverse-formula", "degree"): ([DEGREE, 600, 200, 40, DIGITS, HUGE], lambda a_map, level: level or 3),
     ("basis-functions", "degree"): ([DEGREE, 300, 40, HUGE], lambda a_map, level: level or 2),
     ("basis-functions", "knots"): (MANY, lambda a_map, level: numbers(level or (8, small))),
+    ("basis-functions", "weights"): (STYLES[1:], lambda a_map, level: level and [level(i + 1, 6) for i in range(5)]),
+    ("basis-matrix", "from"): (BASES, lambda a_map, level: level or {"basis": "monomial", "degree": 3}),
+    ("basis-matrix", "to"): (BASES, lambda a_map, level: level or {"basis": "bernstein", "degree": 3}),
+    ("interpolate", "values"): (MANY, lambda a_map, level: numbers(level or (3, small))),
+    ("interpolate", "nodes"): (STYLES[1:], lambda a_map, level: level and numbers((3, level))),
+    ("interpolate", "grid"): (STYLES[1:], lambda a_map, level: level and [numbers((3, level))]),
+    ("interpolate", "lattice"): ([(2, 200), (30, 2), (3, 20)], lambda a_map, level: level and lattice(*level)),
+    ("interpolate", "degrees"): ([2, *COUNTS], lambda a_map, level: level and [level]),
+    ("interpolate", "intervals"): ([], lambda a_map, level: None),
+    ("interpolate", "vertices"): ([], lambda a_map, level: None),
+    ("interpolate", "knots"): ([], lambda a_map, level: None),
+    ("interpolate", "degree"): ([], lambda a_map, level: None),
     ("barycentric", "at"): ([(NUMBERS, small), (1000, spread_fractions), (5, long), (1000, exponents)], points_of_plane),
     ("barycentric", "vertices"): ([(1000, small), (100, spread_fractions), (2, long), (12, exponents)], vertices),
 }
@@ -647,6 +676,8 @@ class Operation:
             if self.name == "audit" and (field in ("document", "format")) != ("document" in chosen or "format" in chosen):
                 continue
             if field == "direction" and "directions" in chosen:
+                continue
+            if self.name == "interpolate" and field == "values" and "lattice" in chosen:
                 continue
             level = levels[chosen[field]] if field in chosen else None
             is_word = isinstance(level, str) and level in words_of(self.schema, field)

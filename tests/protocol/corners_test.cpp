@@ -188,7 +188,7 @@ TEST_CASE("an error in what a request leaves out is at what leaves it out") {
     CHECK(refusal_text(R"("op": "join", "maps": [)" + line + ", " + line + "]") == "not_adjacent /maps/1");
     CHECK(refusal_text(R"("op": "join", "maps": [)" + line + ", " + later + "]") ==
           "not_adjacent /maps/1/interval");
-    CHECK(refusal_text(R"("op": "basis-functions", "degree": 1, "knots": ["0", "1", "1"])") ==
+    CHECK(refusal_text(R"("op": "basis-functions", "degree": 2, "knots": ["0", "1", "1"])") ==
           "bad_knots /knots");
     CHECK(refusal_text(
               R"("op": "basis-functions", "degree": 2, "convention": "polar", "knots": ["0", "1", "2"])") ==

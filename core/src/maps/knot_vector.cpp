@@ -31,7 +31,15 @@ std::string named(std::size_t i, const Rational& knot) {
     return "knot " + std::to_string(i) + " (" + to_string(knot) + ")";
 }
 
-void require_legal(std::span<const Rational> knots, std::size_t degree) {
+void require_inside(const Interval& domain, const Rational& t) {
+    if (domain.a() <= t && t <= domain.b()) return;
+    throw Error(ErrorCode::outside_domain, "the parameter " + to_string(t) + " lies outside the domain [" +
+                                               to_string(domain.a()) + ", " + to_string(domain.b()) + "]");
+}
+
+}  // namespace
+
+void require_knots(std::span<const Rational> knots, std::size_t degree) {
     std::size_t run = 0;
     for (std::size_t i = 1; i <= knots.size(); ++i) {
         if (i < knots.size() && knots[i] < knots[i - 1]) {
@@ -50,20 +58,12 @@ void require_legal(std::span<const Rational> knots, std::size_t degree) {
     }
 }
 
-void require_inside(const Interval& domain, const Rational& t) {
-    if (domain.a() <= t && t <= domain.b()) return;
-    throw Error(ErrorCode::outside_domain, "the parameter " + to_string(t) + " lies outside the domain [" +
-                                               to_string(domain.a()) + ", " + to_string(domain.b()) + "]");
-}
-
-}  // namespace
-
 KnotVector::KnotVector(std::size_t degree, std::vector<Rational> knots, std::size_t points)
     : degree_(degree),
       points_(points),
       convention_(convention_of(degree, knots.size(), points)),
       knots_(std::move(knots)) {
-    require_legal(knots_, degree_);
+    require_knots(knots_, degree_);
     if (knots_[begin_index()] == knots_[end_index()]) {
         bad_knots("the domain from " + named(begin_index(), knots_[begin_index()]) + " to " +
                   named(end_index(), knots_[end_index()]) + " is a single point");

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <string>
 
+#include "blossom/run_construction.hpp"
 #include "divided_rows.hpp"
 #include "maps/change_of_interval.hpp"
+#include "maps/stated_points.hpp"
 
 namespace blossom {
 
@@ -100,31 +102,67 @@ std::vector<PolynomialPiece> basis_function(const KnotVector& knots, std::size_t
     return pieces;
 }
 
-BasisValues basis_values(const KnotVector& knots, const Rational& t, const Limits& limits) {
+KnotVector knots_around(std::size_t degree, std::span<const Rational> own) {
+    if (own.size() != degree + 2) {
+        throw Error(ErrorCode::wrong_arity,
+                    "a B-spline of degree " + std::to_string(degree) + " has " + std::to_string(degree + 2) +
+                        " knots, not " + std::to_string(own.size()),
+                    Part::knots);
+    }
+    require_knots(own, degree);
+    std::vector<Rational> knots;
+    knots.reserve(own.size() + 2 * degree);
+    for (std::size_t i = 0; i < degree; ++i) knots.push_back(own.front() - Rational(degree - i));
+    knots.insert(knots.end(), own.begin(), own.end());
+    for (std::size_t i = 0; i < degree; ++i) knots.push_back(own.back() + Rational(i + 1));
+    return {degree, std::move(knots), 2 * degree + 1};
+}
+
+BasisValues blossom_weights(const KnotVector& knots, std::size_t span, std::span<const Argument> arguments,
+                            const Limits& limits) {
     const std::size_t n = knots.degree();
     require_within(n, limits.degree, "degree", "the formal degree", Part::degree);
-    const std::size_t span = knots.span_at(t);
+    require_arity(n, arguments.size());
+    knots.require_span(span);
     const RationalVector around(knots.around(span));
     const std::vector<Integer>& all = around.numerators();
-    const Integer& cleared = t.denominator();
-    const Integer parameter = around.denominator() * t.numerator();
     std::vector<std::vector<Integer>> row{{1}};
     std::vector<Integer>& values = row.front();
     Integer denominator = 1;
     for (std::size_t degree = 0; degree < n; ++degree) {
         const std::size_t begin = n - 1 - degree;
+        const auto& [u, v] = arguments[begin];
+        const Integer parameter = around.denominator() * u.numerator() * v.denominator();
+        const Integer mass = v.numerator() * u.denominator();
+        const Integer cleared = u.denominator() * v.denominator();
         std::vector<Integer> divisors;
         for (std::size_t r = 0; r <= degree; ++r) divisors.push_back((all[n + r] - all[begin + r]) * cleared);
         denominator *= divide_entries(row, divisors);
         values.emplace_back(0);
         for (std::size_t r = degree + 1; r-- > 0;) {
-            values[r + 1].add_product(parameter - all[begin + r] * cleared, values[r]);
-            values[r] *= all[n + r] * cleared - parameter;
+            values[r + 1].add_product(parameter - all[begin + r] * mass, values[r]);
+            values[r] *= all[n + r] * mass - parameter;
         }
         require_result_bits(std::max(greatest_bit_length(values), denominator.bit_length()), limits);
     }
     BasisValues result{knots.first_point(span), {}};
     for (Integer& value : values) result.values.emplace_back(std::move(value), denominator);
+    return result;
+}
+
+BasisValues basis_values(const KnotVector& knots, const Rational& t, const Limits& limits) {
+    return basis_derivatives(knots, 0, t, limits);
+}
+
+BasisValues basis_derivatives(const KnotVector& knots, std::size_t order, const Rational& t,
+                              const Limits& limits) {
+    const std::size_t n = knots.degree();
+    const std::size_t span = knots.span_at(t);
+    if (order > n) return {knots.first_point(span), std::vector<Rational>(n + 1)};
+    BasisValues result = blossom_weights(knots, span, two_arguments(n, order, Parameter(t), delta), limits);
+    if (order > 0) {
+        for (Rational& value : result.values) value *= falling_factorial(n, order);
+    }
     return result;
 }
 

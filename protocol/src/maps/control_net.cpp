@@ -58,6 +58,21 @@ void visit_indexed(const Json& value, std::size_t dimension, std::size_t degree,
     }
 }
 
+/// The first index of a net, as it is written.
+const Json::Array& first_index(const Json& value) {
+    const Json::Array& entries = read_array(value);
+    if (entries.empty()) refuse_net("a control net has at least one point");
+    return within(std::size_t{0}, [&]() -> const Json::Array& {
+        const Json::Array& pair = read_array(entries.front());
+        if (pair.empty()) refuse_net("an entry of a net is a pair of an index and a value");
+        return within(std::size_t{0}, [&]() -> const Json::Array& {
+            const Json::Array* index = pair.front().array();
+            if (!index || index->empty()) refuse_net("an entry of a net is a pair of an index and a value");
+            return *index;
+        });
+    });
+}
+
 /// Writes one pair of an index and a value per point.
 Json indexed(std::span<const Json> values, const SimplexFactor& factor) {
     Json::Array entries;
@@ -126,31 +141,13 @@ Map read_simplex(Fields& fields, const Limits& limits) {
     std::size_t dimension = 0;
     // The first index determines the dimension.
     const auto visit = [&](const Json& value, const auto& leaf) {
-        const Json::Array& entries = read_array(value);
-        if (entries.empty()) refuse_net("a control net has at least one point");
-        within(std::size_t{0}, [&] {
-            const Json::Array& pair = read_array(entries.front());
-            if (pair.empty()) refuse_net("an entry of a net is a pair of an index and a value");
-            within(std::size_t{0}, [&] {
-                const Json::Array* index = pair.front().array();
-                if (!index || index->empty())
-                    refuse_net("an entry of a net is a pair of an index and a value");
-                dimension = index->size() - 1;
-            });
-        });
+        dimension = first_index(value).size() - 1;
         visit_indexed(value, dimension, degree, limits, leaf);
     };
     const WeightedPoints read = read_net(fields, limits, visit);
     std::vector<BarycentricFrame> frames;
-    const auto vertices = fields.optional("vertices", [&](const Json& value) {
-        BarycentricFrame frame = read_vertices(value, limits);
-        if (frame.dimension() == dimension && frame.space_dimension() == dimension) return frame;
-        throw Error(
-            ErrorCode::mismatched_dimensions,
-            fmt::format(
-                "a simplex of dimension {} has {} vertices with {} coordinates each; given are {} with {}",
-                dimension, dimension + 1, dimension, frame.dimension() + 1, frame.space_dimension()));
-    });
+    const auto vertices = fields.optional(
+        "vertices", [&](const Json& value) { return read_vertices(value, dimension, limits); });
     if (vertices) frames.push_back(*vertices);
     require_numbers(read.points.size(), read.points.dimension, limits);
     return {Patch{BezierPatch(NetShape::simplex(dimension, degree, limits), read.points.array()),
@@ -216,6 +213,22 @@ Members simplex_members() {
 }
 
 }  // namespace
+
+IndexedPoints read_indexed_points(const Json& value, const Limits& limits) {
+    const Json::Array& first = first_index(value);
+    SimplexFactor simplex{first.size() - 1, 0};
+    within(std::size_t{0}, [&] {
+        within(std::size_t{0}, [&] {
+            for (std::size_t k = 0; k < first.size(); ++k)
+                simplex.degree += within(k, [&] { return read_count(first[k], limits); });
+            require_within(simplex.degree, limits.degree, "degree", "the degree");
+        });
+    });
+    Points points;
+    visit_indexed(value, simplex.dimension, simplex.degree, limits,
+                  [&](const Json& leaf) { read_next_point(leaf, points, limits); });
+    return {simplex, std::move(points)};
+}
 
 constinit const Kind patch_kind{
     .name = "patch",

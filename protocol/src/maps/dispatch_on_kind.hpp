@@ -52,7 +52,7 @@ Result dispatch_on_kind(const Map& map, const Function& function, const Where& p
     return std::visit(call, map.value);
 }
 
-/// The curve that the inverse formula makes of samples. Errors: `missing_sample`; `limit_exceeded`.
+/// The curve through n + 1 samples; of any other number, the one that the inverse formula makes of them. Errors: `missing_sample`; `limit_exceeded`.
 BezierCurve curve_of_samples(const Samples& samples, const Limits& limits);
 
 /// A map of a kind that is one polynomial. Errors: `wrong_kind`.

@@ -13,6 +13,19 @@ std::vector<std::size_t> read_degrees_of_directions(Fields& fields, const Limits
     return degrees;
 }
 
+std::vector<std::size_t> counts_of_nested(const Json& net, std::size_t levels) {
+    const Json::Array& elements = read_array(net);
+    if (elements.empty()) refuse_net("a control net has at least one point");
+    std::vector<std::size_t> counts{elements.size()};
+    if (levels > 1) {
+        within(std::size_t{0}, [&] {
+            const std::vector<std::size_t> inner = counts_of_nested(elements.front(), levels - 1);
+            counts.insert(counts.end(), inner.begin(), inner.end());
+        });
+    }
+    return counts;
+}
+
 Json nested(std::span<const Json> values, std::span<const std::size_t> counts) {
     if (counts.empty()) return values.front();
     Json::Array elements;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <blossom/rational/net_sums.hpp>
+
 #include <span>
 #include <string>
 #include <utility>
@@ -56,6 +58,18 @@ void visit_nested(const Json& value, std::span<const std::size_t> counts, const 
         within(i, [&] { visit_nested(elements[i], counts, leaf, rule, level + 1); });
     }
 }
+
+/// The points of a net over a simplex, in the order of the net.
+struct IndexedPoints {
+    SimplexFactor simplex;
+    Points points;
+};
+/// Reads pairs of an index and a point, each index once; the first determines the dimension and the degree.
+/// Errors: `incomplete_net`.
+IndexedPoints read_indexed_points(const Json& value, const Limits& limits);
+
+/// The length of the first of the nested arrays on each level.
+std::vector<std::size_t> counts_of_nested(const Json& value, std::size_t levels);
 
 /// Field "degrees", one per direction. Errors: `wrong_arity` for none.
 std::vector<std::size_t> read_degrees_of_directions(Fields& fields, const Limits& limits);

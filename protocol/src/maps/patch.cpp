@@ -1,5 +1,6 @@
 #include "patch.hpp"
 
+#include <fmt/format.h>
 #include <blossom/rational/error.hpp>
 
 #include <numeric>
@@ -82,6 +83,16 @@ BarycentricFrame read_vertices(const Json& value, const Limits& limits) {
     // Gauss's elimination takes the cube of their number.
     require_within(vertices.size(), 200, "numbers", "the number of vertices of a simplex");
     return as_parameter(Part::vertices, [&] { return BarycentricFrame(std::move(vertices)); });
+}
+
+BarycentricFrame read_vertices(const Json& value, std::size_t dimension, const Limits& limits) {
+    BarycentricFrame frame = read_vertices(value, limits);
+    if (frame.dimension() == dimension && frame.space_dimension() == dimension) return frame;
+    throw Error(
+        ErrorCode::mismatched_dimensions,
+        fmt::format(
+            "a simplex of dimension {} has {} vertices with {} coordinates each; given are {} with {}",
+            dimension, dimension + 1, dimension, frame.dimension() + 1, frame.space_dimension()));
 }
 
 std::vector<BarycentricFrame> read_intervals(const Json& value, std::size_t directions,

@@ -52,6 +52,8 @@ std::vector<BarycentricFrame> domain_or_standard(const Patch& patch);
 
 /// A list of vertices, each an array of numbers. Errors: those of `BarycentricFrame`.
 BarycentricFrame read_vertices(const Json& value, const Limits& limits);
+/// Those of a simplex of this dimension in a space of the same. Errors: as well `mismatched_dimensions`.
+BarycentricFrame read_vertices(const Json& value, std::size_t dimension, const Limits& limits);
 /// One interval per direction, as simplices of dimension 1. Errors: `wrong_arity`.
 std::vector<BarycentricFrame> read_intervals(const Json& value, std::size_t directions, const Limits& limits);
 

@@ -71,8 +71,9 @@ Members samples_members() {
     return {{required("degree", ValueKind::count, "the degree of the curve to compute"),
              optional("interval", ValueKind::interval, "the interval, by default `[0, 1]`"),
              required("values", Shape::list(ValueKind::sample, 1),
-                      "parameters and points; the values at the nodes of the "
-                      "[inverse formula](#inverse-formula) are required, others are ignored")}};
+                      "parameters and points: degree + 1 of them, which the curve interpolates; if there are "
+                      "others, the values at the nodes of the [inverse formula](#inverse-formula) are "
+                      "required, and the rest is ignored")}};
 }
 
 }  // namespace

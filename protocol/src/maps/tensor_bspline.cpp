@@ -10,20 +10,6 @@ namespace blossom::protocol {
 
 namespace {
 
-/// The length of the first of the nested arrays on each level.
-std::vector<std::size_t> counts_of(const Json& net, std::size_t levels) {
-    const Json::Array& elements = read_array(net);
-    if (elements.empty()) refuse_net("a control net has at least one point");
-    std::vector<std::size_t> counts{elements.size()};
-    if (levels > 1) {
-        within(std::size_t{0}, [&] {
-            const std::vector<std::size_t> inner = counts_of(elements.front(), levels - 1);
-            counts.insert(counts.end(), inner.begin(), inner.end());
-        });
-    }
-    return counts;
-}
-
 std::string rule_of(std::size_t count, std::size_t needed) {
     return fmt::format("there are {} entries here, where the first list of this level has {}", count, needed);
 }
@@ -44,8 +30,8 @@ std::vector<KnotVector> read_knot_vectors(Fields& fields, const std::vector<std:
 /// {"kind": "bspline", "degrees", "knots", "control_net", "weights"?, "homogeneous"?}
 Map read_tensor_bspline(Fields& fields, const Limits& limits) {
     const std::vector<std::size_t> degrees = read_degrees_of_directions(fields, limits);
-    const auto counts =
-        fields.required("control_net", [&](const Json& value) { return counts_of(value, degrees.size()); });
+    const auto counts = fields.required(
+        "control_net", [&](const Json& value) { return counts_of_nested(value, degrees.size()); });
     std::vector<KnotVector> knots = read_knot_vectors(fields, degrees, counts, limits);
     const auto visit = [&](const Json& value, const auto& leaf) {
         visit_nested(value, counts, leaf,

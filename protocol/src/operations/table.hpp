@@ -10,6 +10,7 @@ Operation agree_operation();
 Operation audit_operation();
 Operation barycentric_operation();
 Operation basis_functions_operation();
+Operation basis_matrix_operation();
 Operation blossom_operation();
 Operation certify_operation();
 Operation continuity_operation();
@@ -24,6 +25,7 @@ Operation export_operation();
 Operation graph_operation();
 Operation import_operation();
 Operation insert_knots_operation();
+Operation interpolate_operation();
 Operation inverse_formula_operation();
 Operation join_operation();
 Operation prove_operation();
@@ -53,6 +55,7 @@ inline constexpr OperationEntry operation_table[] = {
     {"subdivide", subdivide_operation},
     {"elevate", elevate_operation},
     {"reduce", reduce_operation},
+    {"interpolate", interpolate_operation},
     {"inverse-formula", inverse_formula_operation},
     {"insert-knots", insert_knots_operation},
     {"remove-knot", remove_knot_operation},
@@ -60,6 +63,7 @@ inline constexpr OperationEntry operation_table[] = {
     {"join", join_operation},
     {"continuity", continuity_operation},
     {"basis-functions", basis_functions_operation},
+    {"basis-matrix", basis_matrix_operation},
     {"roots", roots_operation},
     {prove_name, prove_operation},
     {"audit", audit_operation},

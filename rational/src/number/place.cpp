@@ -6,35 +6,12 @@
 namespace blossom {
 
 std::string_view part_name(Part part) {
-    constexpr std::array<std::string_view, 28> names = {
-        "arguments",
-        "at",
-        "by",
-        "coefficients",
-        "construction",
-        "control_net",
-        "control_points",
-        "count",
-        "degree",
-        "directions",
-        "elements",
-        "interval",
-        "knot",
-        "knots",
-        "left",
-        "level",
-        "map",
-        "maps",
-        "order",
-        "results",
-        "right",
-        "segment",
-        "statement",
-        "times",
-        "to",
-        "topic",
-        "values",
-        "vertices",
+    constexpr std::array<std::string_view, 30> names = {
+        "arguments",      "at",    "by",     "coefficients", "construction", "control_net",
+        "control_points", "count", "degree", "directions",   "elements",     "from",
+        "interval",       "knot",  "knots",  "left",         "level",        "map",
+        "maps",           "nodes", "order",  "results",      "right",        "segment",
+        "statement",      "times", "to",     "topic",        "values",       "vertices",
     };
     static_assert(names.size() == static_cast<std::size_t>(Part::vertices) + 1);
     return names[static_cast<std::size_t>(part)];

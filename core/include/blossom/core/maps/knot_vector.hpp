@@ -23,6 +23,10 @@ struct KnotMultiplicity {
     friend bool operator==(const KnotMultiplicity&, const KnotMultiplicity&) = default;
 };
 
+/// Errors: `bad_knots` if the knots decrease or one has a multiplicity above degree + 1, at `Part::knots /
+/// i`.
+void require_knots(std::span<const Rational> knots, std::size_t degree);
+
 /// The knots t_0 <= t_1 <= ... of a B-spline of degree n with a number of control points.
 ///
 /// All indices are those of the knots as given. With `first = 1` in the textbook convention and 0 in the
