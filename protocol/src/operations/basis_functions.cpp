@@ -1,5 +1,5 @@
 #include <fmt/format.h>
-#include <blossom/core/algebra/polynomial_of_piece_text.hpp>
+#include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/curve/derivative.hpp>
 #include <blossom/core/nurbs/rational_basis.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
