@@ -659,7 +659,7 @@ class Operation:
 
     def request(self, maker, chosen):
         """The line of the request with the chosen levels, as long as it may be. It is made of values that fit together."""
-        sizes = {name: MAP_AXES[name][level] for name, level in chosen.items() if name in MAP_AXES}
+        sizes = {name: MAP_AXES[name][level] for name, level in chosen.items() if self.takes_maps and name in MAP_AXES}
         for name, most in (("dimension", NUMBERS), ("points of the map", NUMBERS)):
             if name in sizes:
                 sizes[name] = min(sizes[name], most)

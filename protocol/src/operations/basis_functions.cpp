@@ -42,7 +42,7 @@ BasisRequest read_functions(Fields& request, const Limits& limits) {
     basis.weights = request.optional("weights", [&](const Json& value) {
         if (basis.single) {
             throw Error(
-                ErrorCode::wrong_kind,
+                ErrorCode::wrong_arity,
                 "a rational basis function is a quotient by all functions of a basis, and these knots "
                 "have one B-spline");
         }
