@@ -179,8 +179,6 @@ TEST_CASE("curves are refused where they are not taken, with the kinds that are"
               "wrong_kind /map");
     }
     CHECK(refusal_text(R"("op": "insert-knots", "knots": [1], )" + progressive) == "wrong_kind /map");
-    CHECK(refusal_text(R"("op": "join", "maps": [{"kind": "polynomial", "text": "t"}])") ==
-          "wrong_kind /maps/0");
     CHECK(refusal_text(R"("op": "join", "maps": [])") == "wrong_arity /maps");
 }
 

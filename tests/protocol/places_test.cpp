@@ -83,7 +83,7 @@ const std::vector<std::string> requests{
     R"({"op": "insert-knots", "knots": [["1/2"], []], )" + surface + "}",
     R"({"op": "remove-knot", "knot": "1", "times": 1, )" + spline + "}",
     R"({"op": "segments", )" + spline + "}",
-    R"({"op": "join", "degree": 2, "knots": ["0", "0", "0", "1", "1", "2", "2", "2"],
+    R"({"op": "join", "degree": 2, "chain": true, "knots": ["0", "0", "0", "1", "1", "2", "2", "2"],
         "maps": [{"kind": "bezier", "control_points": ["0", "1", "4"]},
                  {"kind": "bezier", "control_points": ["4", "7", "9"], "interval": ["1", "2"]}]})",
     R"({"op": "continuity", "at": "1", )" + spline + "}",
