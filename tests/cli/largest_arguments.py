@@ -556,6 +556,7 @@ OF_OPERATION = {
     ("audit", "at"): (MANY, lambda a_map, level: parameters(a_map, level) if level or "text" in a_map else None),
     ("audit", "computed"): ([], computed),
     ("audit", "document"): ([(700_000, small), (DEGREE + 1, small), (300, exponents), (300, negative_exponents)], audited_document),
+    ("join", "chain"): ([], lambda a_map, level: True),
     ("join", "knots"): (MANY, lambda a_map, level: level and numbers(level)),
     ("export", "format"): ([], lambda a_map, level: "splinepy" if directions_of(a_map) else "tinyspline"),
     ("inverse-formula", "degree"): ([DEGREE, 600, 200, 40, DIGITS, HUGE], lambda a_map, level: level or 3),
