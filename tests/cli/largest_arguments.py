@@ -393,6 +393,13 @@ def pair(a_map, level):
     return [style(1, 4), style(2, 4)]
 
 
+def part(a_map, level):
+    """An interval, of a B-spline within its domain."""
+    if a_map["kind"] == "bspline" and not directions_of(a_map):
+        return a_map["knots"][a_map["degree"] : a_map["degree"] + 2]
+    return pair(a_map, level)
+
+
 def vertices(a_map, level):
     """The origin and a multiple of each unit vector."""
     size, style = level or (2, small)
@@ -530,6 +537,9 @@ FIELDS = {
     "knots": (MANY, inserted_knots),
     "knot": (STYLE_AXIS, lambda a_map, level: (level or small)(1, 2) if level or directions_of(a_map) else parameter(a_map, small, 0, 1)),
     "times": count_field(None),
+    "multiplicity": count_field(None),
+    "from": (STYLES[1:], lambda a_map, level: level and pair(a_map, level)),
+    "clamped": ([], lambda a_map, level: None),
     "width": (["1e-999990", "1e-10000", long(1, 1), "1/" + long(1, 1)], lambda a_map, level: level),
     "statement": (STATEMENTS, lambda a_map, level: level or "claim x == x"),
     "document": ([(700_000, small), (DEGREE + 1, small), (300, exponents), (300, negative_exponents)], document),
@@ -569,10 +579,12 @@ def lattice(dimension, degree):
 OF_OPERATION = {
     ("subdivide", "at"): (STYLES[1:], lambda a_map, level: parameter(a_map, level or small, 1, 2)),
     ("continuity", "at"): (STYLES[1:], at_in_one_direction),
+    ("trim", "interval"): (STYLES[1:], part),
     ("convert", "to"): ([], lambda a_map, level: "bernstein"),
     ("audit", "at"): (MANY, lambda a_map, level: parameters(a_map, level) if level or "text" in a_map else None),
     ("audit", "computed"): ([], computed),
     ("audit", "document"): ([(700_000, small), (DEGREE + 1, small), (300, exponents), (300, negative_exponents)], audited_document),
+    ("join", "chain"): ([], lambda a_map, level: True),
     ("join", "knots"): (MANY, lambda a_map, level: level and numbers(level)),
     ("export", "format"): ([], lambda a_map, level: "splinepy" if directions_of(a_map) else "tinyspline"),
     ("inverse-formula", "degree"): ([DEGREE, 600, 200, 40, DIGITS, HUGE], lambda a_map, level: level or 3),
@@ -664,6 +676,8 @@ class Operation:
             if name in sizes:
                 sizes[name] = min(sizes[name], most)
         a_map = maker(Shape(sizes)) if maker else None
+        if self.name == "periodic" and "control_points" in a_map:
+            a_map["control_points"] = a_map["control_points"][:1] * len(a_map["control_points"])
         request = {"op": self.name}
         if "map" in self.takes_maps:
             request["map"] = a_map

@@ -140,3 +140,30 @@ TEST_CASE("constants have no roots, and zero is refused", "[roots]") {
     CHECK(roots(t, {1, 2}).empty());
     CHECK(roots(pow(t, 7) * pow(t - 1, 2), {0, 1}) == std::vector<Root>{{0, 0, 7}, {1, 1, 2}});
 }
+
+TEST_CASE("an unbounded range has all roots of its side, and a bound exceeds them", "[roots]") {
+    const Polynomial t = Polynomial::monomial(1);
+    const Polynomial polynomial = (t * t - 2) * (t + 100) * (t - Rational(1, 1000));
+    CHECK(roots(polynomial, {}).size() == 4);
+    CHECK(roots(polynomial, {0, std::nullopt}).size() == 2);
+    CHECK(roots(polynomial, {std::nullopt, 0}).size() == 2);
+    CHECK(roots(polynomial, {1000, std::nullopt}).empty());
+    CHECK(roots(polynomial, {std::nullopt, -1000}).empty());
+    CHECK(root_bound(polynomial) > 100);
+    CHECK(root_bound(polynomial) <= 512);
+    CHECK(root_bound(pow(t, 7)) == Rational(1));
+    CHECK(root_bound(t - Rational(1, 1000)) <= Rational(1, 128));
+    CHECK(failure_code([] { root_bound(Polynomial()); }) == ErrorCode::division_by_zero);
+}
+
+TEST_CASE("a root can be narrowed to any width", "[roots]") {
+    const Polynomial t = Polynomial::monomial(1);
+    const Root root = roots(pow(t * t - 2, 3) * (t - 1), {0, 2}).back();
+    const Rational width(1, Integer(1) << 300);
+    const Root narrow = narrowed(root, width);
+    CHECK(narrow.upper - narrow.lower <= width);
+    CHECK(narrow.lower * narrow.lower < 2);
+    CHECK(narrow.upper * narrow.upper > 2);
+    CHECK(narrow.multiplicity == 3);
+    CHECK(narrowed(root, 5) == root);
+}

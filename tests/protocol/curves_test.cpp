@@ -140,24 +140,6 @@ TEST_CASE("rational curves meet as the curves that they are, or as homogeneous o
     CHECK(refusal_text(R"("op": "continuity", "at": 3, )" + spline) == "outside_domain /at");
 }
 
-TEST_CASE("roots are found once, with their multiplicities, on splines and rational maps too") {
-    CHECK(
-        result_text(
-            R"("op": "roots", "interval": [3, -3], "map": {"kind": "polynomial", "text": "(t + 2)(t - 1)^2"})") ==
-        R"({"roots": [{"value": "-2", "multiplicity": 1}, {"value": "1", "multiplicity": 2}]})");
-    CHECK(result_text(R"("op": "roots", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
-                    "control_points": [1, 0, -1]})") == R"({"roots": [{"value": "1", "multiplicity": 1}]})");
-    CHECK(result_text(R"("op": "roots", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
-                    "control_points": [1, -1, 0]})") ==
-          R"({"roots": [{"value": "1/2", "multiplicity": 1}, {"value": "2", "multiplicity": 1}]})");
-    CHECK(result_text(
-              R"("op": "roots", "map": {"kind": "polynomial", "text": "t^2 - 1/4t", "denominator": "t"})") ==
-          R"({"roots": [{"value": "1/4", "multiplicity": 1}]})");
-    CHECK(refusal_text(R"("op": "roots", "map": {"kind": "polynomial", "text": ["t"]})") ==
-          "wrong_kind /map");
-    CHECK(refusal_text(R"("op": "roots", "width": 0, )" + cubic) == "wrong_kind /width");
-}
-
 TEST_CASE("weights of zero are refused unless the points carry their weights") {
     const std::string points = R"("op": "evaluate", "at": ["1/2"], "map": {"kind": "bspline", "degree": 1,
                                    "knots": [0, 0, 1, 1], "control_points": )";
@@ -179,8 +161,6 @@ TEST_CASE("curves are refused where they are not taken, with the kinds that are"
               "wrong_kind /map");
     }
     CHECK(refusal_text(R"("op": "insert-knots", "knots": [1], )" + progressive) == "wrong_kind /map");
-    CHECK(refusal_text(R"("op": "join", "maps": [{"kind": "polynomial", "text": "t"}])") ==
-          "wrong_kind /maps/0");
     CHECK(refusal_text(R"("op": "join", "maps": [])") == "wrong_arity /maps");
 }
 

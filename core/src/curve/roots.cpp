@@ -1,9 +1,11 @@
+#include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/curve/roots.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/integer_polynomials.hpp>
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "maps/change_of_interval.hpp"
 #include "maps/integer_frame.hpp"
@@ -65,10 +67,11 @@ private:
 /// Isolates and refines the roots of a squarefree polynomial that has no rational ones.
 class Isolation {
 public:
-    Isolation(const Polynomial& factor, std::size_t multiplicity, const Rational& width, const Limits& limits,
-              std::vector<Root>& found)
-        : factor_(factor),
-          slope_(derivative(factor)),
+    Isolation(std::shared_ptr<const Polynomial> factor, std::size_t multiplicity, const Rational& width,
+              const Limits& limits, std::vector<Root>& found)
+        : shared_(std::move(factor)),
+          factor_(*shared_),
+          slope_(derivative(factor_)),
           multiplicity_(multiplicity),
           width_(width),
           limits_(limits),
@@ -106,6 +109,36 @@ public:
             pending.push_back({std::move(right), middle, piece.upper, changes.least, piece.stalls, speed});
             pending.push_back({std::move(left), piece.lower, middle, changes.least, piece.stalls, speed});
         }
+    }
+
+    /// Exactly one root lies between: finds its cell in the grid of halves by quadratic interval refinement.
+    /// A straight line between the values at the ends of a cell says in which of 2^s parts the root is; where
+    /// the signs confirm this, s is doubled. Source: Abbott, "Quadratic interval refinement for real roots",
+    /// 2014.
+    void refine(const Rational& lower, const Rational& upper) {
+        const Grid grid(lower, upper);
+        const std::size_t level = last_level(grid);
+        const int sign_behind = sign_at(factor_, upper);
+        Integer cell = 0;
+        std::size_t reached = 0;
+        std::size_t gain = 1;
+        while (reached < level) {
+            gain = std::min(gain, level - reached);
+            Integer part = (cell << gain) + guess(grid, reached, cell, gain);
+            const bool lies_behind = sign_at(factor_, grid.point(reached + gain, part)) != sign_behind;
+            const bool lies_before = sign_at(factor_, grid.point(reached + gain, part + 1)) == sign_behind;
+            if (lies_behind && lies_before) {
+                cell = std::move(part);
+                reached += gain;
+                gain *= 2;
+            } else if (gain == 1) {
+                cell = lies_behind ? part + 1 : part - 1;
+                reached += 1;
+            } else {
+                gain /= 2;
+            }
+        }
+        found_.push_back({grid.point(level, cell), grid.point(level, cell + 1), multiplicity_, shared_});
     }
 
 private:
@@ -158,36 +191,6 @@ private:
             coefficients(), t.numerator() * divide_exactly(denominator, t.denominator()), denominator);
     }
 
-    /// Exactly one root lies between: finds its cell in the grid of halves by quadratic interval refinement.
-    /// A straight line between the values at the ends of a cell says in which of 2^s parts the root is; where
-    /// the signs confirm this, s is doubled. Source: Abbott, "Quadratic interval refinement for real roots",
-    /// 2014.
-    void refine(const Rational& lower, const Rational& upper) {
-        const Grid grid(lower, upper);
-        const std::size_t level = last_level(grid);
-        const int sign_behind = sign_at(factor_, upper);
-        Integer cell = 0;
-        std::size_t reached = 0;
-        std::size_t gain = 1;
-        while (reached < level) {
-            gain = std::min(gain, level - reached);
-            Integer part = (cell << gain) + guess(grid, reached, cell, gain);
-            const bool lies_behind = sign_at(factor_, grid.point(reached + gain, part)) != sign_behind;
-            const bool lies_before = sign_at(factor_, grid.point(reached + gain, part + 1)) == sign_behind;
-            if (lies_behind && lies_before) {
-                cell = std::move(part);
-                reached += gain;
-                gain *= 2;
-            } else if (gain == 1) {
-                cell = lies_behind ? part + 1 : part - 1;
-                reached += 1;
-            } else {
-                gain /= 2;
-            }
-        }
-        found_.push_back({grid.point(level, cell), grid.point(level, cell + 1), multiplicity_});
-    }
-
     /// In which of 2^gain parts of a cell a line through the values at its ends has its zero.
     Integer guess(const Grid& grid, std::size_t level, const Integer& cell, std::size_t gain) const {
         const Rational begin = grid.point(level, cell);
@@ -208,6 +211,7 @@ private:
         return width_.sign() > 0 ? std::max(level, grid.level_below(width_, true)) : level;
     }
 
+    std::shared_ptr<const Polynomial> shared_;
     const Polynomial& factor_;
     Polynomial slope_;  ///< its derivative
     std::size_t multiplicity_;
@@ -216,23 +220,37 @@ private:
     std::vector<Root>& found_;
 };
 
+[[noreturn]] void throw_zero_polynomial() {
+    throw Error(ErrorCode::division_by_zero,
+                "the zero polynomial has no squarefree factors: every number is a root");
+}
+
+/// The part of the range in which roots may lie; where there can be none, a part without roots.
+Interval bounded(const ParameterRange& range, const Polynomial& polynomial) {
+    if (range.lower && range.upper) return {*range.lower, *range.upper};
+    const Rational bound = root_bound(polynomial);
+    if (range.lower) return {*range.lower, std::max(bound, *range.lower + 1)};
+    if (range.upper) return {std::min(-bound, *range.upper - 1), *range.upper};
+    return {-bound, bound};
+}
+
 /// A squarefree factor without its rational roots.
 struct IrrationalFactor {
-    Polynomial polynomial;
+    std::shared_ptr<const Polynomial> polynomial;
     std::size_t multiplicity;
 };
 
 /// Divides by the factors of rational roots, of which those in the interval are added to `found`.
 IrrationalFactor without_rational_roots(const Polynomial& factor, std::size_t multiplicity,
-                                        const Rational& lower, const Rational& upper,
-                                        std::vector<Root>& found) {
+                                        const ParameterRange& range, std::vector<Root>& found) {
     IntegerPolynomial rest = factor.coefficients().numerators();
     for (const Rational& root : rational_roots(rest)) {
-        if (lower <= root && root <= upper) found.push_back({root, root, multiplicity});
+        const bool inside = (!range.lower || *range.lower <= root) && (!range.upper || root <= *range.upper);
+        if (inside) found.push_back({root, root, multiplicity});
         const Integer linear[] = {-root.numerator(), root.denominator()};
         rest = *exact_quotient(rest, linear);
     }
-    return {Polynomial(RationalVector(std::move(rest), 1)), multiplicity};
+    return {std::make_shared<const Polynomial>(RationalVector(std::move(rest), 1)), multiplicity};
 }
 
 /// Whether two roots of coprime factors are still not told apart: their intervals overlap, or one root is an
@@ -245,10 +263,7 @@ bool overlap(const Root& a, const Root& b) {
 }  // namespace
 
 std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynomial& polynomial) {
-    if (polynomial.is_zero()) {
-        throw Error(ErrorCode::division_by_zero,
-                    "the zero polynomial has no squarefree factors: every number is a root");
-    }
+    if (polynomial.is_zero()) throw_zero_polynomial();
     std::vector<std::pair<Polynomial, std::size_t>> factors;
     const Polynomial slope = derivative(polynomial);
     const Polynomial common = gcd(polynomial, slope);
@@ -263,25 +278,65 @@ std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynom
     return factors;
 }
 
-std::vector<Root> roots(const Polynomial& polynomial, const Interval& interval, const Rational& width,
+Rational root_bound(const Polynomial& polynomial) {
+    const std::vector<Integer>& coefficients = polynomial.coefficients().numerators();
+    if (coefficients.empty()) throw_zero_polynomial();
+    const std::size_t n = coefficients.size() - 1;
+    // |a_(n-k) / a_n| < 2^(bits + 1) with the difference of the bits of the two.
+    const auto leading = static_cast<std::ptrdiff_t>(coefficients.back().bit_length());
+    std::optional<std::ptrdiff_t> exponent;
+    for (std::size_t k = 1; k <= n; ++k) {
+        const Integer& coefficient = coefficients[n - k];
+        if (coefficient.is_zero()) continue;
+        const std::ptrdiff_t bits = static_cast<std::ptrdiff_t>(coefficient.bit_length()) - leading + 1;
+        const auto order = static_cast<std::ptrdiff_t>(k);
+        const std::ptrdiff_t rounded_up = bits > 0 ? (bits + order - 1) / order : -(-bits / order);
+        exponent = std::max(exponent.value_or(rounded_up), rounded_up);
+    }
+    if (!exponent) return 1;
+    const std::ptrdiff_t power = *exponent + 1;
+    return power >= 0 ? Rational(Integer(1) << static_cast<std::size_t>(power))
+                      : Rational(1, Integer(1) << static_cast<std::size_t>(-power));
+}
+
+Root narrowed(const Root& root, const Rational& width, const Limits& limits) {
+    if (root.upper - root.lower <= width) return root;
+    std::vector<Root> found;
+    Isolation(root.factor, root.multiplicity, width, limits, found).refine(root.lower, root.upper);
+    return found.front();
+}
+
+std::vector<Root> roots(const Polynomial& polynomial, const ParameterRange& range, const Rational& width,
                         const Limits& limits) {
-    const Rational& lower = std::min(interval.a(), interval.b());
-    const Rational& upper = std::max(interval.a(), interval.b());
     std::vector<Root> rational;
     std::vector<IrrationalFactor> factors;
     for (const auto& [factor, multiplicity] : squarefree_factors(polynomial)) {
-        auto rest = without_rational_roots(factor, multiplicity, lower, upper, rational);
-        if (rest.polynomial.degree() > 0) factors.push_back(std::move(rest));
+        auto rest = without_rational_roots(factor, multiplicity, range, rational);
+        if (rest.polynomial->degree() > 0) factors.push_back(std::move(rest));
     }
+    const Interval where = bounded(range, polynomial);
     Rational finest = width;
     while (true) {
         std::vector<Root> found = rational;
-        for (const IrrationalFactor& factor : factors)
-            Isolation(factor.polynomial, factor.multiplicity, finest, limits, found).run(lower, upper);
+        for (const IrrationalFactor& factor : factors) {
+            Isolation(factor.polynomial, factor.multiplicity, finest, limits, found)
+                .run(where.a(), where.b());
+        }
         std::ranges::sort(found, {}, [](const Root& root) { return root.lower + root.upper; });
         if (std::ranges::adjacent_find(found, overlap) == found.end()) return found;
-        finest = (finest.sign() > 0 ? finest : upper - lower) / 16;
+        finest = (finest.sign() > 0 ? finest : where.b() - where.a()) / 16;
     }
+}
+
+Polynomial numerator(const PolynomialMap& map, const Limits& limits) {
+    const std::size_t dimension = dimension_of(map);
+    if (dimension != 1 && dimension != 2) {
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "a map into " + std::to_string(dimension) + " dimensions is not scalar", Part::map);
+    }
+    const PolynomialCurve curve = monomial_form(map, limits);
+    if (dimension == 1) return curve.coordinate(0);
+    return divide_exactly(curve.coordinate(0), gcd(curve.coordinate(0), curve.coordinate(1)));
 }
 
 }  // namespace blossom

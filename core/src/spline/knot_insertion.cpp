@@ -18,6 +18,12 @@ namespace {
                 Part::knots / i);
 }
 
+void require_inside(const Interval& domain, std::size_t i, const Rational& knot) {
+    if (domain.a() <= knot && knot <= domain.b()) return;
+    refuse(ErrorCode::outside_domain, i, knot,
+           "lies outside the domain [" + to_string(domain.a()) + ", " + to_string(domain.b()) + "]");
+}
+
 /// The knots to insert in order, each of them legal.
 std::vector<Rational> in_order(const KnotVector& knots, std::span<const Rational> inserted) {
     std::vector<std::size_t> order(inserted.size());
@@ -30,10 +36,7 @@ std::vector<Rational> in_order(const KnotVector& knots, std::span<const Rational
     std::size_t multiplicity = 0;
     for (const std::size_t i : order) {
         const Rational& knot = inserted[i];
-        if (knot < domain.a() || domain.b() < knot) {
-            refuse(ErrorCode::outside_domain, i, knot,
-                   "lies outside the domain [" + to_string(domain.a()) + ", " + to_string(domain.b()) + "]");
-        }
+        require_inside(domain, i, knot);
         const bool repeated = !sorted.empty() && sorted.back() == knot;
         multiplicity = (repeated ? multiplicity : knots.multiplicity(knot)) + 1;
         if (multiplicity > knots.degree() + 1) {
@@ -185,6 +188,27 @@ BSplineCurve insert_knots_oslo(const BSplineCurve& curve, std::span<const Ration
         points.push_back(frame->value(std::vector<Argument>(window.begin(), window.end())));
     }
     return {std::move(finer), std::move(points)};
+}
+
+void require_multiplicity(std::size_t multiplicity, std::size_t degree) {
+    if (multiplicity <= degree + 1) return;
+    throw Error(ErrorCode::bad_knots,
+                "the multiplicity " + std::to_string(multiplicity) +
+                    " is more than degree + 1 = " + std::to_string(degree + 1),
+                Part::times);
+}
+
+std::vector<Rational> missing_knots(const KnotVector& knots, std::span<const Rational> wanted,
+                                    std::size_t m) {
+    require_multiplicity(m, knots.degree());
+    std::vector<Rational> missing;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        require_inside(knots.domain(), i, wanted[i]);
+        if (std::ranges::find(wanted.first(i), wanted[i]) != wanted.begin() + static_cast<std::ptrdiff_t>(i))
+            continue;
+        missing.insert(missing.end(), m - std::min(m, knots.multiplicity(wanted[i])), wanted[i]);
+    }
+    return missing;
 }
 
 }  // namespace blossom

@@ -1,5 +1,5 @@
 #include <blossom/core/curve/degree_elevation.hpp>
-#include <blossom/core/spline/continuity.hpp>
+#include <blossom/core/curve/reparametrisation.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 #include <blossom/rational/error.hpp>
 
@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "joined_pieces.hpp"
 #include "spline_pieces.hpp"
 
 namespace blossom {
@@ -17,96 +18,159 @@ std::string text(const Interval& interval) {
     return "[" + to_string(interval.a()) + ", " + to_string(interval.b()) + "]";
 }
 
-BezierCurve increasing(const BezierCurve& curve) {
-    if (curve.interval().a() < curve.interval().b()) return curve;
-    std::vector<Coordinates> points = curve.control_points().to_points();
-    std::ranges::reverse(points);
-    return BezierCurve(points, Interval(curve.interval().b(), curve.interval().a()));
+std::size_t greatest_degree(std::span<const JoinedPiece> pieces) {
+    std::size_t greatest = 0;
+    for (const JoinedPiece& piece : pieces) greatest = std::max(greatest, piece.curve.degree());
+    return greatest;
 }
 
-std::size_t greatest_degree(std::span<const BezierCurve> curves) {
-    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one curve is needed", Part::maps);
-    return std::ranges::max_element(curves, {}, &BezierCurve::degree)->degree();
+void raise(std::vector<JoinedPiece>& pieces, std::size_t n, const Limits& limits) {
+    for (auto& [curve, map] : pieces) curve = elevate(curve, n - curve.degree(), limits);
 }
 
-/// The curves of degree n over increasing intervals, each beginning where the last ended.
-std::vector<BezierCurve> raised_pieces(std::span<const BezierCurve> curves, std::size_t n,
-                                       const Limits& limits) {
-    std::vector<BezierCurve> pieces;
-    pieces.reserve(curves.size());
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        if (curves[i].dimension() != curves.front().dimension()) {
-            throw Error(ErrorCode::mismatched_dimensions,
-                        "map " + std::to_string(i) + " has " + std::to_string(curves[i].dimension()) +
-                            " coordinates, map 0 has " + std::to_string(curves.front().dimension()),
-                        Part::maps / i / Part::control_points);
-        }
-        pieces.push_back(elevate(increasing(curves[i]), n - curves[i].degree(), limits));
-        if (i == 0 || pieces[i].interval().a() == pieces[i - 1].interval().b()) continue;
-        throw Error(ErrorCode::not_adjacent,
-                    "the interval " + text(pieces[i].interval()) + " of map " + std::to_string(i) +
-                        " does not begin where " + text(pieces[i - 1].interval()) + " of map " +
-                        std::to_string(i - 1) + " ends",
-                    Part::maps / i / Part::interval);
-    }
-    return pieces;
+std::vector<BezierCurve> curves_of(std::vector<JoinedPiece> pieces) {
+    std::vector<BezierCurve> curves;
+    curves.reserve(pieces.size());
+    for (auto& [curve, map] : pieces) curves.push_back(std::move(curve));
+    return curves;
 }
 
-void require_continuous(std::span<const BezierCurve> pieces, const KnotVector& knots, const Limits& limits) {
+/// Each curve as one piece.
+std::vector<std::vector<BezierCurve>> one_piece_each(std::span<const BezierCurve> curves) {
+    std::vector<std::vector<BezierCurve>> maps;
+    maps.reserve(curves.size());
+    for (const BezierCurve& curve : curves) maps.push_back({curve});
+    return maps;
+}
+
+std::string maps_text(const JoinedPiece& left, const JoinedPiece& right) {
+    if (left.map == right.map) return "the segments of map " + std::to_string(left.map);
+    return "maps " + std::to_string(left.map) + " and " + std::to_string(right.map);
+}
+
+void require_continuous(std::span<const JoinedPiece> pieces, const KnotVector& knots, const Reason& reason,
+                        const Limits& limits) {
     for (std::size_t i = 1; i < pieces.size(); ++i) {
-        const Rational& joint = pieces[i].interval().a();
+        const BezierCurve& left = pieces[i - 1].curve;
+        const BezierCurve& right = pieces[i].curve;
+        const Rational& joint = right.interval().a();
         const std::size_t multiplicity = knots.multiplicity(joint);
         if (multiplicity > knots.degree()) continue;
-        const Contact joined = contact(pieces[i - 1], pieces[i], joint, limits);
-        const auto needed = static_cast<std::ptrdiff_t>(knots.degree() - multiplicity);
-        if (joined.is_infinite() || *joined.order >= needed) continue;
+        const Contact joined = contact(left, right, joint, limits);
+        const std::size_t needed = knots.degree() - multiplicity;
+        if (joined.is_infinite() || *joined.order >= static_cast<std::ptrdiff_t>(needed)) continue;
         throw Error(ErrorCode::not_continuous,
                     "multiplicity " + std::to_string(multiplicity) + " of the knot " + to_string(joint) +
                         " in degree " + std::to_string(knots.degree()) + " needs order " +
-                        std::to_string(needed) + " of maps " + std::to_string(i - 1) + " and " +
-                        std::to_string(i) + ". " + to_string(joined, joint),
-                    Part::maps / i);
+                        std::to_string(needed) + " of " + maps_text(pieces[i - 1], pieces[i]) + ". " +
+                        reason(left, right, joint, joined),
+                    Part::maps / pieces[i].map);
     }
+}
+
+std::string reason_of_polynomials(const BezierCurve& /*left*/, const BezierCurve& /*right*/,
+                                  const Rational& s, const Contact& contact) {
+    return to_string(contact, s);
 }
 
 }  // namespace
 
-BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits) {
-    const std::size_t n = greatest_degree(curves);
-    const std::vector<BezierCurve> pieces = raised_pieces(curves, n, limits);
-    std::vector<Rational> knots(n + 1, pieces.front().interval().a());
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-        const Rational& joint = pieces[i].interval().a();
-        const Contact joined = contact(pieces[i - 1], pieces[i], joint, limits);
-        if (joined.is_infinite()) continue;
-        const auto multiplicity = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(n) - *joined.order);
-        knots.insert(knots.end(), multiplicity, joint);
+std::vector<JoinedPiece> adjacent_pieces(std::span<const std::vector<BezierCurve>> maps) {
+    if (maps.empty()) throw Error(ErrorCode::wrong_arity, "at least one curve is needed", Part::maps);
+    std::vector<JoinedPiece> pieces;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        for (const BezierCurve& piece : maps[i]) {
+            if (piece.dimension() != maps.front().front().dimension()) {
+                throw Error(ErrorCode::mismatched_dimensions,
+                            "map " + std::to_string(i) + " has " + std::to_string(piece.dimension()) +
+                                " coordinates, map 0 has " + std::to_string(maps.front().front().dimension()),
+                            Part::maps / i / Part::control_points);
+            }
+            BezierCurve next = increasing(piece);
+            if (!pieces.empty() && next.interval().a() != pieces.back().curve.interval().b()) {
+                throw Error(ErrorCode::not_adjacent,
+                            "the interval " + text(covered(maps[i])) + " of map " + std::to_string(i) +
+                                " does not begin where " + text(covered(maps[pieces.back().map])) +
+                                " of map " + std::to_string(pieces.back().map) + " ends",
+                            Part::maps / i / Part::interval);
+            }
+            pieces.push_back({std::move(next), i});
+        }
     }
-    knots.insert(knots.end(), n + 1, pieces.back().interval().b());
-    const std::size_t points = knots.size() - n - 1;
-    require_within(points * pieces.front().dimension(), limits.numbers, "numbers",
-                   "the number of coordinates", Part::maps);
-    return spline_of_pieces({n, std::move(knots), points}, pieces, limits);
+    return pieces;
 }
 
-BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, const Limits& limits) {
-    const std::size_t greatest = greatest_degree(curves);
+BSplineCurve joined(std::vector<JoinedPiece> pieces, const Limits& limits) {
+    const std::size_t n = greatest_degree(pieces);
+    raise(pieces, n, limits);
+    const std::vector<BezierCurve> curves = curves_of(std::move(pieces));
+    std::vector<Rational> knots(n + 1, curves.front().interval().a());
+    for (std::size_t i = 1; i < curves.size(); ++i) {
+        const Rational& joint = curves[i].interval().a();
+        const Contact met = contact(curves[i - 1], curves[i], joint, limits);
+        if (met.is_infinite()) continue;
+        const auto multiplicity = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(n) - *met.order);
+        knots.insert(knots.end(), multiplicity, joint);
+    }
+    knots.insert(knots.end(), n + 1, curves.back().interval().b());
+    const std::size_t points = knots.size() - n - 1;
+    require_within(points * curves.front().dimension(), limits.numbers, "numbers",
+                   "the number of coordinates", Part::maps);
+    return spline_of_pieces({n, std::move(knots), points}, curves, limits);
+}
+
+BSplineCurve joined(std::vector<JoinedPiece> pieces, const KnotVector& knots, const Reason& reason,
+                    const Limits& limits) {
+    const std::size_t greatest = greatest_degree(pieces);
     if (knots.degree() < greatest) {
         throw Error(ErrorCode::degree_too_low,
                     "knots of degree " + std::to_string(knots.degree()) + " cannot carry a curve of degree " +
                         std::to_string(greatest),
                     Part::knots);
     }
-    const std::vector<BezierCurve> pieces = raised_pieces(curves, knots.degree(), limits);
-    const Interval covered(pieces.front().interval().a(), pieces.back().interval().b());
-    if (knots.domain() != covered) {
+    const Interval whole(pieces.front().curve.interval().a(), pieces.back().curve.interval().b());
+    if (knots.domain() != whole) {
         throw Error(ErrorCode::bad_knots,
-                    "the domain " + text(knots.domain()) + " of the knots is not " + text(covered) +
+                    "the domain " + text(knots.domain()) + " of the knots is not " + text(whole) +
                         ", which the maps make up",
                     Part::knots);
     }
-    require_continuous(pieces, knots, limits);
-    return spline_of_pieces(knots, pieces, limits);
+    raise(pieces, knots.degree(), limits);
+    require_continuous(pieces, knots, reason, limits);
+    return spline_of_pieces(knots, curves_of(std::move(pieces)), limits);
+}
+
+Interval covered(std::span<const BezierCurve> pieces) {
+    const Interval& first = pieces.front().interval();
+    const Interval& last = pieces.back().interval();
+    return {std::min(first.a(), first.b()), std::max(last.a(), last.b())};
+}
+
+std::vector<std::vector<BezierCurve>> chained(std::vector<std::vector<BezierCurve>> maps) {
+    for (std::size_t i = 1; i < maps.size(); ++i) {
+        const Interval own = covered(maps[i]);
+        const Rational begin = covered(maps[i - 1]).b();
+        const ParameterChange change(own, {begin, begin + own.b() - own.a()});
+        for (BezierCurve& piece : maps[i]) piece = reparametrised(piece, change);
+    }
+    return maps;
+}
+
+BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const Limits& limits) {
+    return joined(adjacent_pieces(maps), limits);
+}
+
+BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const KnotVector& knots,
+                  const Limits& limits) {
+    return joined(adjacent_pieces(maps), knots, reason_of_polynomials, limits);
+}
+
+BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits) {
+    return join(one_piece_each(curves), limits);
+}
+
+BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, const Limits& limits) {
+    return join(one_piece_each(curves), knots, limits);
 }
 
 KnotVector knots_over(std::size_t degree, std::vector<Rational> knots, const Interval& domain) {

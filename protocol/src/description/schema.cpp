@@ -21,12 +21,18 @@ Json any_of(const std::vector<std::string>& names) {
 
 /// Numbers that are rounded: as doubles, and as hexadecimal floats.
 Json::Object rounded_definitions() {
-    constexpr std::string_view rounded =
-        R"({"anyOf": [{"type": "number"}, {"type": "array", "items": {"$ref": "#/$defs/rounded"}}]})";
+    constexpr std::string_view rounded = R"({
+        "anyOf": [
+            {"type": "number"},
+            {"description": "The ends of unbounded intervals stay", "enum": ["-inf", "inf"]},
+            {"type": "array", "items": {"$ref": "#/$defs/rounded"}}
+        ]
+    })";
     constexpr std::string_view hexadecimal = R"({
         "anyOf": [
             {"type": "string", "pattern": "^-?0x[01](\\.[0-9a-f]+)?p[-+][0-9]+$"},
             {"description": "The indices and exponents beside the numbers stay", "type": "integer"},
+            {"enum": ["-inf", "inf"]},
             {"type": "array", "items": {"$ref": "#/$defs/rounded_hexadecimal"}}
         ]
     })";

@@ -141,6 +141,7 @@ constexpr auto value_entries = std::to_array<ValueEntry>({
         "anyOf": [{"type": ["number", "string"]}, {"type": "array", "items": {"$ref": "#/$defs/doubles"}}]
      })",
      ""},
+    {"nearest_double", "double", "doubles", "", R"({"type": "number"})"},
     {"document", "document", "documents", "true", R"({"type": "object"})"},
     {"map", "map", "maps", R"({"$ref": "#/$defs/map"})", R"({"$ref": "#/$defs/exact_map"})"},
 });

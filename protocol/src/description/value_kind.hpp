@@ -25,6 +25,7 @@ enum class ValueKind {
     argument,
     point_argument,
     doubles,
+    nearest_double,
     document,
     map,
 };

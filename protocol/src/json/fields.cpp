@@ -137,12 +137,49 @@ std::vector<Rational> read_numbers(const Json& value, const Limits& limits) {
     return read_list(value, [&](const Json& element) { return read_number(element, limits); });
 }
 
+namespace {
+
+/// The two ends, each through `read`.
+template <class Read>
+auto read_ends(const Json& value, const Read& read) {
+    auto ends = read_list(value, read);
+    if (ends.size() == 2) return std::pair(std::move(ends[0]), std::move(ends[1]));
+    throw Error(ErrorCode::wrong_arity, "an interval has 2 ends, not " + std::to_string(ends.size()));
+}
+
+/// An end of a range: 1 and -1 stand for the two infinities.
+struct RangeEnd {
+    int infinity = 0;
+    std::optional<Rational> number = {};
+};
+
+RangeEnd read_range_end(const Json& value, const Limits& limits) {
+    const std::string* text = value.text();
+    if (text && *text == "inf") return {1};
+    if (text && *text == "-inf") return {-1};
+    return {0, read_number(value, limits)};
+}
+
+}  // namespace
+
 Interval read_interval(const Json& value, const Limits& limits) {
-    const std::vector<Rational> ends = read_numbers(value, limits);
-    if (ends.size() != 2) {
-        throw Error(ErrorCode::wrong_arity, "an interval has 2 ends, not " + std::to_string(ends.size()));
+    const auto [a, b] = read_ends(value, [&](const Json& end) { return read_number(end, limits); });
+    return {a, b};
+}
+
+ParameterRange read_range(const Json& value, const Limits& limits) {
+    auto [first, last] = read_ends(value, [&](const Json& end) { return read_range_end(end, limits); });
+    if (first.infinity > last.infinity) std::swap(first, last);
+    if (first.number && last.number) return Interval(*first.number, *last.number);
+    if (first.infinity == last.infinity) {
+        throw Error(ErrorCode::empty_interval, "an interval from an infinity to the same is empty");
     }
-    return {ends[0], ends[1]};
+    return {std::move(first.number), std::move(last.number)};
+}
+
+Json to_json(const ParameterRange& range) {
+    return Json::Array{range.lower ? Json(*range.lower) : Json("-inf"),
+                       range.upper ? Json(*range.upper) : Json("inf")};
 }
 
 Json to_json(const Interval& interval) { return Json::Array{interval.a(), interval.b()}; }

@@ -2,6 +2,7 @@
 
 #include <blossom/core/maps/argument.hpp>
 #include <blossom/core/maps/interval.hpp>
+#include <blossom/core/maps/parameter_range.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
 
@@ -140,6 +141,10 @@ Json::Array lists_json(const Lists& lists) {
 /// [a, b]. Errors: `wrong_arity`, `empty_interval`.
 Interval read_interval(const Json& value, const Limits& limits);
 Json to_json(const Interval& interval);
+
+/// [a, b] where "-inf" and "inf" stand for no end. Errors: `wrong_arity`, `empty_interval`.
+ParameterRange read_range(const Json& value, const Limits& limits);
+Json to_json(const ParameterRange& range);
 
 /// A homogeneous argument: a point, {"vector": ..} or {"homogeneous": ..}. affine(value, mass) reads the
 /// first two, homogeneous(value) what has its mass with it.

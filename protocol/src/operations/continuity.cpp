@@ -4,11 +4,13 @@
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/continuity.hpp>
+#include <blossom/core/spline/periodic_spline.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
 
 #include "blossom_arguments.hpp"
+#include "contact_order.hpp"
 #include "map_list.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
@@ -19,10 +21,6 @@
 namespace blossom::protocol {
 
 namespace {
-
-Json order_json(const std::optional<std::ptrdiff_t>& order) {
-    return order ? Json(Json::Number{std::to_string(*order)}) : Json("infinite");
-}
 
 Json arguments_json(std::span<const Argument> arguments) {
     Json::Array list;
@@ -174,6 +172,8 @@ struct AtKnot {
     const Limits& limits;
 
     Json operator()(const BSplineCurve& curve) const {
+        const Json& at = *request.required("at", [](const Json& value) { return &value; });
+        if (at.text() && *at.text() == "seam") return at_seam(curve);
         const Rational s = read_at(request, limits);
         return form.separate_weights() ? answer_of(projected_contact(curve, s, limits), form, s)
                                        : answer_of(contact(curve, s, limits), form, s);
@@ -200,6 +200,14 @@ struct AtKnot {
             });
         });
     }
+
+private:
+    Json at_seam(const BSplineCurve& curve) const {
+        request.finish();
+        const Rational seam = curve.knots().domain().b();
+        return form.separate_weights() ? answer_of(projected_seam_contact(curve, limits), form, seam)
+                                       : answer_of(seam_contact(curve, limits), form, seam);
+    }
 };
 
 Answer answer_continuity(Request& request, const Limits& limits) {
@@ -218,8 +226,9 @@ std::string render_continuity(const Answered& answered) {
 Members continuity_fields() {
     return {{},
             {{{map_field(),
-               required("at", Shape::one_of({ValueKind::number, cut_shape()}),
-                        "the parameter; in several directions a number in one and null in the others")},
+               required("at", Shape::one_of({ValueKind::number, Shape::words({"seam"}), cut_shape()}),
+                        "the parameter, or seam where a curve ends and begins again; in several directions a "
+                        "number in one and null in the others")},
               {maps_field("two curves, left and right, or two patches with a common face"),
                optional("at", ValueKind::number, "the parameter at which two curves meet")}}}};
 }
@@ -232,7 +241,7 @@ Members continuity_result() {
         {{{arguments_field(Presence::required, "the arguments at which the blossoms differ")},
           {required("derivative", ValueKind::count, "the order of the derivatives that differ")}}}};
     return {
-        {required("order", Shape::one_of({ValueKind::integer, Shape::words({"infinite"})}),
+        {required("order", order_shape(),
                   "the order of contact; -1 where the sides do not meet, infinite for one map"),
          optional("face", Shape::list(Shape::list(ValueKind::number)),
                   "of boxes that meet along a part of a side, the ends of the common part in each direction; "
@@ -258,7 +267,9 @@ Operation continuity_operation() {
                         "instead of a spline: a list of two curves, left and right, as maps of the protocol, "
                         "or the output of 'subdivide --json'"),
             field_option("--at", "at", "T", plain_text, place_of_division,
-                         "the parameter; in several directions a number for one and - for the others"),
+                         "the parameter, or seam for the end and the beginning; in several directions a "
+                         "number for one "
+                         "and - for the others"),
         }),
         .answer = answer_continuity,
         .render = render_continuity,

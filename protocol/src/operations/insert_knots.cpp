@@ -1,6 +1,8 @@
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
 
+#include <algorithm>
+
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
@@ -31,24 +33,48 @@ struct InsertKnots {
             return read_alternative(value, insertion_method_names, "a method");
         };
         const auto method = request.optional("method", read);
+        const auto multiplicity = read_multiplicity(curve.degree());
         request.finish();
-        return method ? methods[*method](curve, knots, limits) : insert_knots(curve, knots, limits);
+        const std::vector<Rational> inserted = to_insert(curve.knots(), knots, multiplicity);
+        return method ? methods[*method](curve, inserted, limits) : insert_knots(curve, inserted, limits);
     }
     AnyMap operator()(TensorBSpline spline) const {
         const auto knots = request.required("knots", [&](const Json& value) {
             return read_each_direction(value, spline.directions(), "lists of knots",
                                        [&](const Json& list) { return read_numbers(list, limits); });
         });
+        std::size_t least_degree = limits.degree;
+        for (std::size_t d = 0; d < knots.size(); ++d) {
+            if (!knots[d].empty()) least_degree = std::min(least_degree, spline.knots(d).degree());
+        }
+        const auto multiplicity = read_multiplicity(least_degree);
         request.finish();
         within("knots", [&] {
             for (std::size_t d = 0; d < knots.size(); ++d) {
                 if (knots[d].empty()) continue;
                 within(d, [&] {
-                    as_parameter(Part::knots, [&] { spline = insert_knots(spline, d, knots[d], limits); });
+                    as_parameter(Part::knots, [&] {
+                        const auto inserted = to_insert(spline.knots(d), knots[d], multiplicity);
+                        spline = insert_knots(spline, d, inserted, limits);
+                    });
                 });
             }
         });
         return spline;
+    }
+
+private:
+    std::optional<std::size_t> read_multiplicity(std::size_t degree) const {
+        return request.optional("multiplicity", [&](const Json& value) {
+            const std::size_t multiplicity = read_count(value, limits);
+            as_parameter(Part::times, [&] { require_multiplicity(multiplicity, degree); });
+            return multiplicity;
+        });
+    }
+    /// The knots themselves, or what they need to be there as often as was asked for.
+    static std::vector<Rational> to_insert(const KnotVector& knots, const std::vector<Rational>& wanted,
+                                           const std::optional<std::size_t>& multiplicity) {
+        return multiplicity ? missing_knots(knots, wanted, *multiplicity) : wanted;
     }
 };
 
@@ -74,6 +100,9 @@ Operation insert_knots_operation() {
                      required("knots", parameters_shape(),
                               "the knots to insert, in any order, each as often as it is listed; in several "
                               "directions one list each"),
+                     optional("multiplicity", ValueKind::count,
+                              "how often each of them is there afterwards, at least; by default each is "
+                              "inserted once more"),
                      optional("method", Shape::words(insertion_method_names),
                               "of a curve: the algorithm; by default the faster one")}},
         .result = {{map_member("the same B-spline with the knots")}},
@@ -83,6 +112,7 @@ Operation insert_knots_operation() {
             field_option("--insert", "knots", "X1,X2,...", number_list, lists_of_knots,
                          "the knots to insert, in any order, repeated for a higher multiplicity; in several "
                          "directions one list each, separated by ';'"),
+            field_option("--multiplicity", "multiplicity", "M", count),
             word_option("--method", "method"),
         }),
         .answer = answer_insert_knots,

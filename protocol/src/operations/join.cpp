@@ -1,4 +1,6 @@
 #include <blossom/core/blossom/conversion.hpp>
+#include <blossom/core/nurbs/rational_join.hpp>
+#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 
 #include <algorithm>
@@ -15,23 +17,41 @@ namespace blossom::protocol {
 
 namespace {
 
-std::vector<BezierCurve> bezier_curves(std::vector<Map>& maps, const Limits& limits) {
-    make_form_common(maps, limits);
-    std::vector<BezierCurve> curves;
-    curves.reserve(maps.size());
-    for (std::size_t i = 0; i < maps.size(); ++i) {
-        curves.push_back(dispatch_on_kind<BezierCurve>(
-            maps[i], [](const BezierCurve& curve) { return curve; }, Place{"maps"} / i));
+/// A curve by its polynomials, over its own interval.
+struct PiecesOf {
+    const Limits& limits;
+
+    std::vector<BezierCurve> operator()(const OnePolynomial auto& curve) const {
+        return {control_points(polynomial_map(curve, limits), interval_of(curve), limits)};
     }
-    return curves;
+    std::vector<BezierCurve> operator()(const BSplineCurve& curve) const {
+        return bezier_segments(curve, limits);
+    }
+};
+
+std::vector<std::vector<BezierCurve>> pieces_of(const std::vector<Map>& maps, const Limits& limits) {
+    std::vector<std::vector<BezierCurve>> pieces;
+    pieces.reserve(maps.size());
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const Place place = Place{"maps"} / i;
+        pieces.push_back(dispatch_on_kind<std::vector<BezierCurve>>(maps[i], PiecesOf{limits}, place));
+    }
+    return pieces;
 }
 
-/// From the lower end of the first interval to the upper end of the last.
-Interval covered(const std::vector<BezierCurve>& curves) {
-    const Interval& first = curves.front().interval();
-    const Interval& last = curves.back().interval();
-    return within("maps",
-                  [&] { return Interval(std::min(first.a(), first.b()), std::max(last.a(), last.b())); });
+std::size_t greatest_degree(std::span<const std::vector<BezierCurve>> maps) {
+    std::size_t greatest = 0;
+    for (const auto& pieces : maps) {
+        for (const BezierCurve& piece : pieces) greatest = std::max(greatest, piece.degree());
+    }
+    return greatest;
+}
+
+/// From the beginning of the first curve to the end of the last.
+Interval covered(std::span<const std::vector<BezierCurve>> maps) {
+    return within("maps", [&] {
+        return Interval(blossom::covered(maps.front()).a(), blossom::covered(maps.back()).b());
+    });
 }
 
 /// Runs `action`; an error in what a map leaves out, as its interval, is in this map.
@@ -52,17 +72,21 @@ Answer answer_join(Request& request, const Limits& limits) {
         request.optional("knots", [&](const Json& value) { return read_numbers(value, limits); });
     const auto degree =
         request.optional("degree", [&](const Json& value) { return read_count(value, limits); });
+    const bool chain = request.optional("chain", read_boolean).value_or(false);
     request.finish();
-    const std::vector<BezierCurve> curves = bezier_curves(maps, limits);
-    if (curves.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", Place{"maps"});
-    const std::size_t greatest = std::ranges::max_element(curves, {}, &BezierCurve::degree)->degree();
+    if (maps.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", Place{"maps"});
     if (degree && !knots) {
         throw Error(ErrorCode::wrong_kind, "the degree is that of given knots, and none are given",
                     Place{"degree"});
     }
+    make_form_common(maps, limits);
+    auto pieces = pieces_of(maps, limits);
+    if (chain) pieces = chained(std::move(pieces));
+    const bool divided = maps.front().form.separate_weights();
     const BSplineCurve spline = at_given_part(given, [&] {
-        return knots ? join(curves, knots_over(degree.value_or(greatest), *knots, covered(curves)), limits)
-                     : join(curves, limits);
+        if (!knots) return divided ? rational_join(pieces, limits) : join(pieces, limits);
+        const KnotVector over = knots_over(degree.value_or(greatest_degree(pieces)), *knots, covered(pieces));
+        return divided ? rational_join(pieces, over, limits) : join(pieces, over, limits);
     });
     return answer_of(like(maps.front(), spline), "maps");
 }
@@ -71,19 +95,25 @@ Answer answer_join(Request& request, const Limits& limits) {
 
 Operation join_operation() {
     return {
-        .summary = "Join Bezier curves on adjacent intervals to a B-spline",
-        .documentation = "Given knots must fit the curves, which must be as smooth as the knots say.",
-        .request = {{maps_field("the Bezier curves"),
-                     optional("knots", numbers_shape(),
-                              "the knots of the spline; by default as few as the curves allow"),
+        .summary = "Join curves and splines on adjacent intervals to a B-spline",
+        .documentation =
+            "There are as few knots as the curves allow; rational curves are scaled to have common weights.",
+        .request = {{maps_field("the curves and splines; a curve without an interval is over [0, 1]"),
+                     optional("chain", ValueKind::boolean,
+                              "whether each interval is moved to begin where the last ends"),
+                     optional(
+                         "knots", numbers_shape(),
+                         "the knots of the spline, for which the curves must be smooth enough; by default "
+                         "as few as they allow"),
                      optional("degree", ValueKind::count,
                               "the degree of the spline; by default the greatest degree of the curves")}},
         .result = {{map_member("the B-spline")}},
         .example = {"join", R"({"kind": "bezier", "control_points": [0, 1, 4], "interval": [0, 1]})",
                     R"({"kind": "bezier", "control_points": [4, 7, 9], "interval": [1, 2]})"},
         .options = {maps_option("MAP",
-                                "the Bezier curves, as maps of the protocol, lists of them, or the output of "
+                                "the curves, as maps of the protocol, lists of them, or the output of "
                                 "'segments --json'"),
+                    flag_option("--chain", "chain"),
                     field_option("--knots", "knots", "T0,T1,...", number_list),
                     field_option("--degree", "degree", "N", count)},
         .answer = answer_join,

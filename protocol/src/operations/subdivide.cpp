@@ -94,9 +94,11 @@ struct Subdivide {
         return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
     Pieces operator()(const BSplineCurve& curve) const {
+        const bool clamp = request.optional("clamped", read_boolean).value_or(false);
         return divided([&](const Json& at) {
             const Rational t = read_number(at, limits);
             const auto [left, right] = as_parameter(Part::at, [&] { return split(curve, t, limits); });
+            if (clamp) return std::vector{clamped(left, limits), clamped(right, limits)};
             return std::vector{left, right};
         });
     }
@@ -146,13 +148,18 @@ Operation subdivide_operation() {
                      required(
                          "at", Shape::one_of({ValueKind::number, Shape::words({"midpoints"}), cut_shape()}),
                          "the parameter; for a simplex a point or midpoints, for a tensor product a number "
-                         "or null per direction")}},
+                         "or null per direction"),
+                     optional("clamped", ValueKind::boolean,
+                              "of a bspline curve: whether the parts are clamped at their other ends too")}},
         .result = {{maps_member("the parts")}},
         .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
-        .options = with_map_options({field_option(
-            "--at", "at", "T", plain_text, place_of_division,
-            "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a point or "
-            "\"midpoints\", for a tensor product a number or - per direction")}),
+        .options = with_map_options({
+            field_option(
+                "--at", "at", "T", plain_text, place_of_division,
+                "the parameter, which may lie outside the interval of a Bezier curve; for a simplex a "
+                "point or \"midpoints\", for a tensor product a number or - per direction"),
+            flag_option("--clamped", "clamped"),
+        }),
         .answer = answer_subdivide,
         .render = described_listing,
         .plot = plot_of_maps,

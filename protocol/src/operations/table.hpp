@@ -13,6 +13,7 @@ Operation basis_functions_operation();
 Operation basis_matrix_operation();
 Operation blossom_operation();
 Operation certify_operation();
+Operation clamp_operation();
 Operation continuity_operation();
 Operation control_points_operation();
 Operation convert_operation();
@@ -28,12 +29,16 @@ Operation insert_knots_operation();
 Operation interpolate_operation();
 Operation inverse_formula_operation();
 Operation join_operation();
+Operation periodic_operation();
 Operation prove_operation();
 Operation reduce_operation();
 Operation remove_knot_operation();
+Operation reparametrise_operation();
+Operation reverse_operation();
 Operation roots_operation();
 Operation segments_operation();
 Operation subdivide_operation();
+Operation trim_operation();
 
 inline constexpr std::string_view explain_name = "explain";
 inline constexpr std::string_view prove_name = "prove";
@@ -62,6 +67,11 @@ inline constexpr OperationEntry operation_table[] = {
     {"segments", segments_operation},
     {"join", join_operation},
     {"continuity", continuity_operation},
+    {"clamp", clamp_operation},
+    {"trim", trim_operation},
+    {"reverse", reverse_operation},
+    {"reparametrise", reparametrise_operation},
+    {"periodic", periodic_operation},
     {"basis-functions", basis_functions_operation},
     {"basis-matrix", basis_matrix_operation},
     {"roots", roots_operation},

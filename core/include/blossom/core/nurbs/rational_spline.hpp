@@ -26,4 +26,11 @@ BSplineCurve rational_derivative_curve(const BSplineCurve& curve, std::size_t or
 /// Errors: `outside_domain` unless s lies strictly inside the domain; those of the other `projected_contact`.
 ProjectedContact projected_contact(const BSplineCurve& curve, const Rational& s, const Limits& limits = {});
 
+/// The contact of the projected curve at its seam, see `seam_contact`.
+ProjectedContact projected_seam_contact(const BSplineCurve& curve, const Limits& limits = {});
+
+/// How often the seam must be a knot for the homogeneous points of its sides to meet, once those on the right
+/// are multiplied by a number; see `seam_multiplicity`. Errors: `not_continuous`.
+std::size_t rational_seam_multiplicity(const BSplineCurve& curve, const Limits& limits = {});
+
 }  // namespace blossom

@@ -3,7 +3,9 @@
 #include <blossom/core/maps/bspline_curve.hpp>
 #include <blossom/rational/limits.hpp>
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace blossom {
 
@@ -34,5 +36,12 @@ BSplineCurve insert_knots_boehm(const BSplineCurve& curve, std::span<const Ratio
 /// order of the knots as for `insert_knots_boehm`. Source: DeRose, section 4.7. Statement: derose-oslo.
 BSplineCurve insert_knots_oslo(const BSplineCurve& curve, std::span<const Rational> knots,
                                const Limits& limits = {});
+
+/// Errors: `bad_knots` if a knot cannot be there so often, more than degree + 1 times; in `Part::times`.
+void require_multiplicity(std::size_t multiplicity, std::size_t degree);
+
+/// What must be inserted so that each of `wanted` is a knot at least m times, in the order of `wanted`.
+/// Errors: those of `require_multiplicity`; `outside_domain`, in `Part::knots / i`.
+std::vector<Rational> missing_knots(const KnotVector& knots, std::span<const Rational> wanted, std::size_t m);
 
 }  // namespace blossom

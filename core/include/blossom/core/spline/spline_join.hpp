@@ -28,6 +28,18 @@ BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits = {}
 /// multiplicity; `degree_too_low` if n is below the degree of a curve.
 BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, const Limits& limits = {});
 
+/// The same of curves in pieces, such as Bezier curves alone and the segments of splines: `maps[i]` are the
+/// pieces of curve i over adjacent intervals.
+BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const Limits& limits = {});
+BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const KnotVector& knots,
+                  const Limits& limits = {});
+
+/// The interval of curves over adjacent intervals, in increasing direction.
+Interval covered(std::span<const BezierCurve> pieces);
+
+/// The curves over intervals as long as their own that follow each other: each begins where the last ends.
+std::vector<std::vector<BezierCurve>> chained(std::vector<std::vector<BezierCurve>> maps);
+
 /// Knots of degree n for a given domain, when nothing is said of the number of control points: in the
 /// textbook convention if that gives the domain, otherwise in the polar one. Errors: `bad_knots` if neither
 /// does.

@@ -22,4 +22,13 @@ std::pair<BSplineCurve, BSplineCurve> split(const BSplineCurve& curve, const Rat
 /// Boor". Statement: hart-deboor-subdivide.
 BSplineCurve restricted(const BSplineCurve& curve, const Interval& interval, const Limits& limits = {});
 
+/// The same curve with its ends as often as the convention has room for them, n + 1 or n times, and no knots
+/// outside the domain: the first and the last control point are its ends. The new ones are the blossom values
+/// at windows of the new knots. Cost for m points: O(m + n^2) points. Errors: `limit_exceeded`. Source:
+/// DeRose, section 4.7. Statement: derose-boehm-new.
+BSplineCurve clamped(const BSplineCurve& curve, const Limits& limits = {});
+
+/// The curve over [a, b] alone, clamped. Errors: those of `restricted`.
+BSplineCurve trimmed(const BSplineCurve& curve, const Interval& interval, const Limits& limits = {});
+
 }  // namespace blossom
