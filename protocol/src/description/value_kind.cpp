@@ -44,6 +44,7 @@ constexpr auto entries = std::to_array<ValueEntry>({
     {"no", "true or false", "booleans", R"({"const": false})", ""},
     {"text", "text", "texts", text_schema, text_schema},
     {"polynomial_text", "polynomial as text", "polynomials as texts", text_schema, ""},
+    {"list_text", "list as text", "lists as texts", text_schema, ""},
     {"null", "null", "nulls", R"({"type": "null"})", R"({"type": "null"})"},
     {"any", "any JSON value", "JSON values", "true", "true"},
     {"point", "point", "points",
@@ -141,7 +142,7 @@ constexpr auto entries = std::to_array<ValueEntry>({
         "anyOf": [{"type": ["number", "string"]}, {"type": "array", "items": {"$ref": "#/$defs/doubles"}}]
      })",
      ""},
-    {"document", "document", "documents", "true", R"({"type": "object"})"},
+    {"document", "document", "documents", "true", R"({"type": ["object", "array", "string"]})"},
     {"map", "map", "maps", R"({"$ref": "#/$defs/map"})", R"({"$ref": "#/$defs/exact_map"})"},
 });
 

@@ -44,7 +44,7 @@ Result dispatch_on_kind(const Map& map, const Function& function, const Place& p
         } else {
             constexpr auto kinds = std::make_index_sequence<std::variant_size_v<AnyMap>>();
             throw Error(ErrorCode::wrong_kind,
-                        "a map of kind " + std::string(kind_of(map).name) +
+                        "a map of kind " + std::string(name_of(map)) +
                             " is not accepted here; accepted are: " + taken_names<Function>(kinds),
                         place);
         }
