@@ -20,6 +20,9 @@ std::string points(std::string_view text) {
     return all;
 }
 
+Json point_at_begin(const Map& map) { return to_json(map).find("control_points")->array()->front(); }
+Json point_at_end(const Map& map) { return to_json(map).find("control_points")->array()->back(); }
+
 /// Whether a curve lies on the ellipse of this centre and radii: each coordinate of degree 2 over the weight.
 bool lies_on(const Map& map, const Rational& x, const Rational& y, const Rational& rx, const Rational& ry) {
     const auto& curve = std::get<BezierCurve>(map.value);
@@ -80,6 +83,11 @@ TEST_CASE("an arc is rational where its centre is") {
         CAPTURE(example.path);
         const std::vector<Map> parts = curves(example.path);
         CHECK(parts.size() == example.parts);
+        const Map closing = curves(std::string(example.path) + "Z").back();
+        CHECK(point_at_end(parts.back()) == point_at_begin(closing));
+        CHECK(point_at_begin(parts.front()) == point_at_end(closing));
+        for (std::size_t i = 1; i < parts.size(); ++i)
+            CHECK(point_at_end(parts[i - 1]) == point_at_begin(parts[i]));
         for (const Map& part : parts) CHECK(lies_on(part, example.x, example.y, example.rx, example.ry));
     }
     CHECK(points("M0 0A0 3 0 0 1 2 2") == R"([["0", "0"], ["2", "2"]])");

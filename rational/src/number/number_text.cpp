@@ -121,7 +121,7 @@ Rational hexadecimal(std::string_view text, const Limits& limits) {
     std::string digits = std::string(whole) + std::string(fraction);
     const std::size_t point = 4 * fraction.size();
     require_within((4 * digits.size() + exponent.size) / 3, limits.digits, "digits",
-                   "a hexadecimal float whose count of decimal digits is up to");
+                   "a hexadecimal number whose count of decimal digits is up to");
     digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
     const Integer significand = IntegerAccess::from_number(backend::Number("0x" + digits));
     if (exponent.negative) return {significand, Integer(1) << (point + exponent.size)};
