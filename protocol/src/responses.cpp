@@ -9,10 +9,12 @@
 #include <new>
 #include <optional>
 
+#include "floats.hpp"
 #include "json/fields.hpp"
 #include "json/json_text.hpp"
 #include "json/nearest_name.hpp"
 #include "rounding.hpp"
+#include "typed_numbers.hpp"
 
 namespace blossom::protocol {
 
@@ -73,7 +75,9 @@ Json answered(const Json& request, ErrorMembers add, const Answering& answer) {
 FieldList common_fields() {
     return {{"id", ValueKind::any, Presence::optional, "is returned unchanged in the response"},
             {"numbers", Shape::words(rounding_names()), Presence::optional,
-             "adds each exact number correctly rounded"}};
+             "adds each exact number correctly rounded"},
+            {"floats", Shape::words(floats_names()), Presence::optional,
+             "what JSON numbers stand for, which are refused without it unless they are integers"}};
 }
 
 const Operation& find_operation(std::string_view name) {
@@ -83,18 +87,35 @@ const Operation& find_operation(std::string_view name) {
                                            suggestion(name, names) + "; known are: " + joined(names));
 }
 
-Answer find_answer(const Json& request, const Limits& limits) {
-    Request fields(request);
+namespace {
+
+Answer answer_of_fields(Request fields, const Limits& limits) {
     static_cast<void>(fields.optional("id", [](const Json& id) { return &id; }));
     const Operation& operation = fields.required(
         "op", [](const Json& name) -> const Operation& { return find_operation(read_text(name)); });
     const Rounding rounding = fields.optional("numbers", read_rounding).value_or(Rounding::none);
+    static_cast<void>(fields.optional("floats", read_floats));
     Answer answer = operation.answer(fields, limits);
     fields.finish();
     require_output_digits(answer.result, limits);
     add_rounded_numbers(answer.result, rounding);
     answer.given = std::move(fields).given();
     return answer;
+}
+
+}  // namespace
+
+Answer find_answer(const Json& request, const Limits& limits) {
+    const std::optional<Json> exact = with_exact_floats(request, limits);
+    const Json& read = exact ? *exact : request;
+    try {
+        return answer_of_fields(Request(read), limits);
+    } catch (const Error& error) {
+        const bool names_domain =
+            error.code() == ErrorCode::outside_domain && error.message().find("domain") != std::string::npos;
+        if (!names_domain) throw;
+        throw error.saying(with_typed_numbers(error.message(), request, read));
+    }
 }
 
 Json success_response(const Json& request, Json result) {

@@ -703,7 +703,7 @@ class Operation:
 
 def operations(program):
     schema = json.loads(subprocess.run([program, "schema"], capture_output=True, check=True).stdout)["$defs"]
-    names = [entry["$ref"].rsplit("/", 1)[1] for entry in schema["request"]["anyOf"]]
+    names = [entry["$ref"].rsplit("/", 1)[1] for entry in schema["request"]["allOf"][0]["anyOf"]]
     kinds = [entry["$ref"].rsplit("/", 1)[1] for entry in schema["map"]["anyOf"]]
     missing = [f"the kind {kind} of maps" for kind in kinds if kind not in KINDS]
     result, problems = [], []

@@ -1,4 +1,5 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/rational/utf8.hpp>
 #include "core_test.hpp"
 
 namespace {
@@ -97,10 +98,18 @@ TEST_CASE("what is not a polynomial is refused at its place", "[polynomial_text]
         {"t^t", 2},
         {"t^1.5", 3},
         {"1 + 2$", 5},
-        {"1.", 1},
-        {".5", 0},
+        {"1..", 1},
+        {".", 0},
+        {"x.5", 1},
+        {"x½", 1},
+        {"1_000x", 1},
+        {"t²³^2", 5},
+        {"t⁻²", 1},
+        {"t²^3", 3},
+        {"²", 0},
+        {"t**", 3},
         {"t//2", 2},
-        {"t**2", 2},
+        {"t***2", 3},
         {"1/t", 2},
         {"1/(t+1)", 2},
         {"1 + 1/0", 5, ErrorCode::zero_denominator},
@@ -108,7 +117,7 @@ TEST_CASE("what is not a polynomial is refused at its place", "[polynomial_text]
         {"- - t", 2},
         {"()", 1},
         {"t=1", 1},
-        {"\xC2\xBDt", 0},
+        {"\xC2\xB6t", 0},
         {"t,2", 1},
     };
     for (const Example& example : examples) {
@@ -117,7 +126,9 @@ TEST_CASE("what is not a polynomial is refused at its place", "[polynomial_text]
         REQUIRE(error);
         CHECK(failure_code([&] { parse_polynomial(example.text); }) == example.code);
         CHECK(error->offset() == example.offset);
-        CHECK(error->message().starts_with("column " + std::to_string(example.offset + 1) + ": "));
+        const std::size_t column =
+            count_characters(std::string_view(example.text).substr(0, example.offset)) + 1;
+        CHECK(error->message().starts_with("column " + std::to_string(column) + ": "));
     }
     const auto unknown = failure([] { read_xy("x + z"); });
     REQUIRE(unknown);
@@ -125,6 +136,23 @@ TEST_CASE("what is not a polynomial is refused at its place", "[polynomial_text]
     CHECK(unknown->offset() == 4U);
     CHECK(unknown->message().find("\"z\"") != std::string::npos);
     CHECK(failure_code([] { parse_polynomial(std::string_view("t\0", 2)); }) == ErrorCode::syntax);
+}
+
+TEST_CASE("polynomials are read as people write them", "[polynomial_text]") {
+    struct Example {
+        const char* text;
+        const char* plain;
+    };
+    for (const Example& example :
+         {Example{"x²+2x+1", "x^2+2x+1"}, Example{"\u2212x", "-x"}, Example{"x**2", "x^2"},
+          Example{"3·x", "3x"}, Example{"3 × x", "3x"}, Example{"3\u22C5x", "3x"}, Example{"½x", "1/2x"},
+          Example{"1½x²", "3/2 x^2"}, Example{".5x", "1/2 x"}, Example{"0.x", "0"}, Example{"2.x", "2x"},
+          Example{"x\u20442", "x/2"}, Example{"x¹⁰ \u2212 \u2212x", "x^10 + x"}, Example{"(x+1)²", "(x+1)^2"},
+          Example{"0x1.8p-3x", "3/16 x"}, Example{"2¹⁰x", "1024x"}, Example{"x²y", "x^2*y"},
+          Example{"x^2\t", "x²"}}) {
+        CAPTURE(example.text);
+        CHECK(parse_polynomial(example.text).polynomial == parse_polynomial(example.plain).polynomial);
+    }
 }
 
 TEST_CASE("polynomials are written by rising degree", "[polynomial_text]") {

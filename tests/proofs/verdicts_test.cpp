@@ -77,6 +77,18 @@ TEST_CASE("long sums and products are decided, and long quotients refused") {
           std::string::npos);
 }
 
+TEST_CASE("numbers and marks are read as people write them") {
+    for (const char* claim : {"(x+1)² == x^2 + 2*x + 1", "x**2 == x^2", "3·x == 3 × x", "½*x == x/2",
+                              "x \u2212 y == -(y \u2212 x)", ".5*x + 0.*y == x/2", "1½*x == 3*x\u20442",
+                              "x¹² == (x³)⁴", "x⁻¹ == 1/x", "2.*x == 2*x", "x⁺² == x²"}) {
+        CAPTURE(claim);
+        CHECK(verdicts(std::string("claim ") + claim).starts_with("proved"));
+    }
+    CHECK(verdicts("claim x² == x").starts_with("refuted"));
+    CHECK(verdicts("claim ½ == 1/3").starts_with("refuted"));
+    CHECK(verdicts("for n in 1..3\nclaim x**n == x^n").find("refuted") == std::string::npos);
+}
+
 TEST_CASE("numbers before a point are one point with their sum as coordinate") {
     const std::string lines = "map b degree 1\npoint P, Q in 1\n";
     CHECK(verdicts(lines + "claim b(1 + 2 + P - Q) == b(3 + P - Q)") == "proved");

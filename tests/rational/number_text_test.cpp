@@ -39,6 +39,36 @@ TEST_CASE("numbers are read in every form", "[number_text]") {
         {"18446744073709551616", Rational(Integer(1) << 64)},
         {"-340282366920938463463374607431768211456", Rational(-(Integer(1) << 128))},
         {"000000000000000000000000000000000000000000000001", 1},
+        {".5", Rational(1, 2)},
+        {"-.5", Rational(-1, 2)},
+        {"0.", 0},
+        {"12.", 12},
+        {"1.e2", 100},
+        {".5e1", 5},
+        {"\u22121/2", Rational(-1, 2)},
+        {"1\u20442", Rational(1, 2)},
+        {"½", Rational(1, 2)},
+        {"-¾", Rational(-3, 4)},
+        {"2⅓", Rational(7, 3)},
+        {"⅒", Rational(1, 10)},
+        {"⅞", Rational(7, 8)},
+        {"0x1.8p-3", Rational(3, 16)},
+        {"0X1.8P-3", Rational(3, 16)},
+        {"-0x1p+0", -1},
+        {"0x0p+0", 0},
+        {"0x.8p1", 1},
+        {"0xA.p0", 10},
+        {"0x1.999999999999ap-4", Rational(Integer(3602879701896397), Integer(1) << 55)},
+        {"0x0.0000000000001p-1022", Rational(Integer(1), Integer(1) << 1074)},
+        {"0x1.fffffffffffffp+1023", Rational((Integer(1) << 1024) - (Integer(1) << 971))},
+        {"2^10", 1024},
+        {"2**-3", Rational(1, 8)},
+        {"10⁻³", Rational(1, 1000)},
+        {"2¹⁰", 1024},
+        {"1.5×10^-3", Rational(3, 2000)},
+        {"1.5·10⁻³", Rational(3, 2000)},
+        {"-½*2**3", -4},
+        {"0^0", 1},
     };
     for (const Example& example : examples) {
         CAPTURE(example.text);
@@ -50,11 +80,13 @@ TEST_CASE("numbers are read in every form", "[number_text]") {
 
 TEST_CASE("what is not an exact number is refused", "[number_text]") {
     for (const std::string text :
-         {"",         "-",        "+1",   " 1",    "1 ",    "1\n",   "--1",   "1-",    "0x10",  "1.",
-          ".5",       "-.5",      "1..2", "1.2.3", "1e",    "1e+",   "1e-",   "e5",    "1e5/2", "1/2e5",
+         {"",         "-",        "+1",   " 1",    "1 ",    "1\n",   "--1",   "1-",    "0x10",  ".",
+          "-.",       "0x.p1",    "1..2", "1.2.3", "1e",    "1e+",   "1e-",   "e5",    "1e5/2", "1/2e5",
           "1.5/2",    "1/2.0",    "6/-4", "6/+4",  "1/",    "/2",    "/",     "1/2/3", "1/ 2",  "1 /2",
           "inf",      "nan",      "NaN",  "1,5",   "1'000", "1_000", "1e5.5", "1e1e1", "0b1",   "one",
-          "\xC2\xBD", "\xD9\xA1", "-/2",  "-1/-2", "1.e5",  "1 000", "1d5",   "1f",    "#5"}) {
+          "\xC2\xB2", "\xD9\xA1", "-/2",  "-1/-2", ".e5",   "1 000", "1d5",   "1f",    "#5",    "0x1.8",
+          "0x1p",     "½½",       "1.5½", "2^",    "2^^3",  "2^+3",  "^3",    "2^1.5", "1·2",   "1.5^2",
+          "1·t^2",    "2^3^4",    "½/2",  "1⁄",    "⁄2",    "1·10^", "10⁻",   "×10^2", "1_000x"}) {
         CAPTURE(text);
         CHECK(failure_code([&] { parse_rational(text); }) == ErrorCode::not_a_number);
     }
@@ -64,7 +96,7 @@ TEST_CASE("what is not an exact number is refused", "[number_text]") {
 }
 
 TEST_CASE("a zero denominator in text is an error of its own", "[number_text]") {
-    for (const std::string text : {"1/0", "0/0", "-1/0", "5/000"}) {
+    for (const std::string text : {"1/0", "0/0", "-1/0", "5/000", "1\u20440", "0^-1", "1·0⁻²"}) {
         CAPTURE(text);
         CHECK(failure_code([&] { parse_rational(text); }) == ErrorCode::zero_denominator);
     }
@@ -119,21 +151,29 @@ TEST_CASE("decimal text against the quotient it abbreviates", "[number_text]") {
     }
 }
 
-TEST_CASE("the length of an unsigned decimal at the front of a text", "[number_text]") {
-    CHECK(unsigned_decimal_length("12") == 2);
-    CHECK(unsigned_decimal_length("0.5") == 3);
-    CHECK(unsigned_decimal_length("1.5e-3") == 6);
-    CHECK(unsigned_decimal_length("1.5e-3t") == 6);
-    CHECK(unsigned_decimal_length("2t") == 1);
-    CHECK(unsigned_decimal_length("2e") == 1);
-    CHECK(unsigned_decimal_length("2e1") == 3);
-    CHECK(unsigned_decimal_length("2e+x") == 1);
-    CHECK(unsigned_decimal_length("2.") == 1);
-    CHECK(unsigned_decimal_length("2.e5") == 1);
-    CHECK(unsigned_decimal_length("") == 0);
-    CHECK(unsigned_decimal_length("-1") == 0);
-    CHECK(unsigned_decimal_length(".5") == 0);
-    CHECK(unsigned_decimal_length("x") == 0);
+TEST_CASE("the length of an unsigned number at the front of a text", "[number_text]") {
+    CHECK(unsigned_number_length("12") == 2);
+    CHECK(unsigned_number_length("0.5") == 3);
+    CHECK(unsigned_number_length("1.5e-3") == 6);
+    CHECK(unsigned_number_length("1.5e-3t") == 6);
+    CHECK(unsigned_number_length("2t") == 1);
+    CHECK(unsigned_number_length("2e") == 1);
+    CHECK(unsigned_number_length("2e1") == 3);
+    CHECK(unsigned_number_length("2e+x") == 1);
+    CHECK(unsigned_number_length("2.") == 2);
+    CHECK(unsigned_number_length("2.x") == 2);
+    CHECK(unsigned_number_length("2..5") == 1);
+    CHECK(unsigned_number_length("2.e5") == 4);
+    CHECK(unsigned_number_length("½x") == 2);
+    CHECK(unsigned_number_length("2½x") == 3);
+    CHECK(unsigned_number_length("0x1.8p-3x") == 8);
+    CHECK(unsigned_number_length("0x1.8") == 1);
+    CHECK(unsigned_number_length(".") == 0);
+    CHECK(unsigned_number_length("..5") == 0);
+    CHECK(unsigned_number_length("") == 0);
+    CHECK(unsigned_number_length("-1") == 0);
+    CHECK(unsigned_number_length(".5") == 2);
+    CHECK(unsigned_number_length("x") == 0);
 }
 
 TEST_CASE("text is quoted short and printable", "[number_text]") {

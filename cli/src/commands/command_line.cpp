@@ -15,6 +15,7 @@
 #include "completion.hpp"
 #include "explain/chapter_of.hpp"
 #include "explain_options.hpp"
+#include "floats.hpp"
 #include "json/json_text.hpp"
 #include "limit_flags.hpp"
 #include "operations/map_options.hpp"
@@ -148,6 +149,9 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
     const CLI::Option* as_json = command->add_flag("--json", json_help);
     const CLI::Option* numbers = add_value(*command, "--numbers", joined(rounding_names(), {}, "|"),
                                            "also give every number correctly rounded");
+    const CLI::Option* floats =
+        add_value(*command, "--floats", joined(floats_names(), {}, "|"),
+                  "what JSON numbers stand for, and with double also the decimals in options");
     const CLI::Option* picture =
         operation.plot ? add_value(*command, "--svg", "FILE", "also write a picture of the curves or patches")
                        : nullptr;
@@ -162,6 +166,7 @@ Subcommand add_operation(CLI::App& app, const Operation& operation) {
         Command given{operation,
                       {},
                       result_of(*numbers),
+                      result_of(*floats),
                       as_json->count() > 0,
                       picture ? result_of(*picture) : "",
                       mesh ? result_of(*mesh) : "",

@@ -15,9 +15,10 @@ Option inside_request(const Option& option) {
     const auto apply = [option](Json& request, const std::vector<std::string>& values, const Limits& limits) {
         option.apply(request["request"], values, limits);
     };
-    return {
-        option.name, Place{"request"}.around(option.field), option.value, option.help, apply, option.repeated,
-        option.files};
+    return {option.name,  Place{"request"}.around(option.field),
+            option.value, option.help,
+            apply,        option.repeated,
+            option.files, option.of_map};
 }
 
 /// The field "statement" of a request as a list.

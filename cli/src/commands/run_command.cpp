@@ -1,11 +1,13 @@
 #include "run_command.hpp"
 
 #include <fmt/format.h>
+#include <blossom/rational/number_text.hpp>
 #include <blossom/rational/resource_budget.hpp>
 #include <blossom/rational/utf8.hpp>
 
 #include <algorithm>
 
+#include "floats.hpp"
 #include "limit_flags.hpp"
 #include "operations/map_options.hpp"
 #include "proof_task.hpp"
@@ -35,16 +37,24 @@ std::string with_caret(std::string_view text, std::size_t offset, const Style& s
 /// Whether an option writes the field at `place` or a field that contains it.
 bool writes(const Option& option, const Place& place) {
     if (place.begins_with(option.field)) return true;
+    if (!option.of_map) return false;
     const std::vector<Place::Step>& steps = option.field.steps();
     Place outer;
     for (std::size_t i = 0; i + 1 < steps.size(); ++i) outer = outer.around({steps[i]});
     return place.begins_with((outer / blossom::Part::map).around({steps.back()}));
 }
 
+bool has_option(const Command& command, std::string_view name) {
+    return std::ranges::any_of(command.options,
+                               [&](const GivenOption& given) { return given.option->name == name; });
+}
+
 /// The most specific of the given options that write the field at `place`; if none was given,
 /// the first option that could write it, or "".
 std::string writer_of(const Place& place, const Command& command) {
-    if (place.begins_with(Place{"numbers"})) return "--numbers";  // an option of every command
+    for (const char* name : {"numbers", "floats"}) {  // options of every command
+        if (place.begins_with(Place{name})) return std::string("--") + name;
+    }
     const Option* writer = nullptr;
     for (const GivenOption& given : command.options) {
         const Option& option = *given.option;
@@ -104,6 +114,29 @@ void apply(const GivenOption& given, const Command& command, const Streams& stre
     }
 }
 
+/// Makes JSON numbers of the decimals in a request, which were typed as options.
+void make_floats(Json& value, const Command& command) {
+    if (const std::string* text = value.text()) {
+        const std::string_view unsigned_text = std::string_view(*text).substr(text->starts_with('-') ? 1 : 0);
+        const bool is_float = !unsigned_text.starts_with("0x") &&
+                              text->find_first_of(".eE") != std::string::npos &&
+                              unsigned_number_length(unsigned_text) == unsigned_text.size();
+        if (is_float) value = Json(Json::Number{*text});
+    }
+    if (Json::Array* elements = value.array()) {
+        for (Json& element : *elements) make_floats(element, command);
+    }
+    Json::Object* members = value.object();
+    if (!members) return;
+    for (auto& [name, member] : *members) {
+        constexpr std::string_view texts[] = {"text",     "denominator", "statement",
+                                              "document", "computed",    "maps"};
+        const bool stays = std::ranges::find(texts, name) != std::end(texts) ||
+                           (name == "map" && has_option(command, "--map"));
+        if (!stays) make_floats(member, command);
+    }
+}
+
 Json begun_request(const Operation& operation) {
     Json request = Json::Object{{"op", operation.name}};
     return operation.explains ? Json::Object{{"op", "explain"}, {"request", std::move(request)}} : request;
@@ -145,6 +178,10 @@ Outcome run_command(const Command& command, const Streams& streams) {
     try {
         for (const GivenOption& given : command.options) apply(given, command, streams, request);
         if (!command.numbers.empty()) request["numbers"] = command.numbers;
+        if (!command.floats.empty()) {
+            request["floats"] = command.floats;
+            if (command.floats == floats_names().back()) make_floats(request, command);
+        }
         return answer_and_print(command, request, streams);
     } catch (const Refusal& refusal) {
         return report(refusal, command, streams);

@@ -23,6 +23,7 @@ struct Command {
     const Operation& operation;
     std::vector<GivenOption> options;  ///< in the order of the table of the operation
     std::string numbers;               ///< the value of --numbers, or ""
+    std::string floats;                ///< the value of --floats, or ""
     bool as_json;
     std::string picture;  ///< the file that --svg names, or ""
     std::string mesh;     ///< the file that --obj names, or ""

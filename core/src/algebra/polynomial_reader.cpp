@@ -2,6 +2,8 @@
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/number_text.hpp>
+#include <blossom/rational/utf8.hpp>
+#include <blossom/rational/written_marks.hpp>
 
 #include <algorithm>
 #include <limits>
@@ -132,23 +134,31 @@ private:
         while (position_ < text_.size() && is_space(text_[position_])) ++position_;
         return position_ == text_.size();
     }
-    /// The next character that is not white space, or 0 at the end.
-    char peek() { return at_end() ? '\0' : text_[position_]; }
+    std::string_view rest() const { return text_.substr(position_); }
+    /// The meaning of the next mark that is not white space, or 0 at the end.
+    char peek() { return at_end() ? '\0' : written_mark(rest()).meaning; }
     bool accept(char c) {
         if (peek() != c) return false;
-        ++position_;
+        position_ += written_mark(rest()).length;
         return true;
+    }
+    /// Whether a number begins here, where `next` is the next mark.
+    bool begins_number(char next) const {
+        if (is_digit(next)) return true;
+        const bool may_begin = next == '.' || static_cast<unsigned char>(next) >= 0x80;
+        return may_begin && unsigned_number_length(rest()) > 0;
     }
 
     [[noreturn]] void refuse(const Error& error, std::size_t position) const {
-        throw error.at(Place()).at(position).saying("column " + std::to_string(position + 1) + ": " +
+        const std::size_t column = count_characters(text_.substr(0, position)) + 1;
+        throw error.at(Place()).at(position).saying("column " + std::to_string(column) + ": " +
                                                     error.message());
     }
     [[noreturn]] void fail_at(std::size_t position, ErrorCode code, const std::string& message) const {
         refuse(Error(code, message), position);
     }
     [[noreturn]] void fail(const std::string& expected) {
-        const std::string found = at_end() ? "the end" : quoted(first_character(text_.substr(position_)));
+        const std::string found = at_end() ? "the end" : quoted(first_character(rest()));
         fail_at(position_, ErrorCode::syntax, "expected " + expected + ", found " + found);
     }
     /// Runs an operation on what began at `position`, and says so when a limit stops it.
@@ -167,7 +177,8 @@ private:
         const bool negative = accept('-') || (accept('+'), false);
         terms.push_back(signed_term(negative));
         for (char sign = peek(); sign == '+' || sign == '-'; sign = peek()) {
-            const std::size_t start = position_++;
+            const std::size_t start = position_;
+            accept(sign);
             const bool minus = accept('-');
             at(start, [&] {
                 budget_.require_terms(terms.size() + 1);
@@ -188,15 +199,14 @@ private:
         while (true) {
             const char next = peek();
             const std::size_t start = position_;
-            if (next == '/') {
-                ++position_;
+            if (accept('/')) {
                 const SparsePolynomial factor = reciprocal(start);
                 value = at(start, [&] { return budget_.product(value, factor); });
             } else if (next == '*' || next == '(' || starts_name(next)) {
-                if (next == '*') ++position_;
+                accept('*');
                 const SparsePolynomial factor = power();
                 value = at(start, [&] { return budget_.product(value, factor); });
-            } else if (is_digit(next)) {
+            } else if (begins_number(next)) {
                 fail("an operator before a number");
             } else {
                 return value;
@@ -218,17 +228,33 @@ private:
         peek();
         const std::size_t start = position_;
         SparsePolynomial base = primary();
-        if (!accept('^')) return base;
-        const std::size_t exponent = natural_number();
-        if (peek() == '^') fail("an operator; write (a^b)^c or a^(b*c) out");
+        const bool is_raised = at_superscript();
+        if (!is_raised && !accept('^')) return base;
+        const std::size_t exponent = is_raised ? raised_number() : natural_number();
+        if (peek() == '^' || at_superscript()) fail("an operator; write (a^b)^c or a^(b*c) out");
         return at(start, [&] { return budget_.power(base, exponent); });
+    }
+
+    bool at_superscript() {
+        return static_cast<unsigned char>(peek()) >= 0x80 && superscript(rest()).length > 0;
+    }
+
+    std::size_t raised_number() {
+        const Superscript raised = superscript(rest());
+        if (raised.digits.starts_with('-')) fail("an exponent, a number without sign");
+        const std::size_t start = position_;
+        position_ += raised.length;
+        return exponent(start, raised.digits);
     }
 
     std::size_t natural_number() {
         if (!is_digit(peek())) fail("an exponent, a number without sign");
         const std::size_t start = position_;
         while (position_ < text_.size() && is_digit(text_[position_])) ++position_;
-        const std::string_view digits = text_.substr(start, position_ - start);
+        return exponent(start, text_.substr(start, position_ - start));
+    }
+
+    std::size_t exponent(std::size_t start, std::string_view digits) const {
         return at(start, [&] {
             const auto value = parse_integer(digits, limits_).to_int64();
             if (!value || std::cmp_greater(*value, limits_.degree)) {
@@ -242,13 +268,15 @@ private:
     SparsePolynomial primary() {
         const char next = peek();
         const std::size_t start = position_;
-        if (is_digit(next)) {
-            const std::size_t length = unsigned_decimal_length(text_.substr(start));
+        if (starts_name(next)) return variable();
+        if (begins_number(next)) {
+            const std::size_t length = unsigned_number_length(rest());
             position_ += length;
+            const bool separates = rest().starts_with('_') && rest().size() > 1 && is_digit(rest()[1]);
+            if (separates) fail("a number without '_' between its digits");
             return at(start,
                       [&] { return SparsePolynomial(parse_rational(text_.substr(start, length), limits_)); });
         }
-        if (starts_name(next)) return variable();
         if (next != '(') fail("a number, a variable or '('");
         if (++depth_ > limits_.nesting) {
             refuse(limit_error("brackets nested deeper than", "nesting", limits_.nesting), start);
@@ -300,13 +328,16 @@ NamedPolynomial parse_polynomial(std::string_view text, std::span<const std::str
     return Reader(text, names, limits).read();
 }
 
-UnivariateText parse_univariate(std::string_view text, const Limits& limits) {
-    const NamedPolynomial read = parse_polynomial(text, {}, limits);
+UnivariateText univariate(const NamedPolynomial& read) {
     if (read.names.size() > 1) {
         throw Error(ErrorCode::syntax, "a polynomial in one variable is expected, and both " + read.names[0] +
                                            " and " + read.names[1] + " occur; write a product with '*'");
     }
     return {dense(read.polynomial), read.names.empty() ? "t" : read.names.front()};
+}
+
+UnivariateText parse_univariate(std::string_view text, const Limits& limits) {
+    return univariate(parse_polynomial(text, {}, limits));
 }
 
 }  // namespace blossom

@@ -65,6 +65,17 @@ Coordinates RemovalObstruction::residual() const {
     return difference;
 }
 
+namespace {
+
+/// "; the nearest is 1/2", where there is a knot that can be removed.
+std::string nearest_knot(std::span<const Rational> knots, const Rational& wanted) {
+    if (knots.empty()) return "";
+    const auto distance = [&](const Rational& knot) { return abs(knot - wanted); };
+    return "; the nearest is " + to_string(*std::ranges::min_element(knots, {}, distance));
+}
+
+}  // namespace
+
 KnotRemoval remove_knot(const BSplineCurve& curve, const Rational& knot, std::size_t times) {
     const auto available =
         static_cast<std::size_t>(std::ranges::equal_range(removable(curve.knots()), knot).size());
@@ -72,7 +83,8 @@ KnotRemoval remove_knot(const BSplineCurve& curve, const Rational& knot, std::si
         throw Error(ErrorCode::bad_knots,
                     "the knot " + to_string(knot) + " occurs " + std::to_string(available) +
                         " times between those that bound the domain; it cannot be removed " +
-                        std::to_string(times) + " times",
+                        std::to_string(times) + " times" +
+                        (available == 0 ? nearest_knot(removable(curve.knots()), knot) : ""),
                     available == 0 ? Part::knot : Part::times);
     }
     KnotRemoval removal{curve, 0, {}};

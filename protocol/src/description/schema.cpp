@@ -68,7 +68,22 @@ void add_operations(Json::Object& definitions) {
         results.push_back(std::string(operation.name) + "_result");
         definitions.emplace_back(results.back(), object_schema(operation.result, Side::result));
     }
-    definitions.emplace_back("request", any_of(requests));
+    constexpr std::string_view exact = R"({
+        "description": "Without field floats JSON numbers are integers, but for what another program computed",
+        "if": {"type": "object", "required": ["floats"]},
+        "else": {"anyOf": [
+            {"type": ["string", "integer", "boolean", "null"]},
+            {"type": "array", "items": {"$ref": "#/$defs/written_exactly"}},
+            {
+                "type": "object",
+                "properties": {"id": true, "computed": true, "document": true},
+                "additionalProperties": {"$ref": "#/$defs/written_exactly"}
+            }
+        ]}
+    })";
+    definitions.emplace_back("written_exactly", parse_json(exact, Limits{}));
+    definitions.emplace_back(
+        "request", Json::Object{{"allOf", Json::Array{any_of(requests), reference_to("written_exactly")}}});
     definitions.emplace_back("result", any_of(results));
 }
 

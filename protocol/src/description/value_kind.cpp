@@ -24,8 +24,8 @@ constexpr std::string_view boolean_schema = R"({"type": "boolean"})";
 constexpr auto value_entries = std::to_array<ValueEntry>({
     {"number", "number", "numbers",
      R"({
-        "description": "An exact number: a string p, p/q or an exact decimal, or a JSON integer",
-        "anyOf": [{"type": "string"}, {"type": "integer"}]
+        "description": "A string p, p/q or an exact decimal, a JSON integer, or with field floats a JSON number",
+        "type": ["string", "number"]
      })",
      R"({
         "description": "An exact number in lowest terms",
@@ -44,6 +44,7 @@ constexpr auto value_entries = std::to_array<ValueEntry>({
     {"no", "true or false", "booleans", R"({"const": false})", ""},
     {"text", "text", "texts", text_schema, text_schema},
     {"polynomial_text", "polynomial as text", "polynomials as texts", text_schema, ""},
+    {"list_text", "list as text", "lists as texts", text_schema, ""},
     {"null", "null", "nulls", R"({"type": "null"})", R"({"type": "null"})"},
     {"any", "any JSON value", "JSON values", "true", "true"},
     {"point", "point", "points",
@@ -142,7 +143,7 @@ constexpr auto value_entries = std::to_array<ValueEntry>({
      })",
      ""},
     {"nearest_double", "double", "doubles", "", R"({"type": "number"})"},
-    {"document", "document", "documents", "true", R"({"type": "object"})"},
+    {"document", "document", "documents", "true", R"({"type": ["object", "array", "string"]})"},
     {"map", "map", "maps", R"({"$ref": "#/$defs/map"})", R"({"$ref": "#/$defs/exact_map"})"},
 });
 

@@ -16,6 +16,7 @@ enum class ValueKind {
     no,
     text,
     polynomial_text,
+    list_text,
     null,
     any,
     point,

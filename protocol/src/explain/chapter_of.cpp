@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "floats.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "operations/blossom_arguments.hpp"
 #include "operations/table.hpp"
@@ -256,7 +257,9 @@ std::string no_chapter(std::string_view operation) {
            joined(chapter_names());
 }
 
-std::vector<Document> chapters_of(const Json& request, const Limits& limits) {
+std::vector<Document> chapters_of(const Json& given, const Limits& limits) {
+    const std::optional<Json> exact = with_exact_floats(given, limits);
+    const Json& request = exact ? *exact : given;
     const Json* name = request.find("op");
     if (name && name->text() && *name->text() == prove_name) return proof_pages(request, limits);
     const Answer answer = find_answer(request, limits);

@@ -54,6 +54,7 @@ double parsed(std::string_view text) {
 }  // namespace
 
 Rational read_double(const Json& value) {
+    if (const Rational* exact = value.exact()) return *exact;
     if (const Json::Number* number = value.number()) return exact_rational(parsed(number->text));
     if (const std::string* text = value.text()) return exact_rational(parsed(*text));
     throw Error(ErrorCode::not_a_number, "expected a number, found " + std::string(type_name(value)));

@@ -8,7 +8,8 @@
 
 namespace blossom::protocol {
 
-/// The exact value of the double that a JSON number, or a decimal or hexadecimal-float string, is read as.
+/// The exact value of the double that a JSON number, or a decimal or hexadecimal-float string, is read as; a
+/// number that is exact already stays.
 /// Errors: `not_a_number`; `overflow` beyond the range of doubles.
 Rational read_double(const Json& value);
 

@@ -5,8 +5,12 @@
 #include <blossom/core/spline/spline_join.hpp>
 #include <blossom/rational/lists.hpp>
 
+#include <algorithm>
+
 #include "doubles.hpp"
+#include "fitpack.hpp"
 #include "maps/dispatch_on_kind.hpp"
+#include "svg_path.hpp"
 
 namespace blossom::protocol {
 
@@ -69,7 +73,7 @@ Map spline(std::size_t degree, std::vector<Rational> knots, std::vector<Coordina
 
 const NumberPlaces tinyspline_numbers{Part::degree, Part::knots, Part::control_points, {}, false};
 
-std::vector<Map> read_tinyspline(const Json& document, const Limits& limits) {
+std::vector<Map> read_tinyspline(const Json& document, Floats, const Limits& limits) {
     Fields fields(document);
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
@@ -162,7 +166,7 @@ Map read_geomdl_curve(const Json& data, const Limits& limits) {
     return spline(degree, std::move(knots), std::move(points), weights, geomdl_numbers);
 }
 
-std::vector<Map> read_geomdl(const Json& document, const Limits& limits) {
+std::vector<Map> read_geomdl(const Json& document, Floats, const Limits& limits) {
     Fields fields(document);
     return fields.required("shape", [&](const Json& value) {
         Fields shape(value);
@@ -226,7 +230,7 @@ Map read_splinepy_spline(const Json& data, const Limits& limits) {
     return spline(degrees.front(), std::move(ends), std::move(points), weights, splinepy_numbers);
 }
 
-std::vector<Map> read_splinepy(const Json& document, const Limits& limits) {
+std::vector<Map> read_splinepy(const Json& document, Floats, const Limits& limits) {
     Fields fields(document);
     const bool encoded = fields.optional("Base64Encoding", read_boolean).value_or(false);
     if (encoded) {
@@ -262,10 +266,21 @@ Json write_splinepy(const std::vector<Map>& splines) {
                         {"SplineList", std::move(list)}};
 }
 
+// The text of a path is as exact as it is written.
+
+std::vector<Map> read_svg(const Json& document, Floats floats, const Limits& limits) {
+    return svg_path_curves(read_text(document), floats, limits);
+}
+
+const NumberPlaces path_numbers{{}, {}, {}, {}, false};
+const NumberPlaces fitpack_numbers{Place() / 2, Place() / 0, Place() / 1, {}};
+
 const ForeignFormat formats[] = {
     {"tinyspline", read_tinyspline, write_tinyspline, {}, tinyspline_numbers},
     {"geomdl", read_geomdl, write_geomdl, Place{"shape", "data"} / 0, geomdl_numbers},
     {"splinepy", read_splinepy, write_splinepy, Place{"SplineList"} / 0, splinepy_numbers},
+    {"fitpack", read_fitpack, write_fitpack, {}, fitpack_numbers, Floats::binary64, true},
+    {"svg", read_svg, write_svg_path, {}, path_numbers, Floats::decimal, true},
 };
 
 /// The outermost knots, on which no point of the curve depends, are equal to their neighbours where these may
@@ -287,6 +302,13 @@ std::vector<std::string_view> format_names() { return mapped(formats, &ForeignFo
 
 const ForeignFormat& read_format(const Json& name) {
     return formats[read_alternative(name, format_names(), "a format")];
+}
+
+bool may_be_text(const Json& format_name) {
+    const std::string* name = format_name.text();
+    return name && std::ranges::any_of(formats, [&](const ForeignFormat& format) {
+               return format.name == *name && format.text;
+           });
 }
 
 Place place_in_document(const ForeignFormat& format, const Place& of_map) {

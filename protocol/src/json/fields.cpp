@@ -93,7 +93,8 @@ Rational read_number(const Json& value, const Limits& limits) {
     if (!is_integer_text(number->text)) {
         throw Error(ErrorCode::inexact_number,
                     "the JSON number " + quoted(number->text) +
-                        " is not an integer; write it as a string to have it exact");
+                        " is not an integer; write it as a string to have it exact, or say with "
+                        "\"floats\": \"decimal\" or \"double\" what the JSON numbers of the request are");
     }
     return parse_integer(number->text, limits);
 }

@@ -8,12 +8,13 @@
 #include <charconv>
 #include <utility>
 
+#include "text/characters.hpp"
+
 namespace blossom::protocol {
 
 namespace {
 
 bool is_space(char c) { return c <= ' ' && (c == ' ' || c == '\t' || c == '\n' || c == '\r'); }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 void append_utf8(std::string& text, std::uint32_t code) {
     const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };

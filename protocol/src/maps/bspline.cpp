@@ -13,8 +13,9 @@ namespace {
 Map read_bspline(Fields& fields, const Limits& limits) {
     const std::size_t degree =
         fields.required("degree", [&](const Json& value) { return read_count(value, limits); });
+    const auto read_knots = [&](const Json& list) { return read_numbers(list, limits); };
     std::vector<Rational> knots =
-        fields.required("knots", [&](const Json& value) { return read_numbers(value, limits); });
+        fields.required("knots", [&](const Json& value) { return read_written_list(value, read_knots); });
     const WeightedPoints read = read_control_points(fields, limits);
     return {BSplineCurve(degree, std::move(knots), read.points.list()), read.form};
 }
@@ -46,7 +47,7 @@ Target::Convert read_bspline_target(Fields& request, const Limits& limits) {
 
 Members bspline_members() {
     return control_point_members({required("degree", ValueKind::count, "the degree n"),
-                                  required("knots", Shape::list(ValueKind::number),
+                                  required("knots", written_list(ValueKind::number),
                                            "a non-decreasing list of numbers, each at most n + 1 times")});
 }
 

@@ -199,6 +199,12 @@ Members tensor_members() {
         {weights_or_homogeneous(ValueKind::nested_points)}};
 }
 
+std::string_view patch_name(const Map& map) {
+    const auto& patch = std::get<Patch>(map.value);
+    if (patch.is_polynomial()) return "polynomial in several variables";
+    return patch.tensor ? "tensor" : "simplex";
+}
+
 Members simplex_members() {
     const Shape index = Shape::list(ValueKind::count);
     return {
@@ -231,7 +237,7 @@ IndexedPoints read_indexed_points(const Json& value, const Limits& limits) {
 }
 
 constinit const Kind patch_kind{
-    .name = "patch",
+    .name = "tensor, simplex, polynomial in several variables",
     .words = {{{"tensor", read_tensor, tensor_members, "A control net over a box."},
                {"simplex", read_simplex, simplex_members, "A control net over a simplex of dimension s."},
                {"polynomial", read_several_variables, members_in_several_variables,
@@ -239,6 +245,7 @@ constinit const Kind patch_kind{
     .write = write_value<Patch, write>,
     .formula = formula_of_value<Patch, formula>,
     .degree_text = patch_degree,
+    .name_of = patch_name,
 };
 
 }  // namespace blossom::protocol

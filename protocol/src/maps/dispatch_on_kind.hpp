@@ -44,7 +44,7 @@ Result dispatch_on_kind(const Map& map, const Function& function, const Where& p
         } else {
             constexpr auto kinds = std::make_index_sequence<std::variant_size_v<AnyMap>>();
             throw Error(ErrorCode::wrong_kind,
-                        "a map of kind " + std::string(kind_of(map).name) +
+                        "a map of kind " + std::string(name_of(map)) +
                             " is not accepted here; accepted are: " + taken_names<Function>(kinds),
                         place);
         }
@@ -52,7 +52,8 @@ Result dispatch_on_kind(const Map& map, const Function& function, const Where& p
     return std::visit(call, map.value);
 }
 
-/// The curve through n + 1 samples; of any other number, the one that the inverse formula makes of them. Errors: `missing_sample`; `limit_exceeded`.
+/// The curve through n + 1 samples; of any other number, the one that the inverse formula makes of them.
+/// Errors: `missing_sample`; `limit_exceeded`.
 BezierCurve curve_of_samples(const Samples& samples, const Limits& limits);
 
 /// A map of a kind that is one polynomial. Errors: `wrong_kind`.

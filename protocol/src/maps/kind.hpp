@@ -52,15 +52,22 @@ struct Target {
 };
 
 struct Kind {
-    std::string_view name;          ///< its name in messages
+    std::string_view name;          ///< its name in messages, or those of its maps
     std::array<KindWord, 3> words;  ///< see `words_of`
     Json (*write)(const Map& map);
     std::string (*formula)(const Map& map, std::string_view name);
-    Target target = {};                                    ///< named if curves can be converted to this kind
-    std::string (*degree_text)(const Map& map) = nullptr;  ///< what its formula does not show, ", degree 3"
+    Target target = {};                                     ///< named if curves can be converted to this kind
+    std::string (*degree_text)(const Map& map) = nullptr;   ///< what its formula does not show, ", degree 3"
+    std::string_view (*name_of)(const Map& map) = nullptr;  ///< where its maps have several names
 };
 
 inline const Kind& kind_of(const Map& map) { return *Kinds::all[map.value.index()]; }
+
+/// What the map is called in messages.
+inline std::string_view name_of(const Map& map) {
+    const Kind& kind = kind_of(map);
+    return kind.name_of ? kind.name_of(map) : kind.name;
+}
 
 /// The words of a kind, without the empty ones that fill its array.
 constexpr std::span<const KindWord> words_of(const Kind& kind) {
@@ -83,6 +90,9 @@ std::string formula_of_value(const Map& map, std::string_view name) {
 
 /// The fields for weights of this shape, or for points with the weight as last coordinate.
 Choice weights_or_homogeneous(Shape weights);
+
+/// A list, which may be written as a text in a request: see `read_written_list`.
+Shape written_list(ValueKind element, std::size_t least = 0);
 
 /// The fields of a curve with control points besides its knots.
 Members control_point_members(FieldList others);

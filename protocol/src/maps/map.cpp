@@ -38,9 +38,13 @@ Choice weights_or_homogeneous(Shape weights) {
              optional("homogeneous", ValueKind::no, "")}};
 }
 
+Shape written_list(ValueKind element, std::size_t least) {
+    return Shape::one_of({Shape::list(element, least), ValueKind::list_text});
+}
+
 Members control_point_members(FieldList others) {
     others.insert(others.begin(),
-                  required("control_points", Shape::list(ValueKind::point, 1), "the control points"));
+                  required("control_points", written_list(ValueKind::point, 1), "the control points"));
     return {std::move(others), {weights_or_homogeneous(Shape::list(ValueKind::number, 1))}};
 }
 

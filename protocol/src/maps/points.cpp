@@ -139,8 +139,9 @@ Points read_points(const Json& value, const Limits& limits) {
 }
 
 WeightedPoints read_control_points(Fields& fields, const Limits& limits) {
+    const auto read = [&](const Json& list) { return read_points(list, limits); };
     Points points =
-        fields.required("control_points", [&](const Json& value) { return read_points(value, limits); });
+        fields.required("control_points", [&](const Json& value) { return read_written_list(value, read); });
     const auto weights =
         fields.optional("weights", [&](const Json& value) { return read_numbers(value, limits); });
     PointForm form{.scalar = points.scalar};

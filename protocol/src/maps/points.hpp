@@ -11,6 +11,7 @@
 #include <blossom/protocol/json.hpp>
 #include "description/members.hpp"
 #include "json/fields.hpp"
+#include "text/shapes.hpp"
 
 /// Points in requests and responses.
 
@@ -49,6 +50,18 @@ struct Points {
 };
 /// Reads one point more, of the form of those before. Errors: `mismatched_dimensions`.
 void read_next_point(const Json& value, Points& points, const Limits& limits);
+
+/// read(list) of a list, or of the list that a text writes: see `number_list`.
+template <class Read>
+auto read_written_list(const Json& value, const Read& read) {
+    const std::string* text = value.text();
+    if (!text) return read(value);
+    try {
+        return read(number_list(*text));
+    } catch (const Error& error) {
+        throw error.at(Place());  // there are no places in a text
+    }
+}
 
 /// Errors: `wrong_arity` for none, `mismatched_dimensions`, `limit_exceeded` for more than `limits.numbers`.
 Points read_points(const Json& value, const Limits& limits);

@@ -18,8 +18,23 @@ struct Written {
     std::string variable;  ///< "" while none has occurred
 };
 
+[[noreturn]] void refuse_variables(const std::vector<std::string>& names) {
+    const bool contained =
+        names[0].find(names[1]) != std::string::npos || names[1].find(names[0]) != std::string::npos;
+    throw Error(
+        ErrorCode::syntax,
+        fmt::format("a polynomial in one variable is expected, and both {} and {} occur; {}", names[0],
+                    names[1],
+                    contained ? "write a product with '*'"
+                              : fmt::format(R"(of one in several these are named, by "variables": ["{}"] )"
+                                            "or --variables {}",
+                                            fmt::join(names, "\", \""), fmt::join(names, ","))));
+}
+
 Polynomial read_one_text(const std::string& text, std::string& variable, const Limits& limits) {
-    UnivariateText read = parse_univariate(text, limits);
+    const NamedPolynomial named = parse_polynomial(text, {}, limits);
+    if (named.names.size() > 1) refuse_variables(named.names);
+    UnivariateText read = univariate(named);
     const bool constant = read.polynomial.degree() == 0;
     if (!constant && !variable.empty() && variable != read.name) {
         throw Error(ErrorCode::syntax, "the variable is called " + read.name + " here, and " + variable +

@@ -136,8 +136,8 @@ Sides read_document(Request& request, const Map& map, const Limits& limits) {
     sides.format = &format;
     sides.document = &document;
     sides.computed = within("document", [&] {
-        const std::vector<Map> maps = format.read(document, limits);
-        if (maps.size() == 1) return to_json(maps.front());
+        const std::vector<Map> maps = format.read(document, format.floats, limits);
+        if (maps.size() == 1) return to_json(as_textbook_spline(maps.front(), limits));
         throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
     });
     sides.exact = within("map", [&] { return to_json(as_textbook_spline(map, limits)); });

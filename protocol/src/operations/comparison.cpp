@@ -54,7 +54,7 @@ Difference Comparison::operator()(const Json& exact, const Json& computed) {
 Difference Comparison::of_numbers(const Json& exact, const Json& computed) {
     if (computed.array()) refuse_size(exact, computed);
     const Rational& expected = *exact.exact();
-    const Rational found = computed.exact() ? *computed.exact() : read_double(computed);
+    const Rational found = read_double(computed);
     const Rational nearest = exact_rational(nearest_double(expected));
     const Rational error = found - expected;
     const Rational ulps = abs(error) / unit_in_last_place(expected);

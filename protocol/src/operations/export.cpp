@@ -25,14 +25,18 @@ Answer answer_export(Request& request, const Limits& limits) {
 
 /// The document alone, as the other library reads it.
 std::string render_export(const Answered& answered) {
-    return to_text(*answered.result().find("document")) + "\n";
+    const Json& document = *answered.result().find("document");
+    return (document.text() ? *document.text() : to_text(document)) + "\n";
 }
 
 }  // namespace
 
 Operation export_operation() {
     return {
-        .summary = "Write curves as a file of tinyspline, geomdl or splinepy, each number correctly rounded",
+        .summary =
+            "Write curves as a file of tinyspline, geomdl or splinepy, a FITPACK spline or an SVG path, each "
+            "number "
+            "correctly rounded",
         .documentation = "A curve that is one polynomial becomes a B-spline of one segment.",
         .request = {{format_field()}, {{{map_field()}, {maps_field("several curves")}}}},
         .result = {{required("document", ValueKind::document, "the file, as the other library reads it")}},

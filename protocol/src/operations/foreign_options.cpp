@@ -11,14 +11,18 @@ Field format_field() {
 }
 
 Field document_field() {
-    return required("document", ValueKind::document, "what this library wrote, as JSON");
+    return required("document", ValueKind::document,
+                    "what this library wrote, as JSON, or the text of a path");
 }
 
 Option format_option() { return word_option("--format", "format"); }
 
 Option document_option(std::string help) {
     const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits& limits) {
-        request["document"] = parse_json(values.front(), limits);
+        const std::string& text = values.front();
+        const Json* format = request.find("format");
+        const bool is_text = format && may_be_text(*format) && !trimmed(text).starts_with('{');
+        request["document"] = is_text ? Json(text) : parse_json(text, limits);
     };
     return {"--document", {"document"}, "JSON", std::move(help), apply};
 }

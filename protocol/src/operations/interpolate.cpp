@@ -15,6 +15,7 @@
 #include "pictures/plot.hpp"
 #include "shared_fields.hpp"
 #include "table.hpp"
+#include "text/shapes.hpp"
 
 namespace blossom::protocol {
 
@@ -261,7 +262,7 @@ Members interpolate_request() {
 
 /// "1; 2; 3" as points, and JSON as it stands.
 Json values_or_json(std::string_view text) {
-    return text.starts_with('[') ? parse_json(text, Limits{}) : point_list(text);
+    return text.starts_with('[') ? parse_json(text, Limits{}) : number_list(text);
 }
 
 }  // namespace

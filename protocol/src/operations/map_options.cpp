@@ -4,18 +4,12 @@
 
 #include <algorithm>
 
+#include "formats/svg_path.hpp"
 #include "json/json_text.hpp"
 
 namespace blossom::protocol {
 
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view blanks = " \t\r\n";
-    const std::size_t first = text.find_first_not_of(blanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
 
 Json argument(std::string_view text) {
     constexpr std::string_view vector = "vector:";
@@ -48,16 +42,41 @@ Json polynomial_texts(const std::vector<std::string>& values) {
     return texts;
 }
 
+/// Numbers as texts.
+Json texts_of(const Json& numbers) {
+    if (const Rational* number = numbers.exact()) return to_string(*number);
+    Json::Array texts;
+    for (const Json& element : *numbers.array()) texts.push_back(texts_of(element));
+    return texts;
+}
+
 void apply_polynomial(Json& request, const std::vector<std::string>& values, const Limits&) {
     request["map"]["kind"] = "polynomial";
     request["map"]["text"] = polynomial_texts(values);
 }
 
-void apply_control_points(Json& request, const std::vector<std::string>& values, const Limits&) {
+/// The control points of the one curve of an SVG path, and its weights.
+void write_path(Json& map, std::string_view path, const Limits& limits) {
+    const std::vector<Map> curves = svg_path_curves(path, Floats::decimal, limits);
+    if (curves.size() != 1) {
+        throw UsageError("the path has " + std::to_string(curves.size()) +
+                         " curves, and one is expected; import --format svg reads them all");
+    }
+    const Json curve = to_json(curves.front());
+    for (const char* field : {"control_points", "weights"}) {
+        if (const Json* numbers = curve.find(field)) map[field] = texts_of(*numbers);
+    }
+}
+
+void apply_control_points(Json& request, const std::vector<std::string>& values, const Limits& limits) {
     if (request.find("map"))
         throw UsageError("a map is given by a polynomial or by --control-points, not by both");
     request["map"]["kind"] = "bezier";
-    request["map"]["control_points"] = point_list(values.front());
+    if (is_svg_path(values.front())) {
+        write_path(request["map"], values.front(), limits);
+    } else {
+        request["map"]["control_points"] = number_list(values.front());
+    }
 }
 
 /// Knots make a B-spline of control points.
@@ -128,45 +147,10 @@ std::vector<Option> map_options() {
 
 }  // namespace
 
-std::vector<std::string> split(std::string_view text, char separator) {
-    std::vector<std::string> parts;
-    if (trimmed(text).empty()) return parts;
-    while (true) {
-        const std::size_t length = std::min(text.find(separator), text.size());
-        parts.emplace_back(trimmed(text.substr(0, length)));
-        if (length == text.size()) return parts;
-        text.remove_prefix(length + 1);
-    }
-}
-
-Json number_list(std::string_view text) {
-    Json::Array numbers;
-    for (std::string& number : split(text, ',')) numbers.emplace_back(std::move(number));
-    return numbers;
-}
-
-Json point_list(std::string_view text) {
-    if (text.find(';') == std::string_view::npos) return number_list(text);
-    Json::Array points;
-    for (const std::string& point : split(text, ';')) {
-        const bool scalar = point.find(',') == std::string::npos;
-        points.push_back(scalar ? Json(point) : number_list(point));
-    }
-    return points;
-}
-
 Json argument_list(std::string_view text) {
     Json::Array arguments;
     for (const std::string& part : split(text, ',')) arguments.push_back(argument(part));
     return arguments;
-}
-
-Json tuple_list(std::string_view text) {
-    Json::Array tuples;
-    for (const std::string& tuple : split(text, ';')) {
-        if (!tuple.empty()) tuples.push_back(number_list(tuple));
-    }
-    return tuples;
 }
 
 Json count(std::string_view text) {
@@ -234,7 +218,12 @@ Option own_interval_option(std::string help) {
         Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;
         owner["interval"] = number_list(values.front());
     };
-    return {"--interval", {"interval"}, "A,B", std::move(help), apply};
+    return {.name = "--interval",
+            .field = {"interval"},
+            .value = "A,B",
+            .help = std::move(help),
+            .apply = apply,
+            .of_map = true};
 }
 
 Option wanted_degrees_option() {
@@ -243,11 +232,14 @@ Option wanted_degrees_option() {
         Json& owner = map && map->find("text") ? request["map"] : request;
         owner["degrees"] = number_list(values.front());
     };
-    return {"--degrees",
-            {"degrees"},
-            "M,N,...",
+    return {
+        .name = "--degrees",
+        .field = {"degrees"},
+        .value = "M,N,...",
+        .help =
             "for a polynomial, one formal degree per variable; for a patch given by --map, the new degrees",
-            apply};
+        .apply = apply,
+        .of_map = true};
 }
 
 Json place_of_division(std::string_view text, const Json&) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "operation.hpp"
+#include "text/shapes.hpp"
 
 /// How a command line becomes a request.
 
@@ -17,19 +18,10 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// The parts of `text` between separators, without the spaces around them; none for an empty text.
-std::vector<std::string> split(std::string_view text, char separator);
-
-/// "1, 2" as a list of numbers.
-Json number_list(std::string_view text);
-/// "0,0; 1,2" as a list of points, "0; 3; 0" or "0, 3, 0" as a list of numbers.
-Json point_list(std::string_view text);
 /// "1, vector:2, delta, pair:3:2" as a list of blossom arguments.
 Json argument_list(std::string_view text);
 /// Digits as a JSON integer; anything else as it stands, to be refused where it is read.
 Json count(std::string_view text);
-/// "0,0; 1,2" as a list of lists of numbers; "0,0" has one.
-Json tuple_list(std::string_view text);
 Json plain_text(std::string_view text);
 
 /// An option that writes one field of the request. It says what the field does unless it has a `help`.

@@ -27,7 +27,8 @@ struct Option {
     std::string help;  ///< where it is empty, the documentation of the field counts
     std::function<void(Json& request, const std::vector<std::string>& values, const Limits& limits)> apply;
     bool repeated = false;  ///< it may be given several times
-    bool files = false;  ///< its values name files, or folders of statements: the texts in them are applied
+    bool files = false;   ///< its values name files, or folders of statements: the texts in them are applied
+    bool of_map = false;  ///< it may write the field of the map that has this name instead
 };
 
 /// What a command shows to a person.

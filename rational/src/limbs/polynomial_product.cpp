@@ -14,16 +14,16 @@ namespace blossom {
 
 namespace {
 
-using Words = std::vector<std::uint64_t>;
+using WordList = std::vector<std::uint64_t>;
 
 /// The magnitude of a polynomial at 2^(64 slot).
 struct Packed {
-    Words words;
+    WordList words;
     bool negative;
 };
 
 Packed packed(std::span<const Integer> polynomial, std::size_t slot) {
-    Packed value{Words(polynomial.size() * slot), false};
+    Packed value{WordList(polynomial.size() * slot), false};
     // A negative coefficient takes 1 from the slot above it.
     bool borrow = false;
     for (std::size_t k = 0; k < polynomial.size(); ++k) {
@@ -52,10 +52,10 @@ void unpack(Packed value, std::size_t slot, std::span<Integer> polynomial) {
 
 Packed multiplied(const Packed& a, const Packed& b) {
     const bool a_is_longer = a.words.size() >= b.words.size();
-    const Words& longer = a_is_longer ? a.words : b.words;
-    const Words& shorter = a_is_longer ? b.words : a.words;
+    const WordList& longer = a_is_longer ? a.words : b.words;
+    const WordList& shorter = a_is_longer ? b.words : a.words;
     spend_work(words_of_product(longer.size(), shorter.size()));
-    Packed product{Words(longer.size() + shorter.size()), a.negative != b.negative};
+    Packed product{WordList(longer.size() + shorter.size()), a.negative != b.negative};
     limbs::multiply(product.words.data(), longer.data(), longer.size(), shorter.data(), shorter.size());
     return product;
 }

@@ -2,6 +2,7 @@
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/resource_budget.hpp>
 #include <blossom/rational/utf8.hpp>
+#include <blossom/rational/written_marks.hpp>
 
 #include <algorithm>
 #include <charconv>
@@ -14,9 +15,34 @@ namespace blossom {
 namespace {
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_hexadecimal_digit(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-std::size_t digits_length(std::string_view text) {
-    return static_cast<std::size_t>(std::ranges::find_if_not(text, is_digit) - text.begin());
+/// How many characters at the front of `text` are digits.
+std::size_t digits_length(std::string_view text, bool (*belongs)(char) = is_digit) {
+    return static_cast<std::size_t>(std::ranges::find_if_not(text, belongs) - text.begin());
+}
+
+/// The length of "e-3" at the front of `text`, where e is one of `letters`; 0 when there is no exponent.
+std::size_t exponent_length(std::string_view text, std::string_view letters) {
+    if (text.empty() || letters.find(text.front()) == std::string_view::npos) return 0;
+    const bool has_sign = text.size() > 1 && (text[1] == '-' || text[1] == '+');
+    const std::size_t begin = has_sign ? 2 : 1;
+    const std::size_t digits = digits_length(text.substr(begin));
+    return digits == 0 ? 0 : begin + digits;
+}
+
+/// The length of "0x1.8p-3" at the front of `text`.
+std::size_t hexadecimal_length(std::string_view text) {
+    if (!text.starts_with("0x") && !text.starts_with("0X")) return 0;
+    std::size_t length = 2 + digits_length(text.substr(2), is_hexadecimal_digit);
+    std::size_t digits = length - 2;
+    if (length < text.size() && text[length] == '.') {
+        const std::size_t fraction = digits_length(text.substr(length + 1), is_hexadecimal_digit);
+        length += 1 + fraction;
+        digits += fraction;
+    }
+    const std::size_t exponent = exponent_length(text.substr(length), "pP");
+    return digits == 0 || exponent == 0 ? 0 : length + exponent;
 }
 
 [[noreturn]] void fail(std::string_view text) {
@@ -58,7 +84,7 @@ Integer integer_from_digits(const Digits& digits, const Limits& limits) {
                                    : integer_from_many_digits(digits, limits);
 }
 
-/// A decimal exponent; one that does not fit is far beyond every limit.
+/// An exponent; one that does not fit is far beyond every limit.
 std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) {
     std::size_t value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -69,36 +95,140 @@ std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) 
     return value;
 }
 
-/// An unsigned decimal that `unsigned_decimal_length` has measured.
-Rational decimal(std::string_view text, const Limits& limits) {
-    const Digits whole(text);
-    text.remove_prefix(whole.size());
-    Digits fraction("");
-    if (text.starts_with('.')) {
-        fraction = Digits(text.substr(1));
-        text.remove_prefix(1 + fraction.size());
-    }
-    bool negative_exponent = false;
-    std::size_t exponent = 0;
-    if (!text.empty()) {
-        text.remove_prefix(1);
-        negative_exponent = text.starts_with('-');
-        if (negative_exponent || text.starts_with('+')) text.remove_prefix(1);
-        exponent = exponent_from_digits(text, limits);
-    }
-    if (fraction.empty() && exponent == 0) return integer_from_digits(whole, limits);
-    require_within(whole.size() + fraction.size() + exponent, limits.digits, "digits",
-                   "a decimal whose count of digits, with those of its exponent, is");
-    const std::string all = std::string(whole.text) + std::string(fraction.text);
-    const Integer digits = integer_from_digits(Digits(all), limits);
-    const Integer scale = pow(Integer(10), exponent);
-    const Integer point = pow(Integer(10), fraction.size());
-    return negative_exponent ? Rational(digits, point * scale) : Rational(digits * scale, point);
+/// The value of a text of decimal digits; none for another text.
+std::optional<Integer> integer_from_text(std::string_view text, const Limits& limits) {
+    const Digits digits(text);
+    if (digits.size() != text.size()) return std::nullopt;
+    return integer_from_digits(digits, limits);
 }
 
-}  // namespace
+/// An exponent with its sign.
+struct Exponent {
+    std::size_t size = 0;
+    bool negative = false;
+};
+Exponent exponent_from_text(std::string_view text, const Limits& limits) {
+    const bool negative = text.starts_with('-');
+    if (negative || text.starts_with('+')) text.remove_prefix(1);
+    return {exponent_from_digits(text, limits), negative};
+}
 
-namespace {
+/// The digits on both sides of a point at the front of `text`, which is cut off.
+struct PointedDigits {
+    std::string_view whole;
+    std::string_view fraction;
+};
+PointedDigits take_digits(std::string_view& text, bool (*belongs)(char)) {
+    PointedDigits digits{text.substr(0, digits_length(text, belongs)), {}};
+    text.remove_prefix(digits.whole.size());
+    if (!text.starts_with('.')) return digits;
+    digits.fraction = text.substr(1, digits_length(text.substr(1), belongs));
+    text.remove_prefix(1 + digits.fraction.size());
+    return digits;
+}
+
+Rational decimal(std::string_view text, const Limits& limits) {
+    const auto [whole, fraction] = take_digits(text, is_digit);
+    const Exponent exponent = text.empty() ? Exponent{} : exponent_from_text(text.substr(1), limits);
+    if (fraction.empty() && exponent.size == 0) return *integer_from_text(whole, limits);
+    require_within(whole.size() + fraction.size() + exponent.size, limits.digits, "digits",
+                   "a decimal whose count of digits, with those of its exponent, is");
+    const Integer digits = *integer_from_text(std::string(whole) + std::string(fraction), limits);
+    const Integer scale = pow(Integer(10), exponent.size);
+    const Integer point = pow(Integer(10), fraction.size());
+    return exponent.negative ? Rational(digits, point * scale) : Rational(digits * scale, point);
+}
+
+Rational hexadecimal(std::string_view text, const Limits& limits) {
+    text.remove_prefix(2);
+    const auto [whole, fraction] = take_digits(text, is_hexadecimal_digit);
+    const Exponent exponent = exponent_from_text(text.substr(1), limits);
+    std::string digits = std::string(whole) + std::string(fraction);
+    const std::size_t point = 4 * fraction.size();
+    require_within((4 * digits.size() + exponent.size) / 3, limits.digits, "digits",
+                   "a hexadecimal number whose count of decimal digits is up to");
+    digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+    const Integer significand = IntegerAccess::from_number(backend::Number("0x" + digits));
+    if (exponent.negative) return {significand, Integer(1) << (point + exponent.size)};
+    return {significand << exponent.size, Integer(1) << point};
+}
+
+/// An unsigned number that `unsigned_number_length` has measured.
+Rational unsigned_number(std::string_view text, const Limits& limits) {
+    if (hexadecimal_length(text) == text.size()) return hexadecimal(text, limits);
+    const std::size_t digits = digits_length(text);
+    const VulgarFraction fraction = vulgar_fraction(text.substr(digits));
+    if (fraction.length == 0) return decimal(text, limits);
+    return Rational(*integer_from_text(text.substr(0, digits), limits)) +
+           Rational(fraction.numerator, fraction.denominator);
+}
+
+/// p/q.
+Rational quotient(std::string_view text, std::string_view above, std::string_view below,
+                  const Limits& limits) {
+    if (above.empty() || below.empty()) fail(text);
+    auto numerator = integer_from_text(above, limits);
+    auto denominator = integer_from_text(below, limits);
+    if (!numerator || !denominator) fail(text);
+    if (denominator->is_zero())
+        throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
+    return {*std::move(numerator), *std::move(denominator)};
+}
+
+/// The power of an integer whose digits stand before an exponent, "2^-53" or "10⁻³".
+Rational power(std::string_view text, std::string_view base, std::string_view behind, const Limits& limits) {
+    Superscript raised = superscript(behind);
+    if (raised.length == 0) {
+        const WrittenMark mark = written_mark(behind);
+        if (mark.meaning != '^') fail(text);
+        std::string_view exponent = behind.substr(mark.length);
+        if (const WrittenMark sign = written_mark(exponent); sign.meaning == '-') {
+            raised.digits = "-";
+            exponent.remove_prefix(sign.length);
+        }
+        const std::size_t digits = digits_length(exponent);
+        if (digits == 0) fail(text);
+        raised.digits += exponent.substr(0, digits);
+        raised.length = behind.size() - exponent.size() + digits;
+    }
+    const auto value = integer_from_text(base, limits);
+    if (base.empty() || !value || raised.length != behind.size()) fail(text);
+    const Exponent exponent = exponent_from_text(raised.digits, limits);
+    require_within(value->bit_length() * exponent.size / 3, limits.digits, "digits",
+                   "a power whose count of decimal digits is up to");
+    if (!exponent.negative) return pow(*value, exponent.size);
+    if (value->is_zero()) throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
+    return {Integer(1), pow(*value, exponent.size)};
+}
+
+/// A number that goes on with a mark behind its first `length` bytes.
+Rational marked_number(std::string_view text, std::string_view rest, std::size_t length,
+                       const Limits& limits) {
+    const std::string_view front = rest.substr(0, length);
+    const std::string_view behind = rest.substr(length);
+    const WrittenMark mark = written_mark(behind);
+    const std::string_view next = behind.substr(mark.length);
+    if (mark.meaning == '/') return quotient(text, front, next, limits);
+    if (mark.meaning != '*') return power(text, front, behind, limits);
+    const std::size_t digits = digits_length(next);
+    return unsigned_number(front, limits) * power(text, next.substr(0, digits), next.substr(digits), limits);
+}
+
+/// "p" or "p/q" of decimal digits that are words; none for another text.
+std::optional<Rational> rational_in_words(std::string_view text, const Limits& limits) {
+    const bool negative = text.starts_with('-');
+    if (negative) text.remove_prefix(1);
+    const Digits above(text);
+    if (above.empty() || !above.are_word(limits)) return std::nullopt;
+    const auto magnitude = static_cast<std::int64_t>(above.word);
+    const std::int64_t numerator = negative ? -magnitude : magnitude;
+    text.remove_prefix(above.size());
+    if (text.empty()) return Rational(numerator);
+    if (text.front() != '/') return std::nullopt;
+    const Digits below(text.substr(1));
+    if (below.size() + 1 != text.size() || !below.are_word(limits) || below.word == 0) return std::nullopt;
+    return RationalAccess::from_words(numerator, static_cast<std::int64_t>(below.word));
+}
 
 /// Whether a character goes on at `place`: all its bytes but the first have the form 10xxxxxx.
 bool continues_at(std::string_view text, std::size_t place) {
@@ -133,54 +263,37 @@ std::string quoted(std::string_view text) {
     return result;
 }
 
-std::size_t unsigned_decimal_length(std::string_view text) {
+std::size_t unsigned_number_length(std::string_view text) {
+    if (const std::size_t hexadecimal = hexadecimal_length(text)) return hexadecimal;
     std::size_t length = digits_length(text);
-    if (length == 0) return 0;
+    const bool has_whole = length > 0;
+    if (const VulgarFraction fraction = vulgar_fraction(text.substr(length)); fraction.length != 0)
+        return length + fraction.length;
     if (length < text.size() && text[length] == '.') {
         const std::size_t fraction = digits_length(text.substr(length + 1));
-        if (fraction != 0) length += 1 + fraction;
+        const bool is_range = text.substr(length).starts_with("..");
+        if (fraction != 0 || (has_whole && !is_range)) length += 1 + fraction;
     }
-    if (length < text.size() && (text[length] == 'e' || text[length] == 'E')) {
-        std::size_t start = length + 1;
-        if (start < text.size() && (text[start] == '-' || text[start] == '+')) ++start;
-        const std::size_t exponent = digits_length(text.substr(std::min(start, text.size())));
-        if (exponent != 0) length = start + exponent;
-    }
-    return length;
+    return length == 0 ? 0 : length + exponent_length(text.substr(length), "eE");
 }
 
 Rational parse_rational(std::string_view text, const Limits& limits) {
+    if (const auto value = rational_in_words(text, limits)) return *value;
     std::string_view rest = text;
-    const bool negative = rest.starts_with('-');
-    if (negative) rest.remove_prefix(1);
-    const Digits above(rest);
-    rest.remove_prefix(above.size());
-    if (above.empty() || rest == "/") fail(text);
-    if (!rest.empty() && rest.front() != '/') {
-        const std::string_view magnitude = text.substr(negative ? 1 : 0);
-        if (unsigned_decimal_length(magnitude) != magnitude.size()) fail(text);
-        Rational value = decimal(magnitude, limits);
-        return negative ? -std::move(value) : value;
-    }
-    if (rest.empty()) {
-        Integer value = integer_from_digits(above, limits);
-        return negative ? -std::move(value) : value;
-    }
-    rest.remove_prefix(1);
-    const Digits below(rest);
-    const bool is_complete = below.size() == rest.size();
-    if (is_complete && above.are_word(limits) && below.are_word(limits) && below.word != 0) {
-        const auto numerator = static_cast<std::int64_t>(above.word);
-        return RationalAccess::from_words(negative ? -numerator : numerator,
-                                          static_cast<std::int64_t>(below.word));
-    }
-    Integer numerator = integer_from_digits(above, limits);
-    if (negative) numerator.negate();
-    if (!is_complete) fail(text);
-    Integer denominator = integer_from_digits(below, limits);
-    if (denominator.is_zero())
-        throw Error(ErrorCode::zero_denominator, quoted(text) + " has a zero denominator");
-    return {std::move(numerator), std::move(denominator)};
+    const WrittenMark sign = written_mark(text);
+    const bool negative = sign.meaning == '-';
+    if (negative) rest.remove_prefix(sign.length);
+    const auto signed_value = [&](Rational value) { return negative ? -std::move(value) : value; };
+    if (rest.empty()) fail(text);
+    if (auto whole = integer_from_text(rest, limits)) return signed_value(*std::move(whole));
+
+    const auto slash = static_cast<std::size_t>(std::ranges::find(rest, '/') - rest.begin());
+    if (slash != rest.size())
+        return signed_value(quotient(text, rest.substr(0, slash), rest.substr(slash + 1), limits));
+    const std::size_t length = unsigned_number_length(rest);
+    if (length == 0) fail(text);
+    if (length == rest.size()) return signed_value(unsigned_number(rest, limits));
+    return signed_value(marked_number(text, rest, length, limits));
 }
 
 Integer parse_integer(std::string_view text, const Limits& limits) {

@@ -10,7 +10,7 @@ namespace blossom {
 
 namespace {
 
-using Words = std::vector<std::uint64_t>;
+using WordList = std::vector<std::uint64_t>;
 
 /// Whether a number above 37 is prime: these bases decide for all words.
 bool is_prime(std::uint64_t number) {
@@ -35,8 +35,8 @@ std::uint64_t prime_below(std::uint64_t number) {
     return number;
 }
 
-Words words_of(std::span<const Integer> polynomial, const PrimeField& field) {
-    Words words;
+WordList words_of(std::span<const Integer> polynomial, const PrimeField& field) {
+    WordList words;
     words.reserve(polynomial.size());
     for (const Integer& coefficient : polynomial) words.push_back(field.of(coefficient));
     return words;
@@ -47,13 +47,13 @@ void trim(auto& polynomial, const auto& is_zero) {
 }
 
 /// Divides by the leading coefficient.
-void make_monic(Words& polynomial, const PrimeField& field) {
+void make_monic(WordList& polynomial, const PrimeField& field) {
     const std::uint64_t inverse = field.inverse(polynomial.back());
     for (std::uint64_t& coefficient : polynomial) coefficient = field.product(coefficient, inverse);
 }
 
 /// Of two polynomials that are not zero modulo the prime; monic.
-Words gcd_in(const PrimeField& field, Words a, Words b) {
+WordList gcd_in(const PrimeField& field, WordList a, WordList b) {
     if (a.size() < b.size()) std::swap(a, b);
     while (!b.empty()) {
         make_monic(b, field);
@@ -88,7 +88,7 @@ IntegerPolynomial primitive_part(IntegerPolynomial polynomial) {
 /// Integers by their residues, each prime after the other.
 class Combination {
 public:
-    void add(const Words& words, const PrimeField& field) {
+    void add(const WordList& words, const PrimeField& field) {
         values_.resize(words.size());
         const std::uint64_t scale = field.inverse(field.of(modulus_));
         for (std::size_t k = 0; k < words.size(); ++k) {
@@ -145,7 +145,7 @@ IntegerPolynomial primitive_gcd(std::span<const Integer> a, std::span<const Inte
         const PrimeField field(prime);
         const std::uint64_t scale = field.of(leading);
         if (scale == 0) continue;
-        Words image = gcd_in(field, words_of(first, field), words_of(second, field));
+        WordList image = gcd_in(field, words_of(first, field), words_of(second, field));
         if (image.size() == 1) return {1};
         if (image.size() > least_size) continue;  // an unlucky prime
         if (image.size() < least_size) {          // all before were

@@ -2,6 +2,7 @@
 
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/utf8.hpp>
+#include <blossom/rational/written_marks.hpp>
 
 #include <algorithm>
 #include <string>
@@ -43,8 +44,10 @@ private:
             comment();
         } else if (is_letter(c)) {
             identifier();
-        } else if (is_digit(c)) {
+        } else if (begins_number()) {
             number();
+        } else if (superscript(rest()).length > 0) {
+            exponent();
         } else if (c == '"') {
             string();
         } else {
@@ -79,14 +82,33 @@ private:
         if (const std::size_t id = length_while(is_id_character)) add(TokenKind::identifier, at_, id);
     }
 
+    std::string_view rest() const { return text_.substr(at_); }
+
+    bool begins_number() const {
+        const char c = text_[at_];
+        if (is_digit(c)) return true;
+        const bool may_begin = c == '.' || vulgar_fraction(rest()).length > 0;
+        return may_begin && unsigned_number_length(rest()) > 0;
+    }
+
     void number() {
         std::size_t length = length_while(is_digit);
         // "1..8" is a range, "1.5" a number.
-        if (at_ + length + 1 < text_.size() && text_[at_ + length] == '.' &&
-            is_digit(text_[at_ + length + 1])) {
-            length = unsigned_decimal_length(text_.substr(at_));
-        }
+        const std::string_view behind = rest().substr(length);
+        const bool has_point = behind.starts_with('.') && !behind.starts_with("..");
+        if (has_point || vulgar_fraction(behind).length > 0) length = unsigned_number_length(rest());
         add(TokenKind::number, at_, length);
+    }
+
+    /// "x²" is read as "x^2".
+    void exponent() {
+        const Superscript raised = superscript(rest());
+        const std::string& digits = result_.exponents.emplace_back(raised.digits);
+        const std::size_t begin = at_;
+        add(TokenKind::symbol, begin, 0, "^");
+        const bool negative = digits.starts_with('-');
+        if (negative) add(TokenKind::symbol, begin, 0, "-");
+        add(TokenKind::number, begin, raised.length, std::string_view(digits).substr(negative ? 1 : 0));
     }
 
     void string() {
@@ -102,6 +124,12 @@ private:
         const std::string_view pair = text_.substr(at_, 2);
         if (std::ranges::find(two_characters, pair) != std::end(two_characters)) {
             add(TokenKind::symbol, at_, 2);
+            return;
+        }
+        const WrittenMark mark = written_mark(rest());
+        if (mark.length > 1) {
+            constexpr std::string_view meanings = "-*/^";
+            add(TokenKind::symbol, at_, mark.length, meanings.substr(meanings.find(mark.meaning), 1));
             return;
         }
         const char c = text_[at_];
@@ -126,7 +154,11 @@ private:
     }
 
     void add(TokenKind kind, std::size_t offset, std::size_t length) {
-        result_.tokens.push_back({kind, offset, text_.substr(offset, length), fresh_line_});
+        add(kind, offset, length, text_.substr(offset, length));
+    }
+    /// A token that is read as if `meaning` stood there.
+    void add(TokenKind kind, std::size_t offset, std::size_t length, std::string_view meaning) {
+        result_.tokens.push_back({kind, offset, meaning, fresh_line_});
         fresh_line_ = false;
         at_ = offset + length;
     }

@@ -3,6 +3,8 @@
 #include <blossom/proofs/syntax.hpp>
 
 #include <cstddef>
+#include <deque>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct Token {
 struct Tokens {
     std::vector<Token> tokens;  ///< the last one is the end
     std::vector<Comment> comments;
+    std::deque<std::string> exponents;  ///< the texts of superscripts, in ASCII
 };
 
 /// The tokens of a text. A line ends where a bracket is not open and the last token does not ask for more; a

@@ -19,7 +19,9 @@ struct NamedPolynomial {
 
 /// Reads a polynomial: `1 + 2t + 4t^2 - t^3`, `-3/4 x^2*y`, `(t-1/2)^3`.
 ///
-/// Numbers are exact: integers or decimals, `0.5`, `1.5e-3`. A variable is a letter or '_' followed by
+/// Numbers are exact: integers, decimals and what else `unsigned_number_length` measures, `0.5`, `.5`,
+/// `1.5e-3`, `½`. Marks are read as `written_mark` has them, and superscripts are exponents: `x² − 3·x`. A
+/// variable is a letter or '_' followed by
 /// letters, digits or '_'. Juxtaposition means product and binds like `*` and `/`, from left to right: `1/2t`
 /// is t/2. Division is by constants. `^` takes a number without sign. `names` lists the variables that may
 /// occur, in order; when it is empty any may, in the order of their first occurrence.
@@ -29,12 +31,14 @@ struct NamedPolynomial {
 NamedPolynomial parse_polynomial(std::string_view text, std::span<const std::string> names = {},
                                  const Limits& limits = {});
 
-/// Reads a polynomial in one variable, whatever its name; `name` receives it ("t" when the text is constant).
-/// Errors: those of `parse_polynomial`, and `syntax` when a second variable occurs.
+/// A polynomial in one variable, whatever its name; "t" when the text is constant.
 struct UnivariateText {
     Polynomial polynomial;
     std::string name;
 };
+/// Errors: `syntax` when a second variable occurs.
+UnivariateText univariate(const NamedPolynomial& read);
+/// Errors: those of `parse_polynomial` and `univariate`.
 UnivariateText parse_univariate(std::string_view text, const Limits& limits = {});
 
 /// The terms by rising degree, `1 + 2t + 4t^2 - t^3`, `-2 + x^2 + 3x*y`, `2/3 u1`; "0" for zero.

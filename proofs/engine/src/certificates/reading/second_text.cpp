@@ -20,6 +20,25 @@ constexpr std::array<std::string_view, 25> marks = {"==", "!=", "<=", ">=", ".."
                                                     "^",  "=",  "<",  ">",  "(",  ")", "[", "]", "{",
                                                     "}",  ",",  ":",  ";",  "_",  "'", "."};
 
+/// Other spellings of marks.
+struct Spelling {
+    std::string_view written;
+    std::string_view mark;
+};
+constexpr std::array<Spelling, 7> spellings = {{{"**", "^"},
+                                                {"\u2212", "-"},
+                                                {"\u00B7", "*"},
+                                                {"\u22C5", "*"},
+                                                {"\u00D7", "*"},
+                                                {"\u2044", "/"},
+                                                {"\u2215", "/"}}};
+
+/// The superscript digits from 0 to 9.
+constexpr std::array<std::string_view, 10> small_digits = {"\u2070", "\u00B9", "\u00B2", "\u00B3", "\u2074",
+                                                           "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+constexpr std::string_view small_minus = "\u207B";
+constexpr std::string_view small_plus = "\u207A";
+
 /// Whether a line goes on behind `mark`. A > at the end of a line closes a pair: comparisons stand within
 /// brackets.
 bool continues_line(std::string_view mark) {
@@ -120,7 +139,9 @@ private:
             push(TokenKind::word, length);
         } else if (is_digit_of_number(text_[place_])) {
             push(TokenKind::number, number_length());
-        } else {
+        } else if (unsigned_number_length(rest()) > 0) {  // ".5" or a fraction that is one character
+            push(TokenKind::number, unsigned_number_length(rest()));
+        } else if (!take_superscript() && !take_spelling()) {
             take_mark();
         }
     }
@@ -131,7 +152,41 @@ private:
             while (length < rest().size() && is_digit_of_number(rest()[length])) ++length;
             return length;
         }
-        return unsigned_decimal_length(rest());
+        return unsigned_number_length(rest());
+    }
+
+    bool take_spelling() {
+        for (const Spelling& spelling : spellings) {
+            if (!rest().starts_with(spelling.written)) continue;
+            block_.tokens.push_back({TokenKind::mark, spelling.mark, place_});
+            place_ += spelling.written.size();
+            return true;
+        }
+        return false;
+    }
+
+    /// Digits above the line are the exponent of what stands before them.
+    bool take_superscript() {
+        std::string_view above = rest();
+        const bool below_zero = above.starts_with(small_minus);
+        if (below_zero || above.starts_with(small_plus)) above.remove_prefix(small_minus.size());
+        std::string digits;
+        for (bool found = true; found;) {
+            found = false;
+            for (std::size_t d = 0; d < small_digits.size(); ++d) {
+                if (!above.starts_with(small_digits[d])) continue;
+                digits += static_cast<char>('0' + d);
+                above.remove_prefix(small_digits[d].size());
+                found = true;
+                break;
+            }
+        }
+        if (digits.empty()) return false;
+        block_.tokens.push_back({TokenKind::mark, "^", place_});
+        if (below_zero) block_.tokens.push_back({TokenKind::mark, "-", place_});
+        block_.tokens.push_back({TokenKind::number, block_.raised.emplace_back(std::move(digits)), place_});
+        place_ = text_.size() - above.size();
+        return true;
     }
 
     void take_mark() {
@@ -142,8 +197,8 @@ private:
             push(TokenKind::mark, mark.size());
             return;
         }
-        throw Error(ErrorCode::syntax, quoted(rest().substr(0, 1)) + " belongs to no word of the language",
-                    {}, place_);
+        throw Error(ErrorCode::syntax,
+                    quoted(first_character(rest())) + " belongs to no word of the language", {}, place_);
     }
 
     void push(TokenKind kind, std::size_t length) {

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,7 +21,8 @@ struct Token {
 /// The lines of one block, cut into tokens.
 struct BlockText {
     bool strict = false;
-    std::vector<Token> tokens;  ///< the last is text_end, after a line_end
+    std::vector<Token> tokens;       ///< the last is text_end, after a line_end
+    std::deque<std::string> raised;  ///< the digits of superscripts
 };
 
 /// Cuts a block into tokens, without its line `theorem` and without comments.

@@ -1,0 +1,195 @@
+#include "fitpack.hpp"
+
+#include <blossom/rational/lists.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "doubles.hpp"
+#include "text/bracketed_lists.hpp"
+
+namespace blossom::protocol {
+
+namespace {
+
+using Rows = std::vector<std::vector<Rational>>;
+
+/// The places of t, c and k.
+struct CurvePlaces {
+    Place knots = Place() / 0;
+    Place coefficients = Place() / 1;
+    Place degree = Place() / 2;
+};
+
+/// Cuts off the zeros behind the first `count` elements.
+template <class Element, class IsZero>
+void cut_padding(std::vector<Element>& elements, std::size_t count, const IsZero& is_zero) {
+    for (std::size_t i = count; i < elements.size(); ++i) {
+        if (is_zero(elements[i])) continue;
+        throw Error(ErrorCode::wrong_arity,
+                    "there are " + std::to_string(count) + " basis functions, and coefficient " +
+                        std::to_string(i) + " is not 0",
+                    Place{i});
+    }
+    elements.resize(count);
+}
+
+bool is_zero_row(const std::vector<Rational>& row) {
+    return std::ranges::all_of(row, [](const Rational& number) { return number.is_zero(); });
+}
+
+/// Coordinate after coordinate, as FITPACK has them, as point after point.
+std::vector<Coordinates> transposed(Rows columns, std::size_t count) {
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        within(i, [&] {
+            cut_padding(columns[i], count, [](const Rational& number) { return number.is_zero(); });
+        });
+    }
+    std::vector<Coordinates> points(count);
+    for (std::size_t j = 0; j < count; ++j) {
+        for (const std::vector<Rational>& column : columns) points[j].push_back(column[j]);
+    }
+    return points;
+}
+
+/// Reads coefficients for `count` basis functions of degree k.
+class CoefficientReader {
+public:
+    CoefficientReader(std::size_t count, std::size_t padded, bool points_first)
+        : count_(count), padded_(padded), points_first_(points_first) {}
+
+    std::vector<Coordinates> scalars(std::vector<Rational> numbers) const {
+        require_size(numbers.size());
+        cut_padding(numbers, count_, [](const Rational& number) { return number.is_zero(); });
+        return mapped(numbers, [](const Rational& number) { return Coordinates{number}; });
+    }
+
+    std::vector<Coordinates> points(Rows rows) const {
+        const bool by_points = fits(rows.size());
+        const bool by_coordinates =
+            std::ranges::all_of(rows, [&](const std::vector<Rational>& row) { return fits(row.size()); });
+        if (by_points && by_coordinates && !points_first_) {
+            throw Error(ErrorCode::wrong_arity,
+                        std::to_string(rows.size()) +
+                            " lists of as many numbers may be points or coordinates; in an object "
+                            R"({"t", "c", "k"} they are points)");
+        }
+        if (by_coordinates && !by_points) return transposed(std::move(rows), count_);
+        require_size(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!rows[i].empty() && rows[i].size() == rows.front().size()) continue;
+            throw Error(ErrorCode::mismatched_dimensions,
+                        "the point has " + std::to_string(rows[i].size()) + " coordinates, and point 0 has " +
+                            std::to_string(rows.front().size()),
+                        Place{i});
+        }
+        cut_padding(rows, count_, is_zero_row);
+        return rows;
+    }
+
+private:
+    bool fits(std::size_t size) const { return size == count_ || size == padded_; }
+    void require_size(std::size_t size) const {
+        if (fits(size)) return;
+        throw Error(ErrorCode::wrong_arity,
+                    std::to_string(size) + " coefficients for " + std::to_string(count_) +
+                        " basis functions; with padding there are " + std::to_string(padded_));
+    }
+
+    std::size_t count_;
+    std::size_t padded_;
+    bool points_first_;
+};
+
+Map read_members(const Json& knots_value, const Json& coefficients, const Json& degree_value,
+                 const CurvePlaces& places, const Limits& limits) {
+    const auto below = [](const Place& place, const auto& action) {
+        try {
+            return action();
+        } catch (const Error& error) {
+            throw error.at(place.around(error.place()));
+        }
+    };
+    const std::size_t degree = below(places.degree, [&] { return read_count(degree_value, limits); });
+    std::vector<Rational> knots = below(places.knots, [&] { return read_list(knots_value, read_double); });
+    if (knots.size() < degree + 2) {
+        throw Error(ErrorCode::bad_knots,
+                    std::to_string(knots.size()) + " knots are too few for degree " + std::to_string(degree),
+                    places.knots);
+    }
+    bool scalar = false;
+    std::vector<Coordinates> points = below(places.coefficients, [&] {
+        const CoefficientReader reader(knots.size() - degree - 1, knots.size(), places.knots == Place{"t"});
+        const Json::Array& elements = read_array(coefficients);
+        scalar = std::ranges::none_of(elements, [](const Json& element) { return element.array(); });
+        if (scalar) return reader.scalars(read_list(coefficients, read_double));
+        return reader.points(
+            read_list(coefficients, [](const Json& row) { return read_list(row, read_double); }));
+    });
+    try {
+        return {BSplineCurve(degree, std::move(knots), std::move(points)), PointForm{.scalar = scalar}};
+    } catch (const Error& error) {
+        const Place& place = error.place();
+        if (place.begins_with(Part::degree)) throw error.at(places.degree);
+        if (place.begins_with(Part::knots)) throw error.at(places.knots.around(place.inside(Part::knots)));
+        throw error.at(places.coefficients);
+    }
+}
+
+}  // namespace
+
+std::vector<Map> read_fitpack(const Json& document, Floats floats, const Limits& limits) {
+    if (const std::string* text = document.text()) {
+        const Json printed = bracketed_list(*text);
+        try {
+            return read_fitpack(floats == Floats::decimal ? with_decimals(printed, limits) : printed, floats,
+                                limits);
+        } catch (const Error& error) {
+            throw error.at(Place());
+        }
+    }
+    if (const Json::Array* list = document.array()) {
+        if (list->size() == 3)
+            return {read_members((*list)[0], (*list)[1], (*list)[2], CurvePlaces{}, limits)};
+        throw Error(ErrorCode::wrong_arity, "knots t, coefficients c and degree k are expected, not " +
+                                                std::to_string(list->size()) + " values");
+    }
+    Fields fields(document);
+    const auto member = [&](std::string_view name) -> const Json& {
+        return *fields.required(name, [](const Json& value) { return &value; });
+    };
+    const Json& knots = member("t");
+    const Json& coefficients = member("c");
+    const Json& degree = member("k");
+    return {read_members(knots, coefficients, degree, {Place{"t"}, Place{"c"}, Place{"k"}}, limits)};
+}
+
+Json write_fitpack(const std::vector<Map>& splines) {
+    if (splines.size() != 1) {
+        throw Error(ErrorCode::wrong_arity, "(t, c, k) is one curve, not " + std::to_string(splines.size()));
+    }
+    const Map& map = splines.front();
+    if (map.form.separate_weights()) {
+        throw Error(ErrorCode::wrong_kind,
+                    "(t, c, k) has no place for weights; with \"homogeneous\": true they are coordinates");
+    }
+    const auto& curve = std::get<BSplineCurve>(map.value);
+    const auto doubles = [](const std::vector<Rational>& numbers) {
+        Json::Array list;
+        for (const Rational& number : numbers) list.emplace_back(double_number(number));
+        return list;
+    };
+    Json::Array coefficients;
+    for (const Coordinates& point : curve.control_points()) {
+        if (map.form.scalar) {
+            coefficients.emplace_back(double_number(point.front()));
+        } else {
+            coefficients.emplace_back(doubles(point));
+        }
+    }
+    const auto knots = curve.knots().knots();
+    return Json::Array{doubles({knots.begin(), knots.end()}), std::move(coefficients), curve.degree()};
+}
+
+}  // namespace blossom::protocol
