@@ -14,7 +14,7 @@ namespace {
 BSplineCurve with_full_knot(const BSplineCurve& curve, const Rational& u, const Limits& limits) {
     const std::size_t n = curve.degree();
     const std::vector<Rational> missing(n - std::min(n, curve.knots().multiplicity(u)), u);
-    return insert_knots_boehm(curve, missing, limits);
+    return insert_knots(curve, missing, limits);
 }
 
 /// How often the end of a clamped curve is a knot.

@@ -157,6 +157,7 @@ std::vector<std::vector<Integer>> replaced_in(Ring ring, const FactorNets& nets,
                               });
             }
             if (r == degree) break;
+            spend_work(count_of(dimension, degree - r) * nets.behind * words_for(bits.level(r)));
             start_level(ring, bits, r + 1);
             ring.scale(folded, level, argument[0], count_of(dimension, degree - r - 1) * nets.behind);
             add_folded(ring, dimension, degree - r, nets.behind, level, argument.data(), folded);
@@ -182,7 +183,6 @@ std::vector<std::vector<Integer>> with_vertices_replaced(const FactorNets& nets,
                                                          const Integer& scale,
                                                          std::span<const std::size_t> vertices) {
     const StepBits bits(nets, entries, scale);
-    spend_work(nets.numbers.size() * nets.factor.degree * words_for(bits.result));
     if (bits.result < 64) return replaced_in(WordRing<std::uint64_t>(), nets, bits, entries, scale, vertices);
     if (bits.result < 128) return replaced_in(WordRing<UInt128>(), nets, bits, entries, scale, vertices);
     return replaced_in(LimbRing(words_for(bits.level(bits.degree))), nets, bits, entries, scale, vertices);
