@@ -25,7 +25,7 @@ std::size_t digits_length(std::string_view text) {
         quoted(text) + R"( is not an exact number; write it as "p", "p/q" or a decimal such as "-0.125")");
 }
 
-/// The value of decimal digits; none for another text. "" is 0.
+/// The value of decimal digits; nullopt for any other text. The value of "" is 0.
 std::optional<Integer> integer_from_digits(std::string_view digits, const Limits& limits) {
     while (digits.starts_with('0')) digits.remove_prefix(1);
     constexpr std::size_t most_in_word = 18;
@@ -40,7 +40,7 @@ std::optional<Integer> integer_from_digits(std::string_view digits, const Limits
     return IntegerAccess::from_number(backend::Number(std::string(digits)));
 }
 
-/// A decimal exponent; one that does not fit is far beyond every limit.
+/// A decimal exponent; one that does not fit in the type is far beyond every limit.
 std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) {
     std::size_t value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -51,7 +51,7 @@ std::size_t exponent_from_digits(std::string_view digits, const Limits& limits) 
     return value;
 }
 
-/// An unsigned decimal that `unsigned_decimal_length` has measured.
+/// The value of an unsigned decimal that `unsigned_decimal_length` recognised.
 Rational decimal(std::string_view text, const Limits& limits) {
     const std::string_view whole = text.substr(0, digits_length(text));
     text.remove_prefix(whole.size());
@@ -77,11 +77,7 @@ Rational decimal(std::string_view text, const Limits& limits) {
     return negative_exponent ? Rational(digits, point * scale) : Rational(digits * scale, point);
 }
 
-}  // namespace
-
-namespace {
-
-/// Whether a character goes on at `place`: all its bytes but the first have the form 10xxxxxx.
+/// Whether the byte at `place` continues a UTF-8 character that begins before it.
 bool continues_at(std::string_view text, std::size_t place) {
     return place < text.size() && continues_character(text[place]);
 }

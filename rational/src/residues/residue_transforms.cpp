@@ -10,7 +10,8 @@ namespace blossom::residues {
 
 namespace {
 
-/// By measurement: below, and where a transform is much longer than the product, other ways are faster.
+/// With fewer factors, or if a transform is much longer than the product, other ways are faster (by
+/// measurement).
 constexpr std::size_t least_factors = 500;
 constexpr std::size_t shortest_leaf = 32;
 
@@ -61,7 +62,7 @@ Roots::Roots(const Moduli& moduli, std::size_t size) : powers_(size) {
 
 void transform_numbers(const Moduli& moduli, const Roots& roots, const ResidueVector* numbers,
                        std::size_t count, std::size_t size, ResidueVector* values) {
-    // The transform with the inverse roots is that of the numbers in the opposite order.
+    // The transform with the inverse roots is the transform of the numbers in reverse order.
     values[0] = numbers[0];
     std::fill(values + 1, values + (size - count + 1), ResidueVector{});
     std::reverse_copy(numbers + 1, numbers + count, values + (size - count + 1));
@@ -75,7 +76,7 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
     const Operations& run = operations();
     const Buffer room(plan.size());
     const Buffer twists(plan.size() / 2);
-    // Each polynomial has `size` values; twice as many are wanted of a product. The last go to `values`.
+    // Each polynomial has `size` values; their products need twice as many. The last products go to `values`.
     std::size_t size = plan.leaf;
     ResidueVector* from = leaves;
     ResidueVector* to = plan.levels % 2 == 1 ? values : room.data();

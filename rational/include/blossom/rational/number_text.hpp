@@ -7,27 +7,30 @@
 
 namespace blossom {
 
-/// The one door from text to numbers: "p", "p/q" or an exact decimal "-0.125", "1.5e-3".
+/// The number that a text denotes: "p", "p/q" or an exact decimal such as "-0.125" or "1.5e-3". All numbers
+/// in texts are read here.
 ///
-/// A leading '-' belongs to the whole; there is no '+', no space, no sign after '/', no bare "." and no other
-/// base: "010" is ten, "6/4" is 3/2, and "6/-4", "+1", "", " 1", "0x10", "1.", ".5", "1e5/2" are errors.
+/// A leading '-' applies to the whole number. There is no '+', no space, no sign after '/', no bare "." and
+/// no other base: "010" is ten, "6/4" is 3/2, and "6/-4", "+1", "", " 1", "0x10", "1.", ".5", "1e5/2" are
+/// errors.
 ///
-/// Cost: that of a base conversion of the digits.
-/// Errors: `not_a_number`; `zero_denominator`; `limit_exceeded` when the value would have more than
-/// `limits.digits` digits, counting what an exponent adds.
+/// Cost: that of converting the digits to binary.
+/// Errors: `not_a_number`; `zero_denominator`; `limit_exceeded` if the value would have more than
+/// `limits.digits` digits, including those that an exponent adds.
 Rational parse_rational(std::string_view text, const Limits& limits = {});
 
-/// As `parse_rational`, and only an integer without point, exponent or slash will do.
+/// As `parse_rational`, but only for integers without point, exponent and slash.
 Integer parse_integer(std::string_view text, const Limits& limits = {});
 
-/// How many characters at the front of `text` form an unsigned decimal, "12", "0.5" or "1.5e-3"; 0 when none
-/// do.
+/// The length of the unsigned decimal at the front of `text`, such as "12", "0.5" or "1.5e-3"; 0 if there is
+/// none.
 std::size_t unsigned_decimal_length(std::string_view text);
 
-/// At most 40 characters of `text` for an error message, in quotation marks, with unprintable bytes escaped.
+/// At most 40 characters of `text` for an error message, in quotation marks and with unprintable bytes
+/// escaped.
 std::string quoted(std::string_view text);
 
-/// The first character of a text of UTF-8, with all its bytes.
+/// The first character of a UTF-8 text, with all its bytes.
 std::string_view first_character(std::string_view text);
 
 }  // namespace blossom
