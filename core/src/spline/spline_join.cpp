@@ -29,7 +29,7 @@ std::size_t greatest_degree(std::span<const BezierCurve> curves) {
     return std::ranges::max_element(curves, {}, &BezierCurve::degree)->degree();
 }
 
-/// The curves of degree n over increasing intervals, each beginning where the last ended.
+/// The curves raised to degree n over increasing intervals, each of which begins where the previous one ends.
 std::vector<BezierCurve> raised_pieces(std::span<const BezierCurve> curves, std::size_t n,
                                        const Limits& limits) {
     std::vector<BezierCurve> pieces;
