@@ -15,7 +15,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool is_id_character(char c) { return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.'; }
 
-/// Tokens after which a statement goes on in the next line.
+/// Tokens after which a statement continues in the next line.
 constexpr std::string_view unfinished[] = {"+", "-", "*", "/", "^", "==", "!=", "=", ",", ":", ";", ".."};
 constexpr std::string_view two_characters[] = {"==", "!=", "..", "<=", ">="};
 
@@ -81,7 +81,7 @@ private:
 
     void number() {
         std::size_t length = length_while(is_digit);
-        // "1..8" is a range, "1.5" a number.
+        // "1..8" is a range, "1.5" is a number.
         if (at_ + length + 1 < text_.size() && text_[at_ + length] == '.' &&
             is_digit(text_[at_ + length + 1])) {
             length = unsigned_decimal_length(text_.substr(at_));
