@@ -46,7 +46,7 @@ TEST_CASE("what was skipped is said") {
     CHECK(contains(regrouped.output, "The three constructions that were run agree exactly.\n"));
     std::vector<std::string> limited = request;
     limited.insert(limited.end(), {"--max-regrouping-work", "7"});
-    // Members such as "casteljau_double" are no constructions.
+    // Members such as "casteljau_double" are not constructions.
     std::vector<std::string> rounded = limited;
     rounded.insert(rounded.end(), {"--numbers", "double"});
     CHECK(contains(run(rounded).output, "The two constructions that were run agree exactly.\n"));

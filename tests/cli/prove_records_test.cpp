@@ -3,7 +3,7 @@
 
 namespace {
 
-/// A folder of its own, which goes with it.
+/// A temporary folder that is removed with the object.
 class Folder {
 public:
     Folder() : path_(std::filesystem::temp_directory_path() / "blossom-prove-records") {

@@ -1,6 +1,6 @@
 #include "core_test.hpp"
 
-// Every construction against the definition, summed over all subsets on another library's numbers.
+// Every construction compared with the definition, summed over all subsets, on numbers of another library.
 
 TEST_CASE("every construction on polynomial maps against the definition", "[blossom][oracle]") {
     Random random(211);

@@ -2,20 +2,20 @@
 #include <blossom/rational/resource_budget.hpp>
 #include "core_test.hpp"
 
-// Curves prepared to be evaluated at many parameters, held against Horner's rule and de Boor's triangle on
+// Curves prepared for evaluation at many parameters, compared with Horner's rule and de Boor's triangle on
 // integers.
 
 namespace {
 
 Size any_size(Random& random) { return random.one_in(3) ? Size::any : Size::small; }
 
-/// All values of one batch against single ones, and those against `expected`.
+/// Compares all values of one batch with single values, and these with `expected`.
 template <class Values, class Expected>
 void check(Random& random, const Values& values, std::span<const Rational> parameters,
            const Expected& expected) {
     const std::vector<Rational> batch = values.at(parameters, 1 + random.below(3));
     REQUIRE(batch.size() == parameters.size() * values.dimension());
-    // Into memory that holds numbers of any size.
+    // Writes to memory that already holds numbers of any size.
     std::vector<Rational> results(batch.size());
     for (Rational& result : results) result = number(random, any_size(random));
     values.at(parameters, results, 1 + random.below(3));

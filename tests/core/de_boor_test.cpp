@@ -6,7 +6,7 @@ std::size_t textbook_span(const BSplineCurve& curve, std::size_t span) {
     return span + (curve.knots().convention() == KnotConvention::textbook ? 0 : 1);
 }
 
-/// The k-th derivative of the oracle's polynomial of a span.
+/// The k-th derivative of the polynomial that the oracle gives for a span.
 Coordinates derivative_of_oracle(const textbook::Spline& plain, std::size_t span, std::size_t order,
                                  const Rational& t) {
     std::vector<Argument> arguments(plain.degree - order, Parameter(t));

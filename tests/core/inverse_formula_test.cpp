@@ -15,7 +15,7 @@ std::size_t node_count(std::size_t n) {
     return fractions.size();
 }
 
-/// A map that is no polynomial, so that a formula that uses other values gives something else.
+/// A map that is not a polynomial: a formula that uses other values gives another result.
 Rational reciprocal(const Rational& t) { return 1 / (t * t + 1); }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include <blossom/core/constructions/constructions.hpp>
 #include "core_test.hpp"
 
-// The polarization inverse formula for anything that can be evaluated.
+// The polarization inverse formula for any map that can be evaluated.
 
 namespace {
 
-/// Evaluates a polynomial by its powers, and remembers where.
+/// Evaluates a polynomial by its powers, and records the parameters.
 struct Counted {
     std::vector<Coordinates> coefficients;
     std::vector<Rational> places = {};

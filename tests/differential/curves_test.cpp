@@ -1,4 +1,4 @@
-// Curves and splines prepared to be evaluated at many parameters, with numbers that end where words do.
+// Curves and splines prepared for evaluation at many parameters, with numbers near the limits of words.
 
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
@@ -64,7 +64,7 @@ std::vector<Coordinates> unit_points(std::size_t n, std::size_t one) {
     return points;
 }
 
-/// A spline whose knots are as they come, evenly spaced, or of many bits.
+/// A spline whose knots are random, evenly spaced, or of many bits.
 BSplineCurve uneven_spline(Random& random) {
     SplineRecipe recipe = spline(random, random.below(random.one_in(8) ? 16 : 7));
     const std::size_t kind = random.below(3);

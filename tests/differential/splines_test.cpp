@@ -1,4 +1,4 @@
-// De Boor's triangle and the insertion of knots over rational knots, with numbers that end where words do.
+// De Boor's triangle and knot insertion over rational knots, with numbers near the limits of words.
 
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
@@ -15,7 +15,7 @@ Rational rational_near(Random& random, std::size_t bits) {
     return {number_near(random, bits), abs(number_near(random, bits)) + 1};
 }
 
-/// The knots of a generator by an increasing map that gives each its own denominator.
+/// The knots of a random spline under an increasing map that gives each knot its own denominator.
 SplineRecipe rational_spline(Random& random, std::size_t bits) {
     SplineRecipe recipe = spline(random, random.below(6));
     const Rational scale = abs(rational_near(random, bits)) + Rational(1, 7);

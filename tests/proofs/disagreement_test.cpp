@@ -1,7 +1,7 @@
 #include "certificates/points/point_comparison.hpp"
 #include "proofs/decided.hpp"
 
-// The linker puts a second road that lies in the place of the real one.
+// The linker replaces the second road by one that lies.
 
 using namespace blossom;
 using namespace blossom::testing;
@@ -11,7 +11,7 @@ namespace {
 
 std::optional<Comparison::Result> lie;
 
-/// Lies as long as it lives.
+/// Makes the second road lie during its lifetime.
 class Lie {
 public:
     explicit Lie(Comparison::Result result) { lie = result; }

@@ -1,10 +1,10 @@
 #include "decided.hpp"
 
-// Numbers, points, vectors, pairs and sets are told apart before anything is computed.
+// Numbers, points, vectors, pairs and sets are distinguished before anything is computed.
 
 namespace {
 
-/// The complaint about one claim on lines that declare something of every kind.
+/// The error of one claim after lines that declare something of every kind.
 std::string about(const std::string& claim) {
     static const std::string lines =
         "map b degree 2\nmap q degree 2 on simplex 2\npoint r, s in 2\nvector d in 2\npoint z in 3\n";

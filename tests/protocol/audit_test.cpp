@@ -3,11 +3,11 @@
 #include "operations/operation.hpp"
 #include "rounding.hpp"
 
-// What `audit` compares: every number of every kind of map, and nothing of a map without the rest of it.
+// What `audit` compares: every number of every kind of map; and it requires the complete map.
 
 namespace {
 
-/// A map of every kind, the rational ones with weights or a denominator.
+/// A map of every kind; rational ones have weights or a denominator.
 const std::vector<std::string> maps{
     R"({"kind": "polynomial", "coefficients": [["1", "2/3"], ["-5", "1/10"]], "denominator": ["1", "1/7"]})",
     R"({"kind": "polynomial", "text": "1/3 + t"})",
@@ -43,7 +43,8 @@ std::size_t numbers_in(const Json& value) {
     return count;
 }
 
-/// The map as `convert` or any other answer writes it, and its nearest doubles by the names of its members.
+/// The map as `convert` or any other answer writes it, and the nearest doubles of its numbers by the names of
+/// its members.
 struct Written {
     Json exact;
     Json doubles;

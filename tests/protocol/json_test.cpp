@@ -12,7 +12,7 @@ namespace {
 
 std::string echoed(std::string_view text) { return protocol::to_text(parse_json(text, Limits{})); }
 
-/// Another reader of JSON, whose numbers do not overflow here.
+/// Another JSON reader, whose numbers do not overflow here.
 using OtherJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 

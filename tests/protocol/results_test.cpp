@@ -187,7 +187,7 @@ TEST_CASE("rounded numbers stand beside the exact ones, in the same shape") {
 }
 
 TEST_CASE("nested and mixed shapes are rounded too") {
-    // A count, not braces: compilers differ on a list in braces whose one element is a list.
+    // A constructor with a count, not braces: compilers differ on a braced list whose one element is a list.
     const Json::Array row{Json(std::size_t{2}), Rational(1, 4)};
     const Json::Array net(1, Json(row));
     const Json::Array maps(1, Json(Json::Object{{"net", Json(net)}}));

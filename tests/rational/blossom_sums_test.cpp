@@ -1,7 +1,7 @@
 #include "blossom_sums_cases.hpp"
 #include "rational_test.hpp"
 
-// Every kernel against the evident formula on Rational, at the limits of each kernel.
+// Every kernel compared with the evident formula on Rational, at the limits of each kernel.
 
 TEST_CASE("sums over products of linear factors of every size", "[blossom_sums]") {
     Random random(4);

@@ -1,7 +1,7 @@
 #include <blossom/rational/taylor_shift.hpp>
 #include "rational_test.hpp"
 
-// Run apart, with BLOSSOM_VECTOR_LEVEL=avx512 in the environment.
+// Run separately, with BLOSSOM_VECTOR_LEVEL=avx512 in the environment.
 TEST_CASE("a vector level that there is not is refused at every use", "[.][unknown_vector_level]") {
     const std::vector<Integer> too_many_for_words(100, 1);
     for (int use = 0; use < 2; ++use) {

@@ -29,7 +29,7 @@ std::size_t count(std::string_view text, std::string_view part) {
     return found;
 }
 
-/// The characters of the longest line.
+/// The number of characters of the longest line.
 std::size_t widest_line(std::string_view text) {
     std::size_t widest = 0;
     std::size_t width = 0;
