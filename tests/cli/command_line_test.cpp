@@ -37,7 +37,7 @@ TEST_CASE("agree without arguments shows the form in e1, e2, e3 and the expansio
     CHECK(contains(shown.output, "The three constructions agree exactly, for all arguments.\n"));
 }
 
-TEST_CASE("what was skipped is said") {
+TEST_CASE("skipped constructions are named") {
     const std::vector<std::string> request{"agree", "t^3", "--at", "1,2,3", "--max-polarization-terms", "7"};
     const Run regrouped = run(request);
     CHECK(regrouped.status == 0);

@@ -100,7 +100,7 @@ TEST_CASE("splines over few and over many integers", "[curve_values]") {
     }
 }
 
-TEST_CASE("what could not be prepared for lack of resources is prepared by the next who asks",
+TEST_CASE("a preparation that failed for lack of resources is repeated by the next caller",
           "[curve_values]") {
     Limits little;
     little.work = 1;

@@ -29,7 +29,7 @@ TEST_CASE("a spline is evaluated at the ends and inside of its domain", "[de_boo
     CHECK(failure_code([&] { derivative(curve, 1, 1); }) == ErrorCode::outside_domain);
 }
 
-TEST_CASE("the blossom of a segment is asked for by its span", "[de_boor]") {
+TEST_CASE("the blossom of a segment is selected by its span", "[de_boor]") {
     const BSplineCurve curve = example_spline();
     const std::vector<Argument> arguments{Parameter(3), Parameter(Rational(7, 2)), Parameter(4)};
     CHECK(segment_blossom(curve, 3, arguments) == Coordinates{4, 2});

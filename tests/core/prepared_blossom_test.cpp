@@ -123,7 +123,7 @@ TEST_CASE("batches fill exactly the places they are given", "[blossom][batch]") 
     blossom.values({}, std::span<Rational>());
 }
 
-TEST_CASE("several threads ask a new blossom at the same time") {
+TEST_CASE("several threads use a new blossom at the same time") {
     Random random(313);
     for (int i = 0; i < 200; ++i) {
         const PolynomialRecipe recipe = polynomial_map(random, random.below(8), any_size(random));

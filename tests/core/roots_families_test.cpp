@@ -58,7 +58,7 @@ TEST_CASE("Wilkinson's perturbation by 2^-23 leaves ten real roots", "[roots]") 
     CHECK(found.back().upper < Rational(209, 10));
 }
 
-TEST_CASE("the two close roots of Mignotte's polynomials are told apart", "[roots]") {
+TEST_CASE("the two close roots of Mignotte's polynomials are separated", "[roots]") {
     for (const auto& [degree, a] : {std::pair<std::size_t, int>{10, 10}, {25, 100}, {60, 10}}) {
         const Polynomial polynomial = pow(t, degree) - Polynomial(2) * pow(Polynomial(a) * t - 1, 2);
         const std::vector<Root> found = roots(polynomial, {0, 1});

@@ -73,7 +73,7 @@ TEST_CASE("the roots of products of known factors are isolated with their multip
     CHECK(at_ends > 20);
 }
 
-TEST_CASE("roots are refined to the width that is asked for", "[roots]") {
+TEST_CASE("roots are refined to the requested width", "[roots]") {
     Random random(372);
     for (std::size_t i = 0; i < 60; ++i) {
         const Product made = product(random);

@@ -43,7 +43,7 @@ TEST_CASE("every node of the pyramid is the blossom value of its label", "[subdi
     }
 }
 
-TEST_CASE("the points of a pyramid stand over their least common denominator", "[subdivision]") {
+TEST_CASE("the points of a pyramid have their least common denominator", "[subdivision]") {
     const BezierCurve curve(std::vector<Coordinates>{{4}, {8}, {6}}, Interval(0, 2));
     const Pyramid pyramid = casteljau_pyramid(curve, with_copies({}, 2, Parameter(1)));
     CHECK(pyramid.levels[1].denominator() == 1);

@@ -180,7 +180,7 @@ TEST_CASE("reduction by the inverse formula: from values at its nodes", "[differ
     });
 }
 
-TEST_CASE("curve values: values that end where words do", "[differential]") {
+TEST_CASE("curve values: values near the limits of words", "[differential]") {
     each_case("curve values", [&](Random& random) {
         const std::size_t limits[] = {63, 127, 256, 512};
         const std::size_t limit = limits[random.below(4)];
@@ -205,7 +205,7 @@ TEST_CASE("curve values: values that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("spline values: knots and points that end where words do", "[differential]") {
+TEST_CASE("spline values: knots and points near the limits of words", "[differential]") {
     each_case("spline values", [&](Random& random) {
         SplineRecipe recipe = spline(random, random.below(5));
         const std::size_t bits = random.below(random.one_in(4) ? 62 : 20);

@@ -114,7 +114,7 @@ Coordinates folded(const NetShape& shape, const std::vector<std::vector<Rational
 
 }  // namespace
 
-TEST_CASE("patch values: values that end where words do", "[differential]") {
+TEST_CASE("patch values: values near the limits of words", "[differential]") {
     each_case("patch values", [&](Random& random) {
         const auto [net_shape, argument_bits, net] = random_net(random);
         const BezierPatch patch(net_shape, points(net));
@@ -132,7 +132,7 @@ TEST_CASE("patch values: values that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("patch blossoms: values that end where words do", "[differential]") {
+TEST_CASE("patch blossoms: values near the limits of words", "[differential]") {
     each_case("patch blossoms", [&](Random& random) {
         const auto [net_shape, argument_bits, net] = random_net(random);
         PatchArguments arguments;
@@ -149,7 +149,7 @@ TEST_CASE("patch blossoms: values that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("polynomial patches: values that end where words do", "[differential]") {
+TEST_CASE("polynomial patches: values near the limits of words", "[differential]") {
     each_case("polynomial patches", [&](Random& random) {
         const auto [net_shape, argument_bits, coefficients] = random_net(random);
         const PolynomialPatch patch(net_shape, points(coefficients));
@@ -178,7 +178,7 @@ TEST_CASE("polynomial patches: values that end where words do", "[differential]"
     });
 }
 
-TEST_CASE("raised nets: numbers that end where words do", "[differential]") {
+TEST_CASE("raised nets: numbers near the limits of words", "[differential]") {
     each_case("raised nets", [&](Random& random) {
         const NetShape net_shape = shape(random);
         const std::size_t f = random.below(net_shape.factors());
@@ -204,7 +204,7 @@ TEST_CASE("raised nets: numbers that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("subdivided nets: numbers that end where words do", "[differential]") {
+TEST_CASE("subdivided nets: numbers near the limits of words", "[differential]") {
     each_case("subdivided nets", [&](Random& random) {
         const NetShape net_shape = shape(random);
         const std::size_t f = random.below(net_shape.factors());

@@ -85,7 +85,7 @@ TEST_CASE("products of polynomials: coefficients up to the bits that the substit
     });
 }
 
-TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]") {
+TEST_CASE("Taylor shift: coefficients near the limits of digits", "[differential]") {
     each_case("Taylor shift", [&](Random& random) {
         const std::size_t size = 1 + random.below(random.one_in(40) ? 300 : random.one_in(4) ? 80 : 20);
         // A digit has 48 bits and a plane of eight digits 384; a shift adds about as many bits as there are
@@ -101,7 +101,7 @@ TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]
     });
 }
 
-TEST_CASE("Taylor shift: as many coefficients as transforms are taken for", "[differential]") {
+TEST_CASE("Taylor shift: numbers of coefficients that use transforms", "[differential]") {
     each_case(
         "Taylor shift in residues",
         [&](Random& random) {
@@ -149,7 +149,7 @@ TEST_CASE("forms on lines: numbers that end where groups of primes do", "[differ
     });
 }
 
-TEST_CASE("Bernstein coefficients: rows that end where words do", "[differential]") {
+TEST_CASE("Bernstein coefficients: rows near the limits of words", "[differential]") {
     each_case("Bernstein coefficients in words", [&](Random& random) {
         const std::size_t size = 1 + random.below(random.one_in(4) ? 33 : 8);
         const std::size_t bits_of_ends = 1 + random.below(random.one_in(4) ? 48 : 8);

@@ -109,7 +109,7 @@ const Degrees& any_degrees(Random& random) {
 
 }  // namespace
 
-TEST_CASE("residues: sums that end where groups of primes do", "[differential]") {
+TEST_CASE("residues: sums near the limits of groups of primes", "[differential]") {
     Met met;
     each_case("residues", [&](Random& random) {
         const Signs signs = any_signs(random);

@@ -39,14 +39,14 @@ SubsetCase subset_case(Random& random, std::size_t most_groups) {
 
 }  // namespace
 
-TEST_CASE("strict polarization: results that end where groups of primes do", "[differential]") {
+TEST_CASE("strict polarization: results near the limits of groups of primes", "[differential]") {
     each_case("strict polarization", [&](Random& random) {
         const SubsetCase given = subset_case(random, 5);
         check_same(strict_subset_sums(given.spans(), given.groups).value(), evident_subset_sums(given));
     });
 }
 
-TEST_CASE("regrouped polarization: results that end where groups of primes do", "[differential]") {
+TEST_CASE("regrouped polarization: results near the limits of groups of primes", "[differential]") {
     std::size_t computed = 0;
     each_case("regrouped polarization", [&](Random& random) {
         const SubsetCase given = subset_case(random, random.one_in(8) ? 14 : 7);

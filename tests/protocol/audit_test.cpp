@@ -122,7 +122,7 @@ TEST_CASE("an audit takes every number of every kind of map") {
     }
 }
 
-TEST_CASE("an audit sees a wrong number wherever it stands in a map") {
+TEST_CASE("an audit finds a wrong number at every place of a map") {
     for (const std::string& map : maps) {
         const Written both = written(map);
         for (const auto& [name, member] : *both.doubles.object()) {
@@ -152,7 +152,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("any of the members of a map may be computed by itself") {
+TEST_CASE("any single member of a map may be computed") {
     for (const std::string& map : maps) {
         const Written both = written(map);
         if (both.doubles.find("weights") || both.doubles.find("denominator")) continue;
@@ -284,13 +284,13 @@ TEST_CASE("a document of another degree is refused, even with as many numbers") 
                        map) == "mismatched_dimensions /document/SplineList/0/degrees/0");
 }
 
-TEST_CASE("a document without knots is compared with others where it stands") {
+TEST_CASE("a document without knots is compared with others at its place") {
     CHECK(refusal_text(R"("op": "audit", "format": "splinepy", "document": {"SplineList": [{"degrees": [1],
         "control_points": [[0], [1]]}]}, "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
         "control_points": [["0"], ["1"], ["2"]]})") == "mismatched_dimensions /document/SplineList/0");
 }
 
-TEST_CASE("a number in the text of an audit says where it stands") {
+TEST_CASE("a number in the text of an audit has its place") {
     const auto text = [](const char* map, const char* computed) {
         const Limits limits;
         const Json request = Json::Object{

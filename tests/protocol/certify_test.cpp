@@ -25,7 +25,7 @@ const std::string parabola =
 
 }  // namespace
 
-TEST_CASE("certify: a value, control points, derivatives and the expansion stand in comments") {
+TEST_CASE("certify: a value, control points, derivatives and the expansion are shown in comments") {
     CHECK(says(about(cubic, R"("op": "blossom", "arguments": ["1/2", "-2/3", {"vector": "1"}])"),
                "value = p[1/2, -2/3, delta] = 7/9 *)"));
     CHECK(says(about(cubic, R"("op": "control-points", "interval": ["2", "-1"])"),

@@ -37,7 +37,7 @@ TEST_CASE("JSON values are written as they were read") {
     CHECK(echoed(R"("\u00e9\ud83d\ude00")") == "\"é😀\"");
 }
 
-TEST_CASE("what is no JSON is refused with the place") {
+TEST_CASE("text that is not JSON is refused with the place") {
     for (const std::string_view text :
          {std::string_view(""), std::string_view("{"), std::string_view("[1,]"), std::string_view("01"),
           std::string_view("+1"), std::string_view("NaN"), std::string_view("1 2"),

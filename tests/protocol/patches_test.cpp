@@ -158,7 +158,7 @@ TEST_CASE("two patches meet along the face that they share") {
           "wrong_kind /maps/1");
 }
 
-TEST_CASE("what is no patch is refused with its place") {
+TEST_CASE("an invalid patch is refused with its place") {
     const auto map = [](const std::string& members) {
         return R"("op": "evaluate", "at": [], "map": {)" + members + "}";
     };

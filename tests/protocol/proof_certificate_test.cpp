@@ -188,7 +188,7 @@ TEST_CASE("anything in the place of anything in a certificate is read or refused
     }
 }
 
-TEST_CASE("what is no certificate is refused") {
+TEST_CASE("a file that is not a certificate is refused") {
     const auto refused = [](const std::string& text) {
         try {
             read_certificates(parse_json(text, Limits{}), Limits{});

@@ -116,7 +116,7 @@ TEST_CASE("rational B-splines in two directions are divided by their weights") {
           R"([["1", "1"], ["1", "1"], ["3/2", "3/2"], ["2", "2"], ["1", "1"], ["1", "1"]])");
 }
 
-TEST_CASE("what is no tensor product of B-splines is refused with its place") {
+TEST_CASE("an invalid tensor product of B-splines is refused with its place") {
     const auto read = [](const std::string& members) {
         return refusal_text(R"("op": "evaluate", "at": [], "map": {"kind": "bspline", )" + members + "}");
     };

@@ -186,8 +186,7 @@ TEST_CASE("hexadecimal floats as C writes them", "[double_conversion]") {
     }
 }
 
-TEST_CASE("the unit in the last place is the distance of the doubles around a number",
-          "[double_conversion]") {
+TEST_CASE("the unit in the last place is the distance between neighbouring doubles", "[double_conversion]") {
     const Rational epsilon = power_of_two(-52);
     CHECK(unit_in_last_place(1) == epsilon);
     CHECK(unit_in_last_place(Rational(-3, 2)) == epsilon);

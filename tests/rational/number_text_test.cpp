@@ -63,7 +63,7 @@ TEST_CASE("what is not an exact number is refused", "[number_text]") {
     CHECK(failure_code([] { parse_rational(std::string_view("1\0/2", 4)); }) == ErrorCode::not_a_number);
 }
 
-TEST_CASE("a zero denominator in text is an error of its own", "[number_text]") {
+TEST_CASE("a zero denominator in text has its own error code", "[number_text]") {
     for (const std::string text : {"1/0", "0/0", "-1/0", "5/000"}) {
         CAPTURE(text);
         CHECK(failure_code([&] { parse_rational(text); }) == ErrorCode::zero_denominator);

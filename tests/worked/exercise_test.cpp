@@ -44,7 +44,7 @@ TEST_CASE("the same seed gives the same sheet, another seed another one") {
     }
 }
 
-TEST_CASE("a sheet has as many problems as asked for, each with its solution and no two alike") {
+TEST_CASE("a sheet has the requested number of different problems, each with its solution") {
     for (const std::string_view topic : exercise_topics()) {
         for (std::size_t level = 1; level <= 3; ++level) {
             CAPTURE(topic, level);
