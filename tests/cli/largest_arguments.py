@@ -20,7 +20,7 @@ from largest_maps import (
     spread_fractions,
 )
 
-# What a field must be to fit a map.
+# Values of fields that fit a map.
 def directions_of(a_map):
     """0 for a curve; the coordinates of a point for a simplex, the directions for a tensor product."""
     if a_map["kind"] == "simplex":
@@ -39,7 +39,7 @@ def degree_of(a_map):
 
 
 def parameter(a_map, style, i, n):
-    """A parameter in the domain: of a B-spline a knot within it if there is one, for others anything but the ends of intervals."""
+    """A parameter in the domain: for a B-spline a knot inside it if there is one, for other maps any number but the ends of intervals."""
     directions = directions_of(a_map)
     if a_map["kind"] == "bspline":
         if not directions:
@@ -105,7 +105,7 @@ def count_field(default):
 
 
 def inserted_knots(a_map, level):
-    """In the domain, where the knots of the map are whole numbers."""
+    """Knots in the domain, if the knots of the map are integers."""
     if a_map["kind"] != "bspline":
         return several(level[0], a_map, level[1]) if level else [1]
     count, style = level or (1, small)
@@ -162,7 +162,7 @@ def document(a_map, level):
 
 
 def audited_document(a_map, level):
-    """The curve itself where its numbers are short, so that the two fit."""
+    """The curve itself if its numbers are short, so that the document matches it."""
     if a_map["kind"] != "bspline" or directions_of(a_map) or not isinstance(a_map["knots"][0], int):
         return document(a_map, level)
     flat = [value for p in a_map["control_points"] for value in (p if isinstance(p, list) else [p])]
@@ -241,7 +241,7 @@ def pages():
     yield {"op": "prove", "statement": "for n in 1..300\nmap a degree n\nclaim a'(t) == n * a[t{n-1}, delta]"}
 
 
-# The levels of a field beyond its small value, and its value for a map. A value of None leaves the field out.
+# The large values of a field, and its value for a map and one of these (None for the small value). A result of None omits the field.
 FIELDS = {
     "arguments": ([(wrap, style) for wrap in (lambda value: value, homogeneous, vector) for style in [small, *STYLE_AXIS]], arguments),
     "at": (MANY, parameters),
@@ -279,7 +279,7 @@ FIELDS = {
     ),
 }
 
-# Fields that mean something else in one operation.
+# Fields with another meaning in one operation.
 OF_OPERATION = {
     ("subdivide", "at"): (STYLES[1:], lambda a_map, level: parameter(a_map, level or small, 1, 2)),
     ("continuity", "at"): (STYLES[1:], at_in_one_direction),
