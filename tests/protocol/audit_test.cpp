@@ -50,12 +50,12 @@ struct Written {
     Json doubles;
 };
 
-void keep_twins(const Json::Object& members, Json& exact, Json& doubles) {
+void keep_rounded(const Json::Object& members, Json& exact, Json& doubles) {
     for (const auto& [name, member] : members) {
         if (name.ends_with("_double")) {
             doubles[name.substr(0, name.size() - std::string_view("_double").size())] = member;
         } else if (const Json::Object* inner = member.object()) {
-            keep_twins(*inner, exact[name], doubles[name]);
+            keep_rounded(*inner, exact[name], doubles[name]);
         } else if (numbers_in(member) > 0 && name != "kind" && name != "variables") {
             exact[name] = member;
         }
@@ -68,7 +68,7 @@ Written written(const std::string& map) {
     Json result = Json::Object{{"map", of_map}};
     add_rounded_numbers(result, Rounding::binary64);
     Written both;
-    keep_twins(*parse_json(to_text(*result.find("map")), limits).object(), both.exact, both.doubles);
+    keep_rounded(*parse_json(to_text(*result.find("map")), limits).object(), both.exact, both.doubles);
     return both;
 }
 

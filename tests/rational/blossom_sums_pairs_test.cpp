@@ -11,7 +11,7 @@ using Pairs = std::vector<Rational>;
 
 /// Pairs, usually of few bits; sometimes near the limits of words, beyond them, or with a mass other than 0
 /// and 1.
-Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_ones) {
+Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool special_cases) {
     const Integer large = Integer(1) << 64;
     Pairs pairs;
     for (std::size_t i = 0; i < n; ++i) {
@@ -19,7 +19,7 @@ Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_one
         Rational u(word_of_bits(random, bits),
                    denominator_of_bits(random, smooth ? std::min<std::size_t>(bits, 7) : bits));
         Rational m = random.one_in(4) ? 0 : 1;
-        if (odd_ones && random.one_in(n)) {
+        if (special_cases && random.one_in(n)) {
             const Rational odd[] = {std::numeric_limits<std::int64_t>::min(),
                                     std::numeric_limits<std::int64_t>::max(), Rational(large),
                                     Rational(1, large), Rational(-large - 1, large)};
@@ -125,14 +125,14 @@ TEST_CASE("eight tuples of pairs of numbers", "[blossom_sums]") {
         const std::size_t n = 1 + random.below(wide ? 17 : 9);
         const Given given = random_rows(random, n);
         const BlossomSums sums(RationalVector(given.numbers), given.rows);
-        const bool odd_ones = random.one_in(3);
+        const bool special_cases = random.one_in(3);
         // About as many bits as fit in 51, 63 and 102, and more.
         const std::size_t bits =
             1 + random.below(std::clamp<std::size_t>((wide ? 105 : 66) / n, 2, random.one_in(2) ? 12 : 62));
         std::vector<Pairs> tuples;
         const Rational* addresses[8];
         for (std::size_t l = 0; l < 8; ++l)
-            tuples.push_back(random_pairs(random, n, bits, odd_ones && random.one_in(8)));
+            tuples.push_back(random_pairs(random, n, bits, special_cases && random.one_in(8)));
         for (std::size_t l = 0; l < 8; ++l) addresses[l] = tuples[l].data();
         const std::int64_t a = random.between(-9, 9);
         const std::int64_t length = random.between(1, 6);

@@ -72,7 +72,7 @@ Coordinates in_plane(const Coordinates& point) {
     return {point[0] / point[2], point[1] / point[2]};
 }
 
-bool bends(const std::vector<Coordinates>& points) {
+bool is_bent(const std::vector<Coordinates>& points) {
     for (std::size_t i = 0; i + 2 < points.size(); ++i) {
         if (area(in_plane(points[i]), in_plane(points[i + 1]), in_plane(points[i + 2])).is_zero())
             return false;
@@ -85,9 +85,9 @@ struct HasWork {
     bool operator()(const PolynomialCurve& curve) const {
         return !curve.coordinate(0)[curve.degree()].is_zero();
     }
-    bool operator()(const BezierCurve& curve) const { return bends(curve.control_points().to_points()); }
+    bool operator()(const BezierCurve& curve) const { return is_bent(curve.control_points().to_points()); }
     bool operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
-    bool operator()(const BSplineCurve& curve) const { return bends(curve.control_points()); }
+    bool operator()(const BSplineCurve& curve) const { return is_bent(curve.control_points()); }
     bool operator()(const TriangleMap& map) const {
         const auto net = map.net.control_net().to_points();
         const std::size_t n = map.net.shape()[0].degree;

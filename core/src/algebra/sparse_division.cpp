@@ -48,7 +48,7 @@ public:
         }
     }
     /// Adds to the heap the terms that waited for the next term of the quotient.
-    void take_up() {
+    void add_waiting() {
         for (const std::size_t term : waiting_) push(term);
         waiting_.clear();
     }
@@ -111,7 +111,7 @@ std::optional<SparseTerms> quotient_of_numerators(const Width& width, const Alig
         }
         quotient.monomials.insert(quotient.monomials.end(), monomial.begin(), monomial.end());
         quotient.coefficients.push_back(std::move(coefficient));
-        products.take_up();
+        products.add_waiting();
     }
     return quotient;
 }
