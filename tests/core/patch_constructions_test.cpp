@@ -154,8 +154,8 @@ TEST_CASE("patch contact: the pieces of a subdivision are one map, and a changed
             own[f] = BarycentricFrame(vertices);
             placed.push_back({pieces[k], own});
         }
-        // The left piece has the middle in place of vertex 0, the right one in place of vertex s: they share
-        // all vertices of the left one but vertex s.
+        // In the left piece the midpoint replaces vertex 0, in the right one vertex s: the pieces share all
+        // vertices of the left one except vertex s.
         const Face face = shared_face(placed[0].frames, placed[1].frames).face;
         CHECK(face[f].size() == s);
         CHECK(face[f].back() == s - 1);
