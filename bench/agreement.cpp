@@ -1,4 +1,4 @@
-// The three constructions in symbols, compared: what `agree` proves for all arguments.
+// The three constructions on symbols, compared with each other: what `agree` proves for all arguments.
 
 #include <blossom/core/blossom/agreement.hpp>
 

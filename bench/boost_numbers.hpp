@@ -1,6 +1,6 @@
 #pragma once
 
-// Boost's rational numbers, on which the textbook's loops run.
+// Boost's rational numbers, which the textbook loops use.
 
 #include <blossom/rational/rational.hpp>
 

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-/// A polynomial of formal degree n and n arguments, whose numerators and denominators have `bits` bits; the
-/// same for every side, and for every run.
+/// A polynomial of formal degree n and n arguments, whose numerators and denominators have `bits` bits. They
+/// are the same for all sides and all runs.
 struct Case {
     std::size_t degree;
     std::size_t bits;
@@ -16,7 +16,8 @@ struct Case {
     std::vector<blossom::Rational> arguments;
 };
 
-/// A number of any size from words of the stream: an odd denominator, so that it stays that large.
+/// A number of `bits` bits from the random stream, with an odd denominator so that it does not become
+/// shorter.
 inline blossom::Rational number(std::mt19937_64& random, std::size_t bits) {
     const auto integer = [&](std::size_t size) {
         blossom::Integer value;
@@ -55,7 +56,7 @@ inline std::vector<blossom::Argument> arguments_of(const Case& given) {
     return arguments;
 }
 
-/// Textbook loops take seconds beyond.
+/// For larger cases, textbook loops take seconds.
 inline bool textbook_is_bearable(const Case& given) {
     return given.degree <= 20 || (given.degree <= 100 && given.bits <= 64);
 }

@@ -1,4 +1,4 @@
-// The constructions by name, each beside its own textbook loop.
+// Each construction by name, compared with its own textbook loop.
 
 #include <blossom/core/blossom/blossom.hpp>
 
@@ -11,7 +11,7 @@ namespace {
 
 using namespace blossom;
 
-/// What `construction` gives for `map`, beside a loop on Boost's numbers.
+/// The value by `construction` for `map`, compared with a loop on Boost's numbers.
 template <class Loop>
 void compare_construction(const Report& report, const Case& given, const PolynomialMap& map,
                           Construction construction, const Loop& loop) {
@@ -42,7 +42,7 @@ void compare_polarization(const Report& report, const Case& given) {
                          [&] { return textbook::polarization(boost_coefficients, boost_arguments); });
 }
 
-/// Every subset beside the loop of the Gray code.
+/// Every subset, compared with the loop in the order of the Gray code.
 void compare_gray_code(const Report& report, const Case& given) {
     const PolynomialCurve curve = curve_of(given);
     const std::vector<Argument> arguments = arguments_of(given);
@@ -55,7 +55,7 @@ void compare_gray_code(const Report& report, const Case& given) {
          {"GMP Gray code", [&] { gray_code.run(); }, [&] { return gray_code.text(); }}});
 }
 
-/// The polarization of this name alone, its value checked against that by symmetric functions.
+/// Only the polarization of this name; its value is checked against the one by symmetric functions.
 void show_polarization(const Report& report, std::size_t degree, std::size_t bits,
                        Construction construction) {
     const std::string name(construction_name(construction));

@@ -1,5 +1,5 @@
-// Operations on Bezier curves: subdivision, control points over [0, 1], one after the other as points, and
-// degree elevation. Each row goes round eight sets of operands.
+// Operations on Bezier curves: subdivision, control points over [0, 1], together and as single points, and
+// degree elevation. Each row uses eight sets of operands in turn.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/curve/degree_elevation.hpp>
@@ -24,7 +24,7 @@ Case operands(std::size_t degree, std::size_t bits, std::size_t set) {
     return result;
 }
 
-/// The same work on one set of operands after the other.
+/// Applies the same function to the sets of operands in turn.
 template <class Work>
 class Turns {
 public:

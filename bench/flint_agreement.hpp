@@ -1,7 +1,7 @@
 #pragma once
 
-// The three constructions of a blossom in symbols u_1, ..., u_n with FLINT's sparse polynomials, each by its
-// own formula, and compared.
+// The three constructions of a blossom in symbols u_1, ..., u_n on FLINT's sparse polynomials, each by its
+// own formula, and a comparison.
 
 #include <flint/fmpz_mpoly.h>
 
@@ -13,7 +13,8 @@ namespace flint_peer {
 
 class SymbolicBlossoms {
 public:
-    /// Of sum_k coefficients[k] t^k, whose values polarization takes from powers of sums or by Horner's rule.
+    /// The blossoms of sum_k coefficients[k] t^k. Polarization takes values from powers of sums, or by
+    /// Horner's rule.
     SymbolicBlossoms(std::span<const blossom::Integer> coefficients, bool by_powers)
         : coefficients_(coefficients), n_(coefficients_.size() - 1), by_powers_(by_powers) {
         fmpz_mpoly_ctx_init(context_, n_, ORD_LEX);

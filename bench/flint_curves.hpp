@@ -1,8 +1,8 @@
 #pragma once
 
 // Operations on Bezier curves as an expert would write them with FLINT: integers over one denominator,
-// triangles in place at low degree, Taylor shifts and products of polynomials above, one reduction at the
-// end.
+// triangles in place at low degree, Taylor shifts and products of polynomials at high degree, and one
+// reduction at the end.
 
 #include <flint/fmpq_poly.h>
 #include <flint/fmpz_poly.h>
@@ -31,7 +31,7 @@ public:
     void run() {
         const slong n = given_.size() - 1;
         n < degree_of_shifts ? triangle(n) : shifts(n);
-        // Point i of the left one is over q^i, point i of the right one over q^(n - i).
+        // Point i of the left polygon is over q^i, point i of the right one over q^(n - i).
         fmpz_one(power());
         for (slong i = n; i >= 0; --i) {
             fmpz_mul(left_.at(i), left_.at(i), power());
@@ -81,15 +81,15 @@ private:
             if (k > 0) fmpz_mul(power(), power(), q());
         }
         convolve(n, edge, 1);
-        // over q^n now: take q^(n - i) off
+        // All numbers are over q^n; divides by q^(n - i)
         fmpz_one(power());
         for (slong i = n; i >= 0; --i) {
             fmpz_divexact(edge.at(i), edge.at(i), power());
             if (i > 0) fmpz_mul(power(), power(), q());
         }
     }
-    /// Binomial convolution with (sign)^(i - k): C(n, .)-weighted numbers, shifted in reversed order, without
-    /// the weights again.
+    /// Binomial convolution with (sign)^(i - k): numbers weighted by C(n, .), shifted in reversed order, then
+    /// divided by the weights.
     void convolve(slong n, Integers& numbers, slong sign) {
         binomial(n);
         for (slong k = 0; k <= n; ++k) fmpz_mul(numbers.at(k), numbers.at(k), row_.at(k));
@@ -122,7 +122,7 @@ private:
     Integers numbers_;
 };
 
-/// Over [0, 1]: sum_k C(j, k) c_k / C(n, k), by additions at low degree.
+/// The control points over [0, 1]: sum_k C(j, k) c_k / C(n, k), by additions at low degree.
 class ControlPoints {
 public:
     explicit ControlPoints(const Case& given)
@@ -173,7 +173,7 @@ private:
     Integers numbers_;
 };
 
-/// The same, each in lowest terms.
+/// The same, with each point in lowest terms.
 class Points : public ControlPoints {
 public:
     explicit Points(const Case& given) : ControlPoints(given), reduced_(given.coefficients) {}
@@ -192,7 +192,7 @@ private:
     Arguments reduced_;
 };
 
-/// By n: C(2n, i) Q_i = sum_j C(n, j) P_j C(n, i - j), a product of polynomials.
+/// Raises the degree by n: C(2n, i) Q_i = sum_j C(n, j) P_j C(n, i - j), a product of polynomials.
 class Elevation {
 public:
     explicit Elevation(const Case& given)
@@ -230,8 +230,8 @@ private:
     Integers numbers_;
 };
 
-/// One value of the blossom: the product of the linear factors and one inner product, from the coefficients
-/// as they are.
+/// One value of the blossom from the given coefficients: the product of the linear factors and one inner
+/// product.
 class OneValue {
 public:
     explicit OneValue(const Case& given)
@@ -271,8 +271,8 @@ public:
     std::string text() const { return text_of(value_.data()); }
 
 private:
-    /// product_ = prod (v_i + u_i X): loops at low degree, FLINT's product tree over the roots -u/v of the
-    /// reversed one above.
+    /// product_ = prod (v_i + u_i X): by loops at low degree; above, by FLINT's product tree over the roots
+    /// -u/v of the reversed polynomial.
     void expand(slong n) {
         fmpz* const p = product_.data();
         if (n < degree_of_shifts) {

@@ -16,7 +16,7 @@ namespace flint_peer {
 
 inline void set(fmpz_t to, const blossom::Integer& value) { fmpz_set_str(to, to_string(value).c_str(), 10); }
 
-/// A vector of fmpz that is cleared at the end.
+/// A vector of fmpz that its destructor clears.
 class Integers {
 public:
     explicit Integers(slong size) : entries_(_fmpz_vec_init(size)), size_(size) {}

@@ -1,7 +1,7 @@
 #pragma once
 
 // Operations on whole polynomials as an expert would write them with FLINT: integers over one denominator,
-// FLINT's own Taylor shift and evaluation, one reduction at the end.
+// FLINT's own Taylor shift and evaluation, and one reduction at the end.
 
 #include <flint/fmpz_poly.h>
 
@@ -11,15 +11,15 @@
 
 namespace flint_peer {
 
-/// Numerators over one denominator in lowest terms as one line.
+/// Numerators over one denominator, in lowest terms, as one line.
 inline std::string text_of(const Integers& numerators, const fmpz_t denominator) {
     std::string result;
     for (slong k = 0; k < numerators.size(); ++k) result += text_of(numerators.at(k)) + " ";
     return result + "/ " + text_of(denominator);
 }
 
-/// Divides by the greatest common divisor of the denominator and all numerators; the first and the last share
-/// the least.
+/// Divides by the greatest common divisor of the denominator and all numerators, beginning with the first and
+/// the last, which usually have the smallest one.
 inline void make_canonical(Integers& numerators, fmpz_t denominator, fmpz_t scratch) {
     fmpz_gcd(scratch, denominator, numerators.at(0));
     fmpz_gcd(scratch, scratch, numerators.at(numerators.size() - 1));
@@ -105,7 +105,7 @@ private:
     Integers numbers_;
 };
 
-/// Values at many parameters, by FLINT's own choice between Horner's rule and halving.
+/// Values at many parameters, where FLINT chooses between Horner's rule and halving.
 class Values {
 public:
     Values(const blossom::RationalVector& coefficients, std::span<const blossom::Rational> parameters)

@@ -1,7 +1,7 @@
 #pragma once
 
-// Patches as an expert would write them with FLINT: integers over one denominator, sums of products in rows,
-// one reduction for each result. Memory is allocated once, outside of what is timed.
+// Patches as an expert would write them with FLINT: integers over one denominator, sums of products along
+// rows, and one reduction per result. Memory is allocated once, before the timed part.
 
 #include <flint/fmpz_poly.h>
 
@@ -11,17 +11,21 @@
 
 namespace flint_peer {
 
-/// What the values of patches share: form coefficients over one denominator, places, and room.
+/// The data for values of patches: form coefficients over one denominator, places, and scratch memory.
 class PatchValues {
 public:
-    PatchValues(std::span<const blossom::Integer> form, const blossom::Integer& denominator,
+    PatchValues(slong degree, std::span<const blossom::Integer> form, const blossom::Integer& denominator,
                 std::span<const blossom::Rational> u, std::span<const blossom::Rational> v)
-        : form_(form),
+        : degree_(degree),
+          form_(form),
           numbers_(std::vector<blossom::Integer>(12)),
           u_(u),
           v_(v),
           values_(std::vector<blossom::Rational>(u.size())) {
         set(numbers_.at(11), denominator);
+    }
+    void run() {
+        for (slong i = 0; i < u_.size(); ++i) evaluate(u_.data() + i, v_.data() + i, values_.data() + i);
     }
     std::string text() const {
         std::string result;
@@ -30,31 +34,30 @@ public:
     }
 
 protected:
+    ~PatchValues() = default;
+    virtual void evaluate(const fmpq* u, const fmpq* v, fmpq* result) = 0;
+
     fmpz* number(slong i) const { return numbers_.at(i); }
     const fmpz* denominator() const { return numbers_.at(11); }
-    fmpq* value(slong i) const { return values_.data() + i; }
 
+    slong degree_;
     Integers form_;
+
+private:
     Integers numbers_;
     Arguments u_;
     Arguments v_;
     Arguments values_;
 };
 
-/// A triangle: block b of the coefficients is a form of degree b in y and z, and Horner's rule in x adds up
-/// the blocks.
-class TriangleValues : public PatchValues {
+/// A triangle: block b of the coefficients is a form of degree b in y and z; Horner's rule in x sums the
+/// blocks.
+class TriangleValues final : public PatchValues {
 public:
-    TriangleValues(slong degree, std::span<const blossom::Integer> form, const blossom::Integer& denominator,
-                   std::span<const blossom::Rational> u, std::span<const blossom::Rational> v)
-        : PatchValues(form, denominator, u, v), degree_(degree), powers_(degree + 1) {}
-
-    void run() {
-        for (slong i = 0; i < u_.size(); ++i) evaluate(u_.data() + i, v_.data() + i, value(i));
-    }
+    using PatchValues::PatchValues;
 
 private:
-    void evaluate(const fmpq* u, const fmpq* v, fmpq* result) {
+    void evaluate(const fmpq* u, const fmpq* v, fmpq* result) override {
         fmpz* scale = number(0);
         fmpz* x = number(1);
         fmpz* y = number(2);
@@ -86,23 +89,14 @@ private:
         fmpq_canonicalise(result);
     }
 
-    slong degree_;
-    Integers powers_;
+    Integers powers_{degree_ + 1};
 };
 
-/// A tensor product of degree n in both directions: the monomials in v with each row, then those in u.
-class TensorValues : public PatchValues {
+/// A tensor product of degree n in both directions: each row is multiplied by the monomials in v, and the
+/// results by those in u.
+class TensorValues final : public PatchValues {
 public:
-    TensorValues(slong degree, std::span<const blossom::Integer> form, const blossom::Integer& denominator,
-                 std::span<const blossom::Rational> u, std::span<const blossom::Rational> v)
-        : PatchValues(form, denominator, u, v),
-          degree_(degree),
-          monomials_(degree + 1),
-          column_(degree + 1) {}
-
-    void run() {
-        for (slong i = 0; i < u_.size(); ++i) evaluate(u_.data() + i, v_.data() + i, value(i));
-    }
+    using PatchValues::PatchValues;
 
 private:
     /// (1 - t)^(n-k) t^k times the power of the denominator.
@@ -122,7 +116,7 @@ private:
         }
     }
 
-    void evaluate(const fmpq* u, const fmpq* v, fmpq* result) {
+    void evaluate(const fmpq* u, const fmpq* v, fmpq* result) override {
         set_monomials(v);
         for (slong i = 0; i <= degree_; ++i)
             _fmpz_vec_dot(column_.at(i), form_.at(i * (degree_ + 1)), monomials_.data(), degree_ + 1);
@@ -134,9 +128,8 @@ private:
         fmpq_canonicalise(result);
     }
 
-    slong degree_;
-    Integers monomials_;
-    Integers column_;
+    Integers monomials_{degree_ + 1};
+    Integers column_{degree_ + 1};
 };
 
 /// The net of a triangle with its degree raised by 1: the points i - e_k, weighted by i_k.
@@ -172,7 +165,7 @@ private:
     Integers numbers_;
 };
 
-/// The three triangles at the point (u, v): one pyramid, of which each takes the points that it needs.
+/// The three triangles at the point (u, v): one pyramid, from which each takes its points.
 class DividedTriangle {
 public:
     DividedTriangle(slong degree, const blossom::RationalVector& net, const blossom::Rational& u,

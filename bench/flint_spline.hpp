@@ -23,7 +23,7 @@ public:
           triangle_(std::vector<blossom::Rational>(curve.degree() + 1)),
           scratch_(std::vector<blossom::Rational>(3)) {}
 
-    /// On the span [knot i, knot i + 1).
+    /// The value on the span [knot i, knot i + 1).
     const fmpq* value(slong span, const fmpq* t) {
         const fmpq* knot = knots_.data();
         fmpq* d = triangle_.data();
@@ -59,7 +59,7 @@ private:
     Arguments scratch_;
 };
 
-/// Boehm's algorithm in one pass for knots in order, none of which is the end of the domain.
+/// Boehm's algorithm in one pass for sorted knots, none of which is the end of the domain.
 class Refinement {
 public:
     Refinement(const blossom::BSplineCurve& curve, std::span<const blossom::Rational> inserted)

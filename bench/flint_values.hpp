@@ -1,9 +1,8 @@
 #pragma once
 
-// One blossom value as an expert would write it with FLINT: numerators over a common denominator, the
-// product of the linear factors d_i X - a_i by FLINT's own product tree (by plain loops below some degree),
-// its inner product with the prepared coefficients, and one reduction. Memory is allocated once, outside of
-// what is timed.
+// One blossom value as an expert would write it with FLINT: numerators over a common denominator, the product
+// of the linear factors d_i X - a_i by FLINT's own product tree (by plain loops at low degree), its inner
+// product with the prepared coefficients, and one reduction. Memory is allocated once, before the timed part.
 
 #include <flint/fmpz_poly.h>
 
@@ -11,7 +10,7 @@
 
 namespace flint_peer {
 
-/// A polynomial with coefficients numerators / denominator, asked for blossom values.
+/// The blossom of a polynomial with coefficients numerators / denominator.
 class Polynomial {
 public:
     explicit Polynomial(const blossom::RationalVector& coefficients)
@@ -33,7 +32,7 @@ public:
         fmpq_clear(value_);
     }
 
-    /// (-1)^k c_k / C(n, k) over one denominator in the order of prod (d_i X - a_i): lowest power last.
+    /// (-1)^k c_k / C(n, k) over one denominator in the order of prod (d_i X - a_i), lowest power last.
     void prepare() {
         const slong n = given_.size() - 1;
         fmpz_one(scale_);
@@ -64,8 +63,8 @@ public:
         return value_;
     }
 
-    /// The same without coefficients over one denominator: the sum of c_k E_k / C(n, k) by binary splitting
-    /// of fractions, where E_k / prod d_i are the elementary symmetric functions.
+    /// The same with separate denominators: the sum of c_k E_k / C(n, k) by binary splitting of fractions,
+    /// where E_k / prod d_i are the elementary symmetric functions.
     const fmpq* value_by_splitting(const Arguments& arguments) {
         const slong n = arguments.size();
         _fmpz_poly_product_roots_fmpq_vec(product_.data(), arguments.data(), n);

@@ -1,7 +1,8 @@
 #pragma once
 
 // Polarization with GMP as an expert would write it: every subset once, in the order of the Gray code, so
-// that one argument comes or goes at a time; integers over one denominator, and one reduction at the end.
+// that one argument is added or removed at a time; integers over one denominator, and one reduction at the
+// end.
 
 #include <blossom/rational/rational_vector.hpp>
 
@@ -33,7 +34,7 @@ public:
         mpq_clear(value_);
     }
 
-    /// sum (-1)^(n - m) sum_k c_k S^k (m q)^(n - k) / (n! q^n) for the sums S / q of m arguments.
+    /// The sum of (-1)^(n - m) sum_k c_k S^k (m q)^(n - k) / (n! q^n) over the sums S / q of m arguments.
     void run() {
         const std::size_t n = arguments_.size();
         mpz_set_ui(sum_, 0);

@@ -1,6 +1,6 @@
-// How the time of one operation grows with the degree n: no peer, but the exponent that is natural, in
-// operations on words. The denominators of splines over knots that are small integers divide such products as
-// n!, so that numbers have n log n bits and one operation on a number and a word is n of them.
+// How the time of one operation grows with the degree n: without a peer, but with the expected exponent, in
+// operations on words. The denominators of splines over small integer knots divide products like n!, so that
+// numbers have n log n bits, and one operation on a number and a word takes n operations on words.
 
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
@@ -26,8 +26,8 @@ BezierCurve bezier(std::size_t degree) {
     return BezierCurve(points, Interval());
 }
 
-/// A curve of degree n of so many segments over knots of which each is greater than the last by at most
-/// `greatest_gap`, whose control points are integers.
+/// A curve of degree n with `segments` segments and integer control points; the differences of successive
+/// knots are at most `greatest_gap`.
 BSplineCurve spline(std::size_t degree, std::size_t segments, std::size_t greatest_gap) {
     std::mt19937_64 random(degree);
     std::vector<Rational> knots{Rational(0)};
@@ -60,7 +60,7 @@ std::vector<BezierCurve> touching(std::size_t degree) {
 
 using Prepared = std::function<void()>;
 
-/// One operation: `prepare(n)` gives what is timed.
+/// One operation: `prepare(n)` returns the function to be timed.
 struct Growth {
     std::string work;
     const char* natural;
@@ -95,7 +95,7 @@ std::vector<Growth> reductions() {
     };
 }
 
-/// Over knots 0, 1, 2, ... and over uneven ones.
+/// Over the knots 0, 1, 2, ... and over uneven knots.
 std::vector<Growth> of_splines() {
     constexpr const char* combinations = "3: n^2 combinations of numbers with words";
     std::vector<Growth> list;
@@ -137,7 +137,7 @@ std::vector<Growth> operations() {
     return list;
 }
 
-/// The slope of the line that is nearest to the logarithms of the times.
+/// The slope of the regression line through the logarithms of the times.
 double exponent(const std::vector<std::pair<std::size_t, double>>& times) {
     const auto count = static_cast<double>(times.size());
     double x = 0;

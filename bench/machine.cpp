@@ -1,6 +1,5 @@
-// How far one value of a prepared blossom is from what its machine could do at best: beside the bare
-// multiply-adds of plain products in residues, and beside one greatest common divisor of the size of the
-// result.
+// Compares one value of a prepared blossom with lower bounds for the machine: the multiply-adds of plain
+// products in residues, and one greatest common divisor of the size of the result.
 
 #include <blossom/core/blossom/blossom.hpp>
 
@@ -19,8 +18,7 @@ using namespace blossom;
 
 bool has_multiply_adds() { return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512ifma"); }
 
-/// So many pairs of instructions, each with eight products of 52 bits, on sixteen sums that do not wait for
-/// each other.
+/// Runs pairs of instructions, each with eight products of 52 bits, on sixteen independent sums.
 __attribute__((target("avx512f,avx512ifma"))) void run_multiply_adds(std::size_t pairs) {
     constexpr std::size_t chains = 8;
     __m512i low[chains];
@@ -50,7 +48,7 @@ void run_multiply_adds(std::size_t) {}
 
 #endif
 
-/// n^2 / 2 products for each prime of 50 bits that the numerator needs, eight at a time.
+/// The pairs for n^2 / 2 products per prime of 50 bits that the numerator needs, eight at a time.
 std::size_t plain_pairs(std::size_t degree, const Rational& value) {
     const std::size_t primes = value.numerator().bit_length() / 50 + 1;
     return degree * degree / 2 * primes / 8;

@@ -1,10 +1,10 @@
-// The engine beside FLINT in expert hands and beside textbook loops on Boost's rational numbers, interleaved
-// in one process. Every side is checked to give the same result before it is timed.
+// The engine compared with expert code for FLINT and with textbook loops on Boost's rational numbers,
+// interleaved in one process. All sides are checked to give the same result before they are timed.
 //
-//   bench_values [--quick] [--only WORK] [--degree N] [--bits N]    rows of CSV, see Report::header
-//   bench_values --case N BITS    coefficients, arguments and the value, for peers that are processes
-//   bench_values --growth [WORK]  times at degrees 50 to 800 and the exponents, as a table in Markdown
-//   bench_values --kernels        which kernel is chosen when
+//     bench_values [--quick] [--only WORK] [--degree N] [--bits N]    rows of CSV, see Report::header
+//     bench_values --case N BITS    coefficients, arguments and the value, for peers that are processes
+//     bench_values --growth [WORK]  times at degrees 50 to 800 and the exponents, as a table in Markdown
+//     bench_values --kernels        which kernel is chosen when
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/rational/blossom_sums.hpp>

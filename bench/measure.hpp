@@ -1,7 +1,7 @@
 #pragma once
 
-// Interleaved timing: A B A B ... in one process, many short rounds, each by the CPU time of this thread, so
-// that what else runs on the machine falls on both sides alike.
+// Interleaved timing in one process: many short rounds A B A B ..., each by the CPU time of this thread, so
+// that other work on the machine affects both sides equally.
 
 #include <ctime>
 
@@ -19,7 +19,7 @@ inline double cpu_seconds() {
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Seconds since some time.
+/// Seconds of wall-clock time since a fixed point.
 inline double wall_seconds() {
     timespec now{};
     clock_gettime(CLOCK_MONOTONIC, &now);
@@ -31,7 +31,7 @@ enum class Clock { cpu, wall };
 struct Effort {
     int rounds = 21;
     double seconds_a_round = 0.002;
-    double seconds = 2;  ///< for all rounds: three at least, and fewer than `rounds` of what takes long
+    double seconds = 2;  ///< for all rounds: at least three, but fewer than `rounds` if one takes long
     Clock clock = Clock::cpu;
 };
 
@@ -43,7 +43,7 @@ inline double seconds_of(const std::function<void()>& run, std::size_t repetitio
     return (now() - start) / static_cast<double>(repetitions);
 }
 
-/// As many repetitions as take about one round.
+/// The number of repetitions that take about one round.
 inline std::size_t repetitions(const std::function<void()>& run, double seconds) {
     std::size_t count = 1;
     for (;;) {
@@ -61,15 +61,15 @@ inline double median(std::vector<double> values) {
     return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-/// The median seconds of each side, and of the ratio of each further side to the first with its range.
+/// The ratio of the times of a further side and the first: its median and its range.
 struct Ratio {
     double median = 0;
     double least = 0;
     double greatest = 0;
 };
 struct Comparison {
-    std::vector<double> seconds;
-    std::vector<Ratio> ratios;  ///< side i + 1 to side 0
+    std::vector<double> seconds;  ///< the median of each side
+    std::vector<Ratio> ratios;    ///< of side i + 1 to side 0
 };
 
 inline Comparison compare(const std::vector<std::function<void()>>& sides, const Effort& effort) {

@@ -1,5 +1,5 @@
 // Patches over a triangle and over a square, of degree n in both directions: values, degree elevation by 1
-// and subdivision, one coordinate. Nets are numbers of `bits` bits over one denominator.
+// and subdivision, with one coordinate. Nets are numbers of `bits` bits over one denominator.
 
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace blossom;
 
-/// So many places are evaluated at in turn.
+/// The number of points that are evaluated in turn.
 constexpr std::size_t most_places = 32;
 
 BezierPatch patch(const NetShape& shape, std::size_t bits) {

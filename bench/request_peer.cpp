@@ -1,5 +1,5 @@
-// What a program for one purpose makes of simdjson and FLINT: it answers four kinds of request, line by line,
-// with the same responses as `blossom batch`. Requests are not checked.
+// A special-purpose program from simdjson and FLINT: it answers four kinds of requests, line by line, with
+// the same responses as `blossom batch`. Requests are not validated.
 //
 //     request_peer < REQUESTS > RESPONSES
 
@@ -200,7 +200,7 @@ private:
         }
     }
 
-    /// Over [0, 1]: P_j = sum_k C(j, k) c_k / C(n, k), by differences.
+    /// Control points over [0, 1]: P_j = sum_k C(j, k) c_k / C(n, k), by differences.
     void control_points() {
         const slong n = static_cast<slong>(coefficients_.size) - 1;
         binomials(n);

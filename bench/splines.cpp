@@ -1,5 +1,5 @@
-// B-spline curves of ten segments: with knots 0, 1, ... at a thousand parameters, and with rational knots at
-// parameters in turn, and refined by knots.
+// B-spline curves of ten segments: with knots 0, 1, ... at a thousand parameters; and with rational knots, at
+// parameters in turn and under knot insertion.
 
 #include <blossom/core/spline/curve_values.hpp>
 #include <blossom/core/spline/de_boor.hpp>
@@ -87,7 +87,7 @@ void compare_spline(const Report& report, std::size_t degree, std::size_t bits) 
           [&] { return joined(count, [&](std::size_t i) { return boost_values[i].str(); }); }}});
 }
 
-/// With knots and points of `bits` bits above and below the line.
+/// A spline whose knots and points have numerators and denominators of `bits` bits.
 BSplineCurve rational_spline(std::size_t degree, std::size_t bits) {
     std::mt19937_64 random(degree * 100 + bits);
     std::vector<Rational> knots;
@@ -144,7 +144,7 @@ void compare_values(const Report& report, const char* work, const BSplineCurve& 
                      }}});
 }
 
-/// Each knot by itself, or all at once.
+/// Inserts the knots one by one, or all at once.
 void compare_insertion(const Report& report, const char* work, const BSplineCurve& curve, std::size_t bits,
                        std::size_t count, bool at_once) {
     std::vector<Rational> knots = inside(curve, bits, count);

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-/// What one would write on rational numbers without thinking of denominators: the loops of the literature,
-/// operation by operation, each of which reduces its result.
+/// The loops of the literature on rational numbers, without common denominators: each operation reduces its
+/// result.
 namespace textbook {
 
 template <class Number>
@@ -47,7 +47,7 @@ Number value(const Numbers<Number>& coefficients, const Number& t) {
     return sum;
 }
 
-/// (1/n!) sum over subsets of (-1)^(n-N) N^n P(mean), one subset after the other.
+/// (1/n!) times the sum over subsets of (-1)^(n-N) N^n P(mean), one subset after the other.
 template <class Number>
 Number polarization(const Numbers<Number>& coefficients, const Numbers<Number>& arguments) {
     const std::size_t n = arguments.size();
@@ -68,7 +68,7 @@ Number polarization(const Numbers<Number>& coefficients, const Numbers<Number>& 
     return sum;
 }
 
-/// De Boor's algorithm on the span between knots i and i + 1, with as many knots as points + degree + 1.
+/// De Boor's algorithm on the span between knots i and i + 1, in the textbook convention.
 template <class Number>
 Number de_boor(const Numbers<Number>& knots, const Numbers<Number>& points, std::size_t degree,
                std::size_t span, const Number& t) {

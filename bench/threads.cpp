@@ -1,5 +1,5 @@
-// Two threads beside one, by the clock on the wall: batches of values of a blossom and of a curve, and what
-// the machine gives at best.
+// Two threads compared with one, by wall-clock time: batches of values of a blossom and of a curve, and the
+// best that the machine can do.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/spline/curve_values.hpp>
@@ -22,7 +22,8 @@ std::string text_of(std::span<const Rational> values) {
     return text;
 }
 
-/// `run(jobs, results)` with two jobs and with one, `count` results, in memory that is taken before.
+/// Compares `run(jobs, results)` with two jobs and with one, for `count` results in memory that is allocated
+/// before.
 template <class Run>
 void compare_threads(const Report& report, const char* work, std::size_t count, const Run& run) {
     std::vector<Rational> results[] = {std::vector<Rational>(count), std::vector<Rational>(count)};
@@ -34,7 +35,7 @@ void compare_threads(const Report& report, const char* work, std::size_t count, 
                    measure::Clock::wall);
 }
 
-/// A chain of multiplications in registers: no memory is shared, or touched at all.
+/// A chain of multiplications in registers, which uses no memory.
 void run_multiplications(std::size_t steps) {
     std::uint64_t x = steps;
     for (std::size_t i = 0; i < steps; ++i) x = x * x + 1;
@@ -42,7 +43,7 @@ void run_multiplications(std::size_t steps) {
     (void)kept;
 }
 
-/// So many steps in equal shares.
+/// Divides the steps into equal shares.
 void share_multiplications(std::size_t steps, std::size_t jobs) {
     std::vector<std::jthread> others;
     for (std::size_t i = 1; i < jobs; ++i) others.emplace_back(run_multiplications, steps / jobs);

@@ -1,4 +1,4 @@
-// One value of a blossom: prepared, once, and in batches.
+// One blossom value: prepared, unprepared, and in batches.
 
 #include <blossom/core/blossom/blossom.hpp>
 
@@ -22,7 +22,7 @@ Side textbook_side(const char* name, const Case& given) {
             [=] { return value->str(); }};
 }
 
-/// One degree and size of numbers, prepared once for all its rows.
+/// The rows of one degree and size of numbers, for which the map is prepared once.
 class ValueRows {
 public:
     ValueRows(std::size_t degree, std::size_t bits)
@@ -57,7 +57,7 @@ public:
                       flint_.value(flint_arguments_);
                   }),
         };
-        // Beyond, its denominators of binomials are too large to compete.
+        // Beyond this degree, the denominators from the binomials are too large to compete.
         if (given_.degree <= 100) {
             sides.push_back(
                 flint("FLINT splitting", [this] { flint_.value_by_splitting(flint_arguments_); }));
@@ -67,7 +67,7 @@ public:
         compare(report, "one-shot", sides);
     }
 
-    /// The memory of all results is taken before, on both sides.
+    /// Both sides allocate the memory of all results before the timed part.
     void batch_of_8(const Report& report) {
         const std::vector<std::vector<Argument>> tuples(8, arguments_);
         std::vector<Rational> values(tuples.size());
@@ -91,7 +91,7 @@ private:
 
     Case given_;
     PolynomialCurve curve_;
-    PolynomialMap map_;  ///< the curve as `blossom_value` takes it, so that it is not copied
+    PolynomialMap map_;  ///< the curve in the form that `blossom_value` takes, so that it is not copied
     std::vector<Argument> arguments_;
     Blossom blossom_;
     flint_peer::Polynomial flint_;

@@ -1,4 +1,4 @@
-# What `cmake --install` copies: libraries, headers, the program, and the files by which CMake and pkg-config find them.
+# The files that `cmake --install` copies: libraries, headers, the program, and the files for CMake and pkg-config.
 include(CMakePackageConfigHelpers)
 
 get_property(layers GLOBAL PROPERTY BLOSSOM_LAYERS)
@@ -30,13 +30,13 @@ if(BUILD_SHARED_LIBS)
   endif()
 endif()
 
-# A static blossom leaves GMP for the consumer to link, a shared one has linked it.
+# The consumer of a static blossom must link GMP; a shared blossom has linked it.
 set(consumer_needs_gmp FALSE)
 if(NOT BUILD_SHARED_LIBS AND BLOSSOM_NUMBERS STREQUAL "gmp")
   set(consumer_needs_gmp TRUE)
 endif()
 
-# So with pugixml, which writes pages and pictures, and fmt.
+# The same holds for pugixml, which writes pages and pictures, and for fmt.
 set(consumer_needs_writers TRUE)
 if(BUILD_SHARED_LIBS)
   set(consumer_needs_writers FALSE)
@@ -56,7 +56,7 @@ if(consumer_needs_gmp)
   install(FILES cmake/FindGMP.cmake DESTINATION ${package_dir})
 endif()
 
-# The linker wants users before what they use.
+# A linker needs libraries after those that use them.
 set(pc_libraries ${layers})
 list(REVERSE pc_libraries)
 list(TRANSFORM pc_libraries PREPEND -lblossom_)

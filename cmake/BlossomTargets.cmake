@@ -1,4 +1,4 @@
-# How every target of the project is made.
+# Settings and functions for all targets of the project.
 
 add_library(blossom_warnings INTERFACE)
 target_compile_options(
@@ -30,18 +30,18 @@ target_compile_options(
     $<$<CXX_COMPILER_ID:Clang>:-Wno-deprecated-declarations>
 )
 
-# Sanitizers count and take memory in ways of their own.
+# Sanitizers change what memory costs, so that tests of memory have other bounds.
 set(BLOSSOM_SANITIZED OFF)
 if(CMAKE_CXX_FLAGS MATCHES "-fsanitize")
   set(BLOSSOM_SANITIZED ON)
 endif()
 
-# All layers together, for a consumer who does not want to choose.
+# All layers together, for consumers that do not choose layers.
 add_library(blossom_all INTERFACE)
 add_library(blossom::blossom ALIAS blossom_all)
 set_target_properties(blossom_all PROPERTIES EXPORT_NAME blossom)
 
-# What libraries, programs and tests have in common.
+# The settings that libraries, programs and tests share.
 function(blossom_configure_target target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:blossom_warnings>)
@@ -50,7 +50,7 @@ function(blossom_configure_target target)
   )
 endfunction()
 
-# In a build of fuzzers: lets libFuzzer see which way the target's code takes.
+# In a build of fuzzers, libFuzzer observes the control flow of the target.
 function(blossom_show_to_fuzzers target)
   if(BLOSSOM_BUILD_FUZZERS)
     target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)

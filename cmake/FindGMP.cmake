@@ -1,4 +1,4 @@
-# Finds GMP and defines GMP::GMP. Installed beside blossomConfig.cmake too, because a static blossom needs GMP to link.
+# Finds GMP and defines GMP::GMP. Also installed beside blossomConfig.cmake, because a static blossom needs GMP to link.
 find_path(GMP_INCLUDE_DIR gmp.h)
 find_library(GMP_LIBRARY gmp)
 mark_as_advanced(GMP_INCLUDE_DIR GMP_LIBRARY)

@@ -1,4 +1,4 @@
-\\ de Boor's algorithm of degree n with symbolic knots and one argument a level, as rational functions that PARI keeps in lowest
+\\ de Boor's algorithm of degree n with symbolic knots and one argument per level, as rational functions that PARI keeps in lowest
 \\ terms, against the blossom by elementary symmetric functions. z comes first, so that it is the main variable.
 default(parisizemax, "4G");
 z;

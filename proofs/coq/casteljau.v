@@ -1,5 +1,5 @@
 (******************************************************************************)
-(* De Casteljau's algorithm with one argument a level.                        *)
+(* De Casteljau's algorithm with one argument per level.                      *)
 (*                                                                            *)
 (*   fraction a b u        == (u - a) / (b - a): where u lies between a and b *)
 (*   step a b v u          == one level: the points (1 - s) v_j + s v_(j+1),  *)

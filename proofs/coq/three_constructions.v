@@ -6,7 +6,7 @@
 (*                            of the arguments against P_k / C(n,k)           *)
 (*   polarization n P us   == the alternating sum of N^n P(mean S) over the   *)
 (*                            non-empty subsets S of us, divided by n!        *)
-(*   casteljau a b v us    == de Casteljau with one argument a level, from    *)
+(*   casteljau a b v us    == de Casteljau with one argument per level, from  *)
 (*                            control points v over [a, b]                    *)
 (*                                                                            *)
 (* Statements: goldman-thm2 with goldman-thm5, fj-cor1, derose-fig6,          *)

@@ -24,7 +24,8 @@ unlock_build() {
   exec 9>&-
 }
 
-# is_configured WITH_TESTS: for this checkout (it may have been moved or copied) and, if asked, with tests.
+# is_configured WITH_TESTS: whether the build is configured for this checkout, which may have been moved or copied, and for tests if
+# WITH_TESTS.
 is_configured() {
   [[ -f $build/build.ninja ]] &&
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" &&
@@ -42,7 +43,7 @@ configure_and_build() {
   cmake --build "$build" --target "$1"
 }
 
-# build_release TARGET WITH_TESTS: brings TARGET up to date. Writes to stderr, and only when there is something to do.
+# build_release TARGET WITH_TESTS: brings TARGET up to date. Writes to stderr, and only if there is something to do.
 build_release() {
   local log="$build/last-build.log" groups=build
   [[ $2 == ON ]] && groups="build test"

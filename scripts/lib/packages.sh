@@ -1,7 +1,7 @@
 # shellcheck shell=bash
-# The packages that the project needs, and how to have them installed.
+# The packages that the project needs, and their installation.
 
-# Group; how it is found (a command, a header, a Python module, a Coq library, or a file); its package for apt, dnf and brew.
+# Group; how the package is found (a command, a header, a Python module, a Coq library, or a file); its names for apt, dnf and brew.
 readonly package_table='
 build command:c++                         g++                 gcc-c++             gcc
 build command:cmake                       cmake               cmake               cmake
@@ -39,7 +39,7 @@ ci    command:shellcheck                  shellcheck          ShellCheck        
 ci    python:jsonschema                   python3-jsonschema  python3-jsonschema  python-jsonschema
 '
 
-# Exit status when packages are missing and this script may not install them (EX_UNAVAILABLE of sysexits.h).
+# The exit status if packages are missing and this script may not install them (EX_UNAVAILABLE of sysexits.h).
 readonly exit_unavailable=69
 
 is_present() {
@@ -49,7 +49,7 @@ is_present() {
     coq) command -v coqc >/dev/null && [[ -d $(coqc -where)/user-contrib/$name ]] ;;
     file) compgen -G "$name" >/dev/null ;;
     python)
-      # The scripts and tests run the Python that the system's packages serve, where there is one.
+      # Scripts and tests run the Python for which the system installs packages, if there is one.
       "$(type -P /usr/bin/python3 || type -P python3)" -c "import $name" 2>/dev/null
       ;;
     header)
@@ -90,7 +90,7 @@ install_with_apt() {
   return 1
 }
 
-# require_packages "GROUP...": installs what is missing, or says what is and exits.
+# require_packages "GROUP...": installs missing packages, or lists them and exits.
 require_packages() {
   local missing log
   missing=$(missing_packages "$1" apt)
@@ -107,7 +107,7 @@ require_packages() {
   fi
   echo "blossom: installing $missing" >&2
   log=$(mktemp)
-  # shellcheck disable=SC2086 # one word a package
+  # shellcheck disable=SC2086 # one word per package
   if ! install_with_apt $missing >"$log" 2>&1 </dev/null; then
     tail -n 20 "$log" >&2
     rm -f "$log"

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""performance_report.py VALUES_CSV PROCESSES_CSV FOLDER: writes values.md and one plot a size of numbers into FOLDER."""
+"""performance_report.py VALUES_CSV PROCESSES_CSV FOLDER: writes values.md and one plot per size of numbers into FOLDER."""
 
 import csv
 import math
@@ -56,7 +56,7 @@ def exponent(a, b, key, times):
 
 
 def exponents(key, other):
-    """Growth of every work beside FLINT between neighbours in `key`, with `other` fixed."""
+    """The growth of every operation, compared with FLINT, between neighbours in `key`, with `other` fixed."""
     lines = [f"| work | {other} | {key} | engine | FLINT |", "| --- | ---: | --- | ---: | ---: |"]
     rows = [v for v in values if v["peer"] == "FLINT"]
     for work in dict.fromkeys(v["work"] for v in rows):

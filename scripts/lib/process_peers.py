@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""process_peers.py BENCH_VALUES [--quick]: one blossom value by PARI and by SymPy, as their users would write it.
+"""process_peers.py BENCH_VALUES [--quick]: measures one blossom value in PARI and in SymPy, as their users would write it.
 
-PARI multiplies the linear factors as polynomials over Q by its own product tree and takes the inner product; it runs in one gp
-process and times itself by its own CPU clock. SymPy does the same with polynomials over its domain QQ in this process. Both are
-checked against the engine's value before they are timed. Prints CSV: degree,bits,peer,nanoseconds (least of the rounds).
+PARI multiplies the linear factors as polynomials over Q by its own product tree and takes the inner product. It runs in one gp
+process and measures its own CPU time. SymPy does the same with polynomials over its domain QQ in this process. The values of both
+are compared with the engine's before the measurement. Prints CSV: degree,bits,peer,nanoseconds (least of the rounds).
 """
 
 import subprocess

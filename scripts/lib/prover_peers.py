@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""prover_peers.py BLOSSOM FOLDER REPORT [--quick]: `blossom prove` beside PARI on the identities in FOLDER, as whole processes.
+"""prover_peers.py BLOSSOM FOLDER REPORT [--quick]: compares `blossom prove` with PARI on the identities in FOLDER.
 
-FOLDER holds NAME-N.blossom and, with n for N, NAME.gp, which prints 1 when the identity holds. Both run in turns, A B A B; a time
-is the CPU time of the process, user and system, the median of three. Every run must prove; the greatest exceeds the default of the limit
-expansion_work. Writes a table to REPORT, and nothing with --quick, which runs each of the smaller ones once.
+FOLDER holds NAME-N.blossom and, with n for N, NAME.gp, which prints 1 if the identity holds. Both run alternately; a
+time is the median CPU time, user and system, of three processes. Every run must prove the identity; the largest one exceeds the default
+of the limit expansion_work. Writes a table to REPORT; --quick runs each of the smaller identities once and writes nothing.
 """
 
 import os
@@ -24,7 +24,7 @@ titles = {
 
 
 def measured(command, expected, text=None):
-    """CPU seconds and peak memory in MiB of a process whose output must hold `expected`."""
+    """CPU seconds and peak memory in MiB of a process whose output must contain `expected`."""
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if text:
         process.stdin.write(text)

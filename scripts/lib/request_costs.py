@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""request_costs.py BLOSSOM PEER FOLDER [--quick]: what a request costs in `blossom batch`, on one core.
+"""request_costs.py BLOSSOM PEER FOLDER [--quick]: measures the cost of requests of `blossom batch` on one core.
 
-Measures the processor time of each family of `request_families.py` at three sizes: whole processes with many lines and with one, in
-turns with the peer (simdjson and FLINT, the same responses) where it knows the operation, and their median. The instructions are
-counted by callgrind, the same way. Writes requests.md and instructions.csv into FOLDER.
+Measures the processor time of each family of `request_families.py` at three sizes: processes with many lines and with one line,
+alternating with the peer (simdjson and FLINT, the same responses) if it knows the operation, and takes the median. The instructions
+are counted by callgrind in the same way. Writes requests.md and instructions.csv into FOLDER.
 
-With --quick it compares the responses of both programs and the instructions of the two smaller sizes with FOLDER/instructions.csv: more than
-3 % apart is an error.
+With --quick it compares the responses of both programs and the instructions of the two smaller sizes with FOLDER/instructions.csv; a
+difference of more than 3 % is an error.
 """
 
 import csv
@@ -25,7 +25,7 @@ import request_families
 
 TOLERANCE = 0.03
 ROUNDS = 7
-SECONDS = 0.15  # of processor time that a run of many lines takes
+SECONDS = 0.15  # of processor time for a run of many lines
 
 program, peer, folder = sys.argv[1], sys.argv[2], Path(sys.argv[3])
 quick = len(sys.argv) > 4
@@ -38,7 +38,7 @@ def run(command, text):
 
 
 def seconds(command, text):
-    """Processor time of a process, without that of starting the others."""
+    """The processor time of a process without that of starting its peers."""
     with tempfile.TemporaryFile("w+") as lines:
         lines.write(text)
         lines.flush()
@@ -54,7 +54,7 @@ def text_of(family, size, count):
 
 
 def check(family, size):
-    """All lines are answered, by the peer in the same bytes."""
+    """Checks that all lines are answered, and by the peer with the same bytes."""
     text = text_of(family, size, 20)
     responses = run(batch, text)
     refused = [line for line in responses.splitlines() if '"ok": true' not in line]
@@ -65,7 +65,7 @@ def check(family, size):
 
 
 def instructions(family, size):
-    """Per request: what 30 more of them cost, of which the first ten have made all tables."""
+    """The cost per request: that of 30 further requests after ten that create all tables."""
     few, many = (10, 40) if size == family[2][0] else (2, 6)
 
     def counted(count):
@@ -82,7 +82,7 @@ def instructions(family, size):
 
 
 def count_of(command, family, size):
-    """How many lines take SECONDS."""
+    """The number of lines that take SECONDS."""
     count = 16
     while True:
         once = seconds(command, text_of(family, size, 1))

@@ -1,6 +1,6 @@
-"""The requests that `scripts/bench --requests` measures: for each operation a way to make one of a given size.
+"""The requests that `scripts/bench --requests` measures: for each operation a function that creates one of a given size.
 
-What "size" means is stated with each family; everything else is random, from a seed, so that no two lines are the same.
+Each family states the meaning of its size. Everything else is random with a fixed seed, so that all lines are different.
 """
 
 import json
@@ -112,7 +112,7 @@ def affine_step(rng, size):
     return {"statement": f"map p degree {size}\nclaim p[{others}u] == ({b}-u)/({b}-({a}))*p[{others}{a}] + (u-({a}))/({b}-({a}))*p[{others}{b}]"}
 
 
-# Operation (and what of it), what the size is, the three sizes, and the request without "id" and "op".
+# Operation and variant, the meaning of the size, the three sizes, and the request without "id" and "op".
 FAMILIES = [
     ("blossom", "degree", (3, 20, 100), lambda rng, n: {"map": polynomial(rng, n), "arguments": fractions(rng, n)}),
     ("blossom of a control polygon", "degree", (3, 20, 100), lambda rng, n: {"map": bezier(rng, n), "arguments": fractions(rng, n)}),

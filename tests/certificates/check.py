@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Has Coq check certificates of the program, and the same with one digit changed.
+"""Checks certificates of the program with Coq, and certificates with one changed digit.
 
 usage: check.py PROGRAM THEORIES; THEORIES holds the compiled files of proofs/coq. COUNT requests of every kind
-are certified and accepted. Then one digit of each of CHANGED certificates is changed: Coq must refuse what has
-become false, and accept what is still true (a derivative does not see a constant). An oracle in exact fractions,
-which reads the words by itself, says which is which.
+are certified, and Coq must accept all certificates. Then one digit of each of CHANGED certificates is changed: Coq must
+refuse the certificates that are now false, and accept those that are still true (a derivative does not depend on a
+constant). An independent oracle in exact fractions decides which ones these are.
 """
 
 import fractions
@@ -100,7 +100,7 @@ def request():
 
 
 class Reader:
-    """The integers of a stream of words, as proofs/coq/stream.v says."""
+    """The integers of a stream of words, by the format of proofs/coq/stream.v."""
 
     def __init__(self, words):
         self.words = words

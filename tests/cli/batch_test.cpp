@@ -135,7 +135,7 @@ TEST_CASE("blank lines are skipped, line ends may be CRLF, and the last may be m
 TEST_CASE("a line over the limit is refused without being stored and the next is served") {
     Limits limits;
     limits.line_bytes = 1000;
-    // 200 MB that nobody could hold in the buffers of a test by accident.
+    // 200 MB, more than any buffer of the program may hold.
     const auto endless = [sent = std::size_t{0}, tail = "\n" + request(9)](std::span<char> room) mutable {
         constexpr std::size_t length = 200'000'000;
         if (sent < length) {
@@ -183,8 +183,8 @@ TEST_CASE("a peer that waits for each response gets it, with any number of jobs"
         std::mutex mutex;
         std::condition_variable answered;
         std::size_t responses = 0;
-        // The next line is sent only when the response to the one before has arrived; otherwise this never
-        // ends.
+        // The next line is sent only after the response to the previous one has arrived; otherwise the test
+        // would never end.
         const auto source = [&, sent = std::size_t{0}](std::span<char> room) mutable {
             std::unique_lock lock(mutex);
             answered.wait(lock, [&] { return responses == sent; });

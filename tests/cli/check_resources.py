@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Checks that no request takes more of the machine than its limits allow, and that a lack of memory is an answer.
+"""Checks that no request takes more time or memory than its limits allow, and that a lack of memory is answered with an error.
 
     check_resources.py PROGRAM [--full]
 
-Costly requests, one per process: each is answered or refused with the name of a limit, within the processor time and the memory
-that the limits allow. Then a batch of mixed lines in less and less memory: each line gets one response, the result or
-`limit_exceeded`, and what needs little memory is answered. Short limits by default; --full uses the default limits of the program
-and more sizes of memory, and takes some minutes.
+First costly requests, one per process: each is answered, or refused with the name of a limit, within the processor time and the
+memory that the limits allow. Then a batch of mixed lines with less and less memory: each line gets one response, the result or
+`limit_exceeded`, and requests that need little memory are answered. By default the limits are low; --full uses the default limits
+of the program and more sizes of memory, and takes some minutes.
 """
 
 import json
@@ -31,7 +31,7 @@ def nested(levels):
 
 
 def long_number(i):
-    """2,000 digits without a pattern that arithmetic could use."""
+    """A number of 2,000 digits without a pattern that arithmetic could use."""
     return str(pow(2 * i + 3, 4000) % 10**2000 + i)
 
 
@@ -89,7 +89,7 @@ def check_costly(failures):
                 failures.append(f"{name}: {error}")
             if must_answer and not response["ok"]:
                 failures.append(f"{name}: refused, though it is small: {error}")
-            # The measures of the system are coarser than the counters of the program.
+            # Measurements by the system are coarser than the counters of the program.
             if seconds > 1.25 * SECONDS + 1:
                 failures.append(f"{name}: {seconds:.1f} s")
             if size > floor + 1.25 * BYTES:
@@ -109,7 +109,7 @@ MIXED = [
 
 
 def check_little_memory(failures):
-    """A process that cannot start in so little memory says nothing about requests; the largest sizes must start."""
+    """A process that cannot start with so little memory shows nothing about requests; with the largest sizes it must start."""
     sizes = [20, 24, 28, 32, 40, 48, 64, 96, 128, 256, 512, 1024, 3072]
     if FULL:
         sizes = sorted(set(sizes) | set(range(20, 130, 2)) | set(range(140, 700, 40)))
@@ -123,10 +123,10 @@ def check_little_memory(failures):
             place = f"{megabytes} MB, {jobs} jobs"
             responses = process.stdout.decode().splitlines()
             if process.returncode == 127 and not responses:
-                continue  # the system's loader has not loaded the program
+                continue  # the system's loader could not load the program
             started += 1
             if jobs != "1" and process.returncode == 2 and b"memory" in process.stderr:
-                continue  # all the memory was with the requests of the other jobs: an orderly end
+                continue  # the other jobs used all the memory: a regular end
             if process.returncode not in (0, 1):
                 failures.append(f"{place}: exit status {process.returncode}: {process.stderr.decode()[:200]}")
                 continue
@@ -137,7 +137,7 @@ def check_little_memory(failures):
                 response = json.loads(line)
                 if not response["ok"] and response["error"]["code"] != "limit_exceeded":
                     failures.append(f"{place}: {request['op']}: {response['error']}")
-                # With several jobs, the others may have the memory.
+                # With several jobs, the others may use the memory.
                 if is_small and jobs == "1" and not response["ok"]:
                     failures.append(f"{place}: a small request is refused: {response['error']}")
     if started < len(sizes):

@@ -37,7 +37,7 @@ TEST_CASE("agree without arguments shows the form in e1, e2, e3 and the expansio
     CHECK(contains(shown.output, "The three constructions agree exactly, for all arguments.\n"));
 }
 
-TEST_CASE("what was skipped is said") {
+TEST_CASE("skipped constructions are named") {
     const std::vector<std::string> request{"agree", "t^3", "--at", "1,2,3", "--max-polarization-terms", "7"};
     const Run regrouped = run(request);
     CHECK(regrouped.status == 0);
@@ -46,7 +46,7 @@ TEST_CASE("what was skipped is said") {
     CHECK(contains(regrouped.output, "The three constructions that were run agree exactly.\n"));
     std::vector<std::string> limited = request;
     limited.insert(limited.end(), {"--max-regrouping-work", "7"});
-    // Members such as "casteljau_double" are no constructions.
+    // Members such as "casteljau_double" are not constructions.
     std::vector<std::string> rounded = limited;
     rounded.insert(rounded.end(), {"--numbers", "double"});
     CHECK(contains(run(rounded).output, "The two constructions that were run agree exactly.\n"));

@@ -1,5 +1,5 @@
-// Runs what the documents show: every line "$ blossom ..." of a ```console block, and compares what it
-// prints.
+// Runs the console examples of the documents: compares the output of every line "$ blossom ..." of a
+// ```console block with the block.
 
 #include <cstddef>
 #include <fstream>
@@ -17,7 +17,7 @@ struct Example {
     std::string output;
 };
 
-/// The commands of the document with the lines that follow them, up to the next command or the end of the
+/// The commands of the document, each with its output: the lines up to the next command or the end of the
 /// block.
 std::vector<Example> examples_of(const std::string& path) {
     std::ifstream file(path);
@@ -40,7 +40,7 @@ std::vector<Example> examples_of(const std::string& path) {
     return examples;
 }
 
-/// `scripts/blossom`, which builds first, is the program under test as well.
+/// Replaces `scripts/blossom`, which builds the program before it runs it, by the program under test.
 std::string with_program(std::string command) {
     const std::string script = "scripts/blossom";
     for (std::size_t at = 0; (at = command.find(script, at)) != std::string::npos;) {

@@ -1,4 +1,4 @@
-"""One request, answered by a process of its own, and what the process took."""
+"""One request, answered by a separate process, and the time and memory of this process."""
 
 import os
 import subprocess
@@ -9,11 +9,11 @@ class Measured(NamedTuple):
     output: bytes
     status: int
     seconds: float  # of processor time
-    size: int  # the greatest resident size in bytes
+    size: int  # the peak resident size in bytes
 
 
 def greatest_size(pid):
-    """Of the program alone: what the system counts for a child begins with the size of the parent."""
+    """Measures only the program: the system's counts for a child begin with the size of the parent."""
     try:
         with open(f"/proc/{pid}/status", encoding="ascii") as status:
             return next((int(line.split()[1]) << 10 for line in status if line.startswith("VmHWM:")), 0)

@@ -41,7 +41,7 @@ TEST_CASE("a peer that waits for each response gets it") {
             batch.send(line + "\n");
             CHECK(batch.receive() == answer);
         }
-        // Half a line is not answered before its end has come.
+        // An incomplete line is not answered before its end arrives.
         batch.send(line.substr(0, 20));
         batch.send(line.substr(20) + "\n");
         CHECK(batch.receive() == answer);

@@ -3,7 +3,7 @@
 
 namespace {
 
-/// A folder of its own, which goes with it.
+/// A temporary folder that is removed with the object.
 class Folder {
 public:
     Folder() : path_(std::filesystem::temp_directory_path() / "blossom-prove-records") {
@@ -74,7 +74,7 @@ TEST_CASE("a text without claims is an error of prove, and none where it is only
     CHECK(run({"prove", "--format", "-"}, "number x\n").status == 0);
 }
 
-TEST_CASE("theorems in LaTeX stand in one file, or in a file each") {
+TEST_CASE("theorems in LaTeX are written to one file, or to one file each") {
     const Folder folder;
     const std::string file = folder.write("two.blossom", two_theorems);
     CHECK(run({"prove", file, "--latex", folder.at("all.tex")}).status == 1);

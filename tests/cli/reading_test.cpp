@@ -4,7 +4,8 @@
 #include "json/json_text.hpp"
 #include "maps/map.hpp"
 
-// Counts what is read: the linker puts these functions in the place of those of the library, which they call.
+// Counts how often texts are parsed: the linker replaces the functions of the library by these, which call
+// the originals.
 
 using namespace blossom;
 using namespace blossom::cli;

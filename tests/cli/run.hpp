@@ -15,7 +15,7 @@
 #include "commands/command_line.hpp"
 #include "support/catch.hpp"
 
-/// The program as a function, for tests.
+/// The program as a function for tests.
 
 namespace blossom::cli {
 

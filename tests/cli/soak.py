@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Many requests, one in ten of them bad, to processes that are killed and started again, read fast and slowly.
+"""Sends many requests, one in ten of them wrong, to processes that are killed and restarted, and reads fast and slowly.
 
     soak.py PROGRAM [--lines N] [--seed S] [--growth KB]
 
-Every good line must be answered once, with the value that fractions give, every bad one be refused with its code, in the order of the
-lines, and the memory of a process must not grow with their number: by 4096 KB at most, unless --growth says otherwise. 20,000 lines by
-default.
+Every valid line must be answered once, with the value that Python's fractions give, and every wrong line refused with its code, in
+the order of the lines. The memory of a process must not grow with the number of lines: by at most 4096 KB, or --growth. 20,000 lines
+by default.
 """
 
 import argparse
@@ -65,8 +65,8 @@ def resident_bytes(pid):
 
 
 def serve(program, lines, jobs, kill_after, slow):
-    """The answers of one process to `lines`, until it ends or is killed; and how much more memory it had during the later half of them
-    than during the first at most: where lines wait for each other, a process holds now more and now less of them."""
+    """The answers of one process to `lines`, until it ends or is killed; and the difference of its peaks of memory in the second and
+    the first half of the lines. (Peaks, because a process holds varying numbers of lines that wait for each other.)"""
     process = subprocess.Popen([program, "batch", "--jobs", str(jobs)], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def write():

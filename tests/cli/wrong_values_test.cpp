@@ -17,7 +17,7 @@ const std::string two_maps =
 const std::string document =
     R"({"degree": 1, "dimension": 1, "control_points": [0, 2], "knots": [0, 0, 1, 1]})";
 
-/// Besides the examples of the operations: with each of their options that has a value.
+/// Command lines in addition to the examples of the operations, so that each option with a value is used.
 const std::vector<Arguments> command_lines{
     {"evaluate", "t", "--degree", "2", "--denominator", "1 + t^2", "--at", "1", "--numbers", "double"},
     {"evaluate", "--control-points", "0,0; 1,2; 3,0", "--weights", "1,1,2", "--interval", "0,2", "--at", "1"},
@@ -89,14 +89,14 @@ const std::vector<Arguments> command_lines{
     {"explain", "evaluate", "t", "--at", "1", "--format", "text"},
 };
 
-/// Whether a message names an option, or shows the text that was given for it with a caret below the place.
+/// Whether a message names an option, or shows its text with a caret below the wrong position.
 bool names(const std::string& errors, const std::string& option, const std::string& text) {
     return errors.find(option) != std::string::npos ||
            (errors.find("\n  " + text + "\n") != std::string::npos &&
             errors.find("^\n") != std::string::npos);
 }
 
-/// The names that an option is typed with, "-e" and "--statement".
+/// The spellings of an option, "-e" and "--statement".
 std::vector<std::string> spellings(const std::string& name) {
     const std::size_t comma = name.find(',');
     if (comma == std::string::npos) return {name};
@@ -125,7 +125,7 @@ TEST_CASE("a wrong value of an option is refused with the name of the option, or
             tried.emplace(line[0] == "explain" ? line[1] : line[0], line[i - 1]);
         }
     }
-    // Each option of each command once; those of the map, which all commands share, of `evaluate`.
+    // Each option of each command once; those of the map, which all commands share, only for `evaluate`.
     for (const Operation& operation : operations()) {
         for (const Option& option : operation.options) {
             if (option.value.empty() || !option.name.starts_with('-')) continue;

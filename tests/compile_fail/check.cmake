@@ -2,8 +2,8 @@
 #
 # The program names its misuses in lines such as
 #     // MISUSE_POINT_PLUS_POINT: no match for 'operator\+'|invalid operands
-# and has each one between #ifdef MISUSE_POINT_PLUS_POINT and #endif. Without any of these macros it must compile, with each
-# one alone it must not, and the compiler's message must match the regular expression after the colon.
+# and encloses each in #ifdef MISUSE_POINT_PLUS_POINT and #endif. It must compile without these macros, and must not compile with any one of
+# them; the compiler's message must match the regular expression after the colon.
 
 cmake_minimum_required(VERSION 3.25)
 set(ENV{LC_ALL} C)

@@ -1,6 +1,6 @@
 #include "core_test.hpp"
 
-// The axioms that define a blossom, for every construction, on polynomials and on control polygons of any
+// The axioms that define a blossom, for every construction, on polynomials and on control polygons over any
 // interval.
 
 namespace {

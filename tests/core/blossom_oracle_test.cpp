@@ -1,6 +1,6 @@
 #include "core_test.hpp"
 
-// Every construction against the definition, summed over all subsets on another library's numbers.
+// Every construction compared with the definition, summed over all subsets, on numbers of another library.
 
 TEST_CASE("every construction on polynomial maps against the definition", "[blossom][oracle]") {
     Random random(211);
@@ -81,7 +81,7 @@ TEST_CASE("the same polynomial has different blossoms for different formal degre
           Coordinates{Rational(11, 3)});
 }
 
-TEST_CASE("a prepared blossom knows its degree and dimension and can be asked again", "[blossom]") {
+TEST_CASE("a prepared blossom has its degree and dimension and can be evaluated again", "[blossom]") {
     const std::vector<Coordinates> points{{0, 0, 1}, {1, 2, 1}, {3, 1, 1}};
     const Blossom blossom(BezierCurve(points, Interval(-1, 1)));
     CHECK(blossom.degree() == 2);

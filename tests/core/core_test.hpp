@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of curves, splines and patches have in common.
+// The includes that the tests of curves, splines and patches share.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/blossom/conversion.hpp>

@@ -2,20 +2,20 @@
 #include <blossom/rational/resource_budget.hpp>
 #include "core_test.hpp"
 
-// Curves prepared to be evaluated at many parameters, held against Horner's rule and de Boor's triangle on
+// Curves prepared for evaluation at many parameters, compared with Horner's rule and de Boor's triangle on
 // integers.
 
 namespace {
 
 Size any_size(Random& random) { return random.one_in(3) ? Size::any : Size::small; }
 
-/// All values of one batch against single ones, and those against `expected`.
+/// Compares all values of one batch with single values, and these with `expected`.
 template <class Values, class Expected>
 void check(Random& random, const Values& values, std::span<const Rational> parameters,
            const Expected& expected) {
     const std::vector<Rational> batch = values.at(parameters, 1 + random.below(3));
     REQUIRE(batch.size() == parameters.size() * values.dimension());
-    // Into memory that holds numbers of any size.
+    // Writes to memory that already holds numbers of any size.
     std::vector<Rational> results(batch.size());
     for (Rational& result : results) result = number(random, any_size(random));
     values.at(parameters, results, 1 + random.below(3));
@@ -100,7 +100,7 @@ TEST_CASE("splines over few and over many integers", "[curve_values]") {
     }
 }
 
-TEST_CASE("what could not be prepared for lack of resources is prepared by the next who asks",
+TEST_CASE("a preparation that failed for lack of resources is repeated by the next caller",
           "[curve_values]") {
     Limits little;
     little.work = 1;

@@ -5,7 +5,7 @@
 
 #include <type_traits>
 
-// The values that maps are made of: arguments, intervals, arrays of points, curves.
+// The types from which maps are made: arguments, intervals, arrays of points, curves.
 
 namespace {
 

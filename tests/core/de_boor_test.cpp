@@ -6,7 +6,7 @@ std::size_t textbook_span(const BSplineCurve& curve, std::size_t span) {
     return span + (curve.knots().convention() == KnotConvention::textbook ? 0 : 1);
 }
 
-/// The k-th derivative of the oracle's polynomial of a span.
+/// The k-th derivative of the polynomial that the oracle gives for a span.
 Coordinates derivative_of_oracle(const textbook::Spline& plain, std::size_t span, std::size_t order,
                                  const Rational& t) {
     std::vector<Argument> arguments(plain.degree - order, Parameter(t));
@@ -29,7 +29,7 @@ TEST_CASE("a spline is evaluated at the ends and inside of its domain", "[de_boo
     CHECK(failure_code([&] { derivative(curve, 1, 1); }) == ErrorCode::outside_domain);
 }
 
-TEST_CASE("the blossom of a segment is asked for by its span", "[de_boor]") {
+TEST_CASE("the blossom of a segment is selected by its span", "[de_boor]") {
     const BSplineCurve curve = example_spline();
     const std::vector<Argument> arguments{Parameter(3), Parameter(Rational(7, 2)), Parameter(4)};
     CHECK(segment_blossom(curve, 3, arguments) == Coordinates{4, 2});

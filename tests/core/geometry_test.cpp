@@ -98,7 +98,7 @@ TEST_CASE("geometry: a degenerate simplex says which vertices are dependent") {
     CHECK(error->message() == "the vertices 0, 2 and 3 are affinely dependent");
     CHECK(failure_code([&] { geometry::Simplex({}); }) == ErrorCode::wrong_arity);
 
-    // A triangle in space: its plane only.
+    // A triangle in space, whose affine hull is a plane.
     const geometry::Simplex flat({space.point({0, 0, 0}), space.point({1, 0, 1}), space.point({0, 1, 1})});
     CHECK(flat.dimension() == 2);
     CHECK(flat.barycentric(space.point({1, 1, 2})) == Coordinates{-1, 1, 1});

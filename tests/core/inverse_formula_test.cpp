@@ -15,7 +15,7 @@ std::size_t node_count(std::size_t n) {
     return fractions.size();
 }
 
-/// A map that is no polynomial, so that a formula that uses other values gives something else.
+/// A map that is not a polynomial: a formula that uses other values gives another result.
 Rational reciprocal(const Rational& t) { return 1 / (t * t + 1); }
 
 }  // namespace
@@ -92,7 +92,7 @@ TEST_CASE("rows of weights sum to one, mirror each other, and the end rows are u
     }
 }
 
-TEST_CASE("a map is asked for its value once per node", "[inverse_formula]") {
+TEST_CASE("a map is evaluated once per node", "[inverse_formula]") {
     std::vector<Rational> asked;
     const Interval over(2, -1);
     control_points_from_values(5, over, [&](const Rational& t) {

@@ -3,9 +3,9 @@
 
 namespace {
 
-/// In how many orders the polynomials on the two sides of a knot agree. Their difference D, of degree n, has
-/// a factor (t - knot)^(k+1) exactly when D(t) / (t - knot)^(k+1) is a polynomial of degree n - k - 1: when
-/// its differences of order n - k vanish, here at knot + 1, ..., knot + n + 1.
+/// The number of orders in which the polynomials on the two sides of a knot agree. Their difference D, of
+/// degree n, has a factor (t - knot)^(k+1) if and only if D(t) / (t - knot)^(k+1) is a polynomial of degree n
+/// - k - 1, that is, if its differences of order n - k vanish; they are taken at knot + 1, ..., knot + n + 1.
 std::size_t orders_of_contact(const textbook::Spline& plain, const Rational& knot) {
     const std::size_t n = plain.degree;
     std::size_t left = 0;

@@ -24,7 +24,7 @@ TEST_CASE("the number of knots tells the convention", "[knots]") {
     CHECK(failure_code([] { knots(0, {0}, 2); }) == ErrorCode::bad_knots);
 }
 
-TEST_CASE("what is wrong with knots is said with index, value and rule", "[knots]") {
+TEST_CASE("an error in knots names index, value and rule", "[knots]") {
     const auto repeated = failure([] {
         knots(3, {0, Rational(1, 3), Rational(1, 3), Rational(1, 3), Rational(1, 3), Rational(1, 3), 2, 3},
               6);

@@ -2,12 +2,12 @@
 #include <blossom/core/maps/taylor_curve.hpp>
 #include "core_test.hpp"
 
-// Control points and Taylor coefficients by shifts on digits, held against the recurrences on integers as
-// they are written for any ring.
+// Control points and Taylor coefficients by shifts on digits, compared with the recurrences on integers in
+// their general form.
 
 namespace {
 
-/// u/q and w/q.
+/// The fractions u/q and w/q.
 struct OverOne {
     Integer u;
     Integer w;

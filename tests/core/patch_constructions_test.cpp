@@ -11,8 +11,8 @@ namespace {
 constexpr Construction constructions_by_name[] = {Construction::symmetric, Construction::polarization,
                                                   Construction::casteljau};
 
-/// sum c_i x^i with tuples (mass, x) by the definition: the average over all orders of the assignments, which
-/// is what the control net c_i / multinomial(i) over the frame of origin and unit vectors gives.
+/// sum c_i x^i at tuples (mass, x) by the definition: the average over all orders of the assignments. It is
+/// the value of the control net c_i / multinomial(i) over the frame of origin and unit vectors.
 Coordinates definition(const PatchRecipe& recipe, const PatchArguments& arguments) {
     PatchRecipe polar = recipe;
     for (auto& [indices, point] : polar.points) {
@@ -59,7 +59,7 @@ TEST_CASE("patch constructions: they agree for all arguments, and the expansion 
         const PatchRecipe recipe = patch(random, dimensions, Size::small, 15);
         const BezierPatch net = recipe.patch();
         const PolynomialPatch polynomial(net.shape(), net.control_net());
-        // Points only: the symbols stand for points.
+        // Only points, because the symbols denote points.
         PatchArguments points, affine;
         std::vector<Rational> numbers;
         for (const auto& [dimension, degree] : recipe.factors) {
@@ -154,15 +154,15 @@ TEST_CASE("patch contact: the pieces of a subdivision are one map, and a changed
             own[f] = BarycentricFrame(vertices);
             placed.push_back({pieces[k], own});
         }
-        // The left piece has the middle in place of vertex 0, the right one in place of vertex s: they share
-        // all vertices of the left one but vertex s.
+        // In the left piece the midpoint replaces vertex 0, in the right one vertex s: the pieces share all
+        // vertices of the left one except vertex s.
         const Face face = shared_face(placed[0].frames, placed[1].frames).face;
         CHECK(face[f].size() == s);
         CHECK(face[f].back() == s - 1);
         placed[1].patch = elevate(placed[1].patch, f, 1);
         CHECK(contact(placed[0], placed[1], face).is_infinite());
 
-        // A control point of the left piece with k of its vertices off the face.
+        // Changes a control point of the left piece with k of its vertices off the face.
         std::vector<Coordinates> net = pieces[0].control_net().to_points();
         const std::size_t place = random.below(net.size());
         net[place][0] += 1;

@@ -4,11 +4,11 @@
 #include <blossom/core/maps/barycentric_frame.hpp>
 #include "core_test.hpp"
 
-// Subdivision, other frames, derivatives and degree raising, each against the expanded polynomial.
+// Subdivision, other frames, derivatives and degree raising, each compared with the expanded polynomial.
 
 namespace {
 
-/// The variables with those of one factor replaced by the combinations sum_k y_k elements[k].
+/// The variables, where those of one factor are replaced by the combinations sum_k y_k elements[k].
 std::vector<SparsePolynomial> in_frame(const NetShape& shape, std::size_t factor,
                                        const std::vector<Coordinates>& elements) {
     std::vector<SparsePolynomial> values;
@@ -24,7 +24,7 @@ std::vector<SparsePolynomial> in_frame(const NetShape& shape, std::size_t factor
     return values;
 }
 
-/// Whether `piece` is the map of `patch` over the elements.
+/// Checks that `piece` is the map of `patch` over the elements.
 void check_frame(const BezierPatch& patch, const BezierPatch& piece, std::size_t factor,
                  const std::vector<Coordinates>& elements) {
     REQUIRE(piece.shape() == patch.shape());
@@ -116,7 +116,7 @@ TEST_CASE(
     CHECK(midpoint_simplices(2) ==
           std::vector<std::vector<Coordinates>>{
               {unit(3, 0), m01, m02}, {m01, unit(3, 1), m12}, {m01, m02, m12}, {m02, m12, unit(3, 2)}});
-    // Each has volume 2^-s, and the centre of each has positive coordinates over itself alone.
+    // Each has volume 2^-s, and the centre of each has positive coordinates over no other.
     for (std::size_t s = 1; s <= 4; ++s) {
         const auto simplices = midpoint_simplices(s);
         for (const auto& simplex : simplices) {

@@ -1,11 +1,11 @@
 #include <blossom/core/constructions/constructions.hpp>
 #include "core_test.hpp"
 
-// The polarization inverse formula for anything that can be evaluated.
+// The polarization inverse formula for any map that can be evaluated.
 
 namespace {
 
-/// Evaluates a polynomial by its powers, and remembers where.
+/// Evaluates a polynomial by its powers, and records the parameters.
 struct Counted {
     std::vector<Coordinates> coefficients;
     std::vector<Rational> places = {};
@@ -42,7 +42,7 @@ TEST_CASE("the blossom of a callable is that of the polynomial", "[polarization]
     }
 }
 
-TEST_CASE("a callable is asked once for each sum of arguments", "[polarization]") {
+TEST_CASE("a callable is evaluated once for each sum of arguments", "[polarization]") {
     Random random(232);
     for (int i = 0; i < 300; ++i) {
         const std::size_t n = 1 + random.below(8);
@@ -66,7 +66,7 @@ TEST_CASE("equal arguments are asked for at one place only", "[polarization]") {
     CHECK(counted.places == std::vector<Rational>{2, 2, 2});
 }
 
-TEST_CASE("without arguments the callable is asked for its constant", "[polarization]") {
+TEST_CASE("without arguments the callable gives its constant", "[polarization]") {
     Counted counted{{{Rational(3, 4), 7}}};
     CHECK(from_values(counted, {}) == Coordinates{Rational(3, 4), 7});
     CHECK(counted.places == std::vector<Rational>{0});
@@ -79,7 +79,7 @@ TEST_CASE("the means lie between the arguments", "[polarization]") {
     CHECK(places == std::set<Rational>{Rational(1, 2), Rational(7, 4), 3});
 }
 
-TEST_CASE("a callable is not asked at all beyond the limit", "[polarization][limits]") {
+TEST_CASE("a callable is not evaluated beyond the limit", "[polarization][limits]") {
     Counted counted{{{1}, {1}}};
     std::vector<Parameter> list;
     for (int i = 0; i < 64; ++i) list.emplace_back(i);

@@ -4,7 +4,7 @@
 #include <blossom/core/patch/patch_conversion.hpp>
 #include "core_test.hpp"
 
-// Polynomials in several variables: their blossoms, and the way to control nets and back.
+// Polynomials in several variables: their blossoms, and their conversion to control nets and back.
 
 namespace {
 
@@ -130,8 +130,7 @@ TEST_CASE("control nets of polynomials over random simplices are the same maps, 
         const BezierPatch net = control_net(patch, frames);
         CHECK(monomial_form(net, frames) == patch);
 
-        // Where the barycentric coordinates stand for x = sum of y_k v_k, the net is the polynomial with its
-        // mass.
+        // With the barycentric coordinates y_k for x = sum of y_k v_k, the net is the homogeneous polynomial.
         const auto variables = barycentric_variables(shape);
         std::vector<SparsePolynomial> cartesian;
         for (std::size_t f = 0; f < shape.factors(); ++f) {
@@ -186,7 +185,7 @@ TEST_CASE("barycentric frames: coordinates of points and vectors, and what is no
     CHECK(failure_code([&] { standard.of_point(Coordinates{1}); }) == ErrorCode::mismatched_dimensions);
     CHECK(failure_code([&] { standard.combination(Coordinates{1}); }) == ErrorCode::mismatched_dimensions);
 
-    // A triangle in space has coordinates for the points of its plane alone.
+    // A triangle in space has coordinates only for the points of its plane.
     const BarycentricFrame plane({{0, 0, 1}, {2, 0, 1}, {0, 2, 3}});
     CHECK(plane.of_point(Coordinates{1, 1, 2}) == Coordinates{0, Rational(1, 2), Rational(1, 2)});
     CHECK(failure_code([&] { plane.of_point(Coordinates{1, 1, 1}); }) == ErrorCode::outside_domain);

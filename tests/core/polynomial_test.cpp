@@ -9,7 +9,7 @@ Polynomial from(std::initializer_list<Rational> coefficients) {
 
 const Polynomial t = Polynomial::monomial(1);
 
-/// The value by summing powers, from the coefficients one by one.
+/// The value as a sum of powers times coefficients.
 Rational sum_of_powers(const Polynomial& polynomial, const Rational& x) {
     Rational value;
     Rational power = 1;

@@ -1,7 +1,7 @@
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include "core_test.hpp"
 
-// Text that asks for too much is refused before the memory is taken, at the place that asks for it.
+// Texts that need too much memory are refused before it is allocated, with the position of the cause.
 
 namespace {
 

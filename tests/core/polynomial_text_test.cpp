@@ -75,7 +75,7 @@ TEST_CASE("polynomials in several variables", "[polynomial_text]") {
     CHECK(given.polynomial == y);
 }
 
-TEST_CASE("what is not a polynomial is refused at its place", "[polynomial_text]") {
+TEST_CASE("an invalid polynomial is refused at its place", "[polynomial_text]") {
     struct Example {
         const char* text;
         std::size_t offset;

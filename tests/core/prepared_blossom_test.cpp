@@ -1,13 +1,13 @@
 #include <thread>
 #include "core_test.hpp"
 
-// A prepared blossom gives the same by every door, whichever way its numbers are computed.
+// A prepared blossom gives the same values by every function, for all sizes of numbers.
 
 namespace {
 
 Size any_size(Random& random) { return random.one_in(3) ? Size::any : Size::small; }
 
-/// All values of one batch against single values, and those against the definition.
+/// Compares all values of one batch with single values, and these with the definition.
 template <class Recipe, class Oracle>
 void check(Random& random, const Recipe& recipe, const Oracle& oracle) {
     const Blossom blossom(recipe.curve());
@@ -17,7 +17,7 @@ void check(Random& random, const Recipe& recipe, const Oracle& oracle) {
     const std::size_t jobs = 1 + random.below(3);
     const std::vector<Rational> values = blossom.values(tuples, jobs);
     REQUIRE(values.size() == tuples.size() * blossom.dimension());
-    // Memory of the caller, which may hold numbers of any size from before.
+    // Memory of the caller that already holds numbers of any size.
     std::vector<Rational> results(values.size());
     if (random.one_in(2))
         for (Rational& result : results) result = rational(random);
@@ -123,7 +123,7 @@ TEST_CASE("batches fill exactly the places they are given", "[blossom][batch]") 
     blossom.values({}, std::span<Rational>());
 }
 
-TEST_CASE("several threads ask a new blossom at the same time") {
+TEST_CASE("several threads use a new blossom at the same time") {
     Random random(313);
     for (int i = 0; i < 200; ++i) {
         const PolynomialRecipe recipe = polynomial_map(random, random.below(8), any_size(random));

@@ -19,7 +19,7 @@ Symbol symbolic_blossom(std::span<const Symbol> normalised, std::span<const Symb
     return value;
 }
 
-/// Knots over which progressive values determine a map, in no order.
+/// Knots, in no particular order, over which progressive values determine a map.
 std::vector<Rational> legal_knots(Random& random, std::size_t n) {
     while (true) {
         std::vector<Rational> knots;
@@ -35,8 +35,8 @@ std::vector<Rational> legal_knots(Random& random, std::size_t n) {
     }
 }
 
-/// Whether the n + 1 functionals P -> p(t_j, ..., t_(j+n-1)) are independent: Gauss elimination of their
-/// values on the monomials.
+/// Whether the n + 1 functionals P -> p(t_j, ..., t_(j+n-1)) are independent, by Gaussian elimination on
+/// their values at the monomials.
 bool independent(std::span<const Rational> knots, std::size_t n) {
     std::vector<std::vector<Rational>> rows;
     for (std::size_t j = 0; j <= n; ++j) {

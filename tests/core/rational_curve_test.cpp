@@ -51,7 +51,7 @@ TEST_CASE("the derivative of order zero is the projected value", "[rational_curv
     }
 }
 
-TEST_CASE("a point and its weight stand as homogeneous coordinates and come back", "[rational_curve]") {
+TEST_CASE("a point and its weight are converted to homogeneous coordinates and back", "[rational_curve]") {
     Random random(363);
     for (std::size_t i = 0; i < 200; ++i) {
         Coordinates point;

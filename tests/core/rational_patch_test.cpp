@@ -8,11 +8,12 @@
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
 #include "core_test.hpp"
 
-// Quotients of patches: derived maps against values, and their contact against maps made to have it.
+// Quotients of patches: derived maps compared with values, and contact compared with maps constructed to have
+// it.
 
 namespace {
 
-/// The derivative in directions of the whole domain, one factor after the other in every way.
+/// The derivative in directions of the whole domain: the sum over all assignments of directions to factors.
 Coordinates derivative_of(const BezierPatch& patch, std::span<const PatchPoint> directions,
                           const PatchPoint& at) {
     Coordinates sum(patch.dimension());
@@ -57,7 +58,7 @@ TEST_CASE("rational patches: the derived map has the derivatives of the quotient
                 for (const std::size_t s : dimensions)
                     direction.push_back(tuple_of_mass(random, s, 0, Size::small));
             }
-            // One of them twice.
+            // One direction occurs twice.
             if (order == 3) directions.push_back(directions.front());
             PatchPoint at;
             for (const std::size_t s : dimensions) at.push_back(tuple_of_mass(random, s, 1, Size::small));
@@ -75,8 +76,8 @@ TEST_CASE("rational patches: the derived map has the derivatives of the quotient
 }
 
 TEST_CASE("rational patches: the derived map of a quotient of polynomials, written out") {
-    // d/dx of x y / (1 + x) is y / (1 + x)^2, and d/dy of that 1 / (1 + x)^2; the program divides by (1 +
-    // x)^3.
+    // d/dx of x y / (1 + x) is y / (1 + x)^2, and d/dy of this is 1 / (1 + x)^2; the function gives the
+    // denominator (1 + x)^3.
     const PolynomialPatch map(NetShape::simplex(2, 2), std::vector{x * y, SparsePolynomial(1) + x});
     const std::vector<PatchPoint> directions{{{0, 1, 0}}, {{0, 0, 1}}};
     const PolynomialPatch once = rational_derivative_patch(map, std::span(directions).first(1));
@@ -97,7 +98,7 @@ TEST_CASE("rational patches: a derived map that would be too large, or is of not
           ErrorCode::limit_exceeded);
     limits.numbers = 36;
     CHECK(rational_derivative_patch(map, direction, limits).shape().size() == 15);
-    // Order 1 takes 2 products per coordinate of 6 by 6 coefficients.
+    // Order 1 needs 2 products per coordinate of 6 by 6 coefficients.
     limits = {};
     limits.expansion_work = 143;
     CHECK(failure_code([&] { rational_derivative_patch(map, direction, limits); }) ==
@@ -162,7 +163,7 @@ TEST_CASE("tensor B-splines: contact at knots, the least along all rows") {
     const KnotVector quadratic(2, {-1, 0, Rational(1, 3), 1, 2, 3, 5}, 4);
     std::vector<Coordinates> points;
     for (std::size_t i = 0; i < 28; ++i) points.push_back({small_rational(random), Rational(1)});
-    // Rows of one polynomial each, but for the last, whose spline has the order of its knots.
+    // Each row is one polynomial, except the last, whose spline has the order of contact that its knots give.
     for (std::size_t i = 0; i < 7; ++i) {
         for (std::size_t j = 0; j < 3; ++j) points[i * 4 + j] = {1, 1};
     }
@@ -181,7 +182,8 @@ TEST_CASE("tensor B-splines: contact at knots, the least along all rows") {
 }
 
 TEST_CASE("tensor B-splines: a later box along a knot may be less smooth than the first") {
-    // Rows over a knot of multiplicity 2, two of them as smooth as over a simple one, the last not.
+    // Rows over a knot of multiplicity 2: two of them are as smooth as over a simple knot, the last one is
+    // not.
     const BSplineCurve simple(3, {0, 0, 0, 0, 1, 2, 2, 2, 2}, {{0}, {1}, {0}, {5}, {-1}});
     const BSplineCurve smooth = insert_knots_boehm(simple, std::vector<Rational>{1});
     std::vector<Coordinates> points;

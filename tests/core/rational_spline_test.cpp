@@ -17,7 +17,7 @@ SplineRecipe weighted_spline(Random& random, std::size_t degree) {
     return recipe;
 }
 
-/// The quotient of the oracle's value.
+/// The oracle's value divided by its weight.
 Coordinates divided_value(const SplineRecipe& recipe, const Rational& t) {
     Coordinates value = textbook::value(recipe.oracle(), t);
     for (Rational& coordinate : value) coordinate /= value.back();

@@ -21,8 +21,7 @@ std::vector<Root> integers(int first, int last) {
     return expected;
 }
 
-/// Signs that differ at the two ends of n disjoint intervals show n roots, which are all that degree n can
-/// have.
+/// Different signs at the two ends of n disjoint intervals prove n roots, the most that degree n permits.
 void check_all_roots_by_signs(const Polynomial& polynomial, const std::vector<Root>& found) {
     CHECK(found.size() == polynomial.degree());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -59,7 +58,7 @@ TEST_CASE("Wilkinson's perturbation by 2^-23 leaves ten real roots", "[roots]") 
     CHECK(found.back().upper < Rational(209, 10));
 }
 
-TEST_CASE("the two close roots of Mignotte's polynomials are told apart", "[roots]") {
+TEST_CASE("the two close roots of Mignotte's polynomials are separated", "[roots]") {
     for (const auto& [degree, a] : {std::pair<std::size_t, int>{10, 10}, {25, 100}, {60, 10}}) {
         const Polynomial polynomial = pow(t, degree) - Polynomial(2) * pow(Polynomial(a) * t - 1, 2);
         const std::vector<Root> found = roots(polynomial, {0, 1});
@@ -93,7 +92,7 @@ TEST_CASE("clusters far closer than doubles can tell are found", "[roots]") {
     }
     CHECK(close[1].upper <= close[2].lower);
 
-    // One real root and a pair of complex ones beside it; four real ones; two clusters.
+    // One real root with two complex ones close to it; four real roots; two clusters.
     for (const Polynomial& polynomial :
          {pow(t, 30) - pow(Polynomial(7) * t - 1, 3),
           pow(t, 25) - pow(pow(Polynomial(9) * t - 4, 2) - Polynomial(Rational(1, 100'000)), 2),

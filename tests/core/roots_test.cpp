@@ -7,7 +7,8 @@ namespace {
 
 const Polynomial t = Polynomial::monomial(1);
 
-/// A product of linear factors, of quadratic ones with two irrational roots and of such without a real root.
+/// A product of linear factors, of quadratic factors with two irrational roots, and of quadratic factors
+/// without real roots.
 struct Product {
     Polynomial polynomial = 1;
     std::set<Rational> rational_roots;
@@ -35,7 +36,7 @@ Product product(Random& random) {
     return result;
 }
 
-/// Any interval; in a third of the cases with a rational root at an end.
+/// A random interval; in a third of the cases a rational root is an end.
 Interval search_interval(Random& random, const Product& product) {
     const Interval over = random.one_in(3) ? Interval(-1000, 1000) : interval(random, Size::small);
     if (product.rational_roots.empty() || !random.one_in(3)) return over;
@@ -72,7 +73,7 @@ TEST_CASE("the roots of products of known factors are isolated with their multip
     CHECK(at_ends > 20);
 }
 
-TEST_CASE("roots are refined to the width that is asked for", "[roots]") {
+TEST_CASE("roots are refined to the requested width", "[roots]") {
     Random random(372);
     for (std::size_t i = 0; i < 60; ++i) {
         const Product made = product(random);

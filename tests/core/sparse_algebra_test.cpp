@@ -109,7 +109,7 @@ TEST_CASE("what has no repeated factor is seen from an image") {
 }
 
 TEST_CASE("a division that is too much work is given up") {
-    // A quotient of this would have 1000 terms before it shows that there is none.
+    // The division would compute 1000 terms of a quotient before it finds that there is none.
     const SparsePolynomial f = read("x^1000 + y^1000*z");
     const SparsePolynomial g = read("x - y");
     CHECK_FALSE(divide(f, g).quotient);

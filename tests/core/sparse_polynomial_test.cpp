@@ -20,8 +20,8 @@ std::vector<Rational> values(Random& random, std::size_t n) {
     return point;
 }
 
-/// The order of terms, no zeros, the least denominator and no unused words: what makes equal polynomials
-/// equal objects.
+/// Checks the order of terms, that there are no zeros, the least denominator and no unused words, so that
+/// equal polynomials have equal representations.
 void check_canonical(const SparsePolynomial& polynomial) {
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
         CHECK_FALSE(polynomial.coefficient(i).is_zero());
@@ -205,7 +205,7 @@ TEST_CASE("exponents beyond 32767 are refused wherever they arise", "[sparse_pol
         CHECK(failure_code([&] { pow(x * x + 1, 16384); }) == ErrorCode::limit_exceeded);
         exponents[variable] = 32768;
         CHECK(failure_code([&] { SparsePolynomial::term(1, exponents); }) == ErrorCode::limit_exceeded);
-        // A neighbour in the same word stays as it was.
+        // The adjacent exponent in the same word is unchanged.
         CHECK((greatest * SparsePolynomial::variable(variable + 1)).exponent(0, variable) == 32767);
     }
 }
@@ -223,7 +223,7 @@ TEST_CASE("exponents take the bits that they need", "[sparse_polynomial]") {
         CHECK(power.degrees()[0] == n);
         CHECK(power.total_degree() == n);
         check_canonical(power);
-        // What is left has small exponents again.
+        // The remaining exponents are small again.
         const SparsePolynomial high = pow(x, n) * far;
         CHECK((high + x + 1) - high == x + 1);
         check_canonical((high + far) - high);

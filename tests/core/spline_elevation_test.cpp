@@ -4,7 +4,8 @@
 
 namespace {
 
-/// The mean of the blossom of one segment over the arguments without one of them, raised degree by degree.
+/// The mean of the blossom of one segment over all choices of arguments with one omitted, one degree at a
+/// time.
 Coordinates mean_of_omissions(const textbook::Spline& plain, std::size_t span,
                               const std::vector<Argument>& arguments) {
     if (arguments.size() == plain.degree) return textbook::segment_blossom(plain, span, arguments);

@@ -35,7 +35,7 @@ TEST_CASE("reducing undoes raising exactly, knots and points, by every method", 
     Random random(511);
     for (int round = 0; round < 90; ++round) {
         const BSplineCurve curve = spline(random, random.below(7)).curve();
-        // Degree 0 has no polar convention to come back to.
+        // Degree 0 has no polar convention to return to.
         if (curve.degree() == 0 && curve.knots().convention() == KnotConvention::polar) continue;
         const std::size_t by = 1 + random.below(2);
         const BSplineCurve raised = elevate(curve, by);

@@ -5,7 +5,7 @@
 
 namespace {
 
-/// Each point of `curve` is the multiple that it states of the textbook's blossom of the coefficients.
+/// Checks that each point of `curve` is its stated multiple of the textbook's blossom of the coefficients.
 template <OnePolynomial Curve>
 void check_stated(const Curve& curve, const PolynomialRecipe& recipe) {
     std::vector<Coordinates> coefficients = recipe.coefficients;

@@ -1,7 +1,8 @@
 #include <stdexcept>
 #include "core_test.hpp"
 
-// A web article on de Casteljau's algorithm and blossoms: what it says that the identity language cannot.
+// A web article on de Casteljau's algorithm and blossoms: its statements that the identity language cannot
+// express.
 
 namespace {
 
@@ -32,8 +33,8 @@ TEST_CASE("blog-dimension: the dimension is not the degree: any dimension will d
 
 TEST_CASE("blog-py-decasteljau: range(n) reads past the end for n >= 2; range(n-r+1) gives C(t)",
           "[statement]") {
-    // The printed base case `return a[i]` names no i; the loop is wrong also where it returns the whole
-    // array.
+    // The printed base case `return a[i]` uses an undefined i; the loop is also wrong if the base case
+    // returns the whole array.
     Random random(381);
     for (std::size_t n = 0; n <= 6; ++n) {
         Coordinates a;

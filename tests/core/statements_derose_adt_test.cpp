@@ -2,7 +2,7 @@
 #include "core_test.hpp"
 
 // DeRose, Goldman, Lounsbery: A Tutorial Introduction to Blossoming (1991), section 6: the algorithms of the
-// field are evaluations of one abstract data type. Each algorithm of the engine is held against the blossom
+// field are evaluations of one abstract data type. Each algorithm of the engine is compared with the blossom
 // of its curve at the right arguments.
 
 namespace {

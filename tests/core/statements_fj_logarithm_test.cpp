@@ -54,8 +54,8 @@ Enclosure squared_error(const std::vector<Polynomial>& p) {
     return sum;
 }
 
-/// The least integral of (q - ln)^2 over all cubics q: that of ln^2 less the squares of its parts along an
-/// orthogonal basis.
+/// The least integral of (q - ln)^2 over all cubics q: the integral of ln^2 minus the squares of its
+/// components in an orthogonal basis.
 Enclosure least_squared_error() {
     Enclosure sum = integral_of_square();
     std::vector<Polynomial> basis;
@@ -72,7 +72,7 @@ Enclosure least_squared_error() {
     return sum;
 }
 
-/// Whether a number is `digits`, correct to the last of them.
+/// Whether a number is `digits`, correct to the last digit.
 bool reads(const Enclosure& number, const char* digits, const char* half_unit) {
     const Rational printed = parse_rational(digits);
     const Rational tolerance = parse_rational(half_unit);
@@ -111,12 +111,12 @@ TEST_CASE(
     const Enclosure least = least_squared_error();
     CHECK(least.width() < parse_rational("1e-30"));
     CHECK(reads(least, "3.47877012717e-8", "5e-19"));
-    // The printed 2e-7 is the integral, not the norm by the paper's own definition, whose square it is.
+    // The printed 2e-7 is the integral itself; the norm by the paper's own definition is its square root.
     CHECK(reads(error, "2e-7", "5e-8"));
     const Rational norm = parse_rational("0.00044448397");
     CHECK(pow(norm - parse_rational("1e-11"), 2) < error.lower);
     CHECK(pow(norm + parse_rational("1e-11"), 2) > error.upper);
-    // The ratio to the best is 5.679, so that only powers of ten make them "of the same order".
+    // The ratio to the best error is 5.679, so that the errors are "of the same order" only as powers of ten.
     CHECK(error.lower > parse_rational("5.679") * least.upper);
     CHECK(error.upper < parse_rational("5.680") * least.lower);
 }

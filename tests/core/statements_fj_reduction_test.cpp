@@ -16,7 +16,7 @@ Rational r(int p, int q) { return {p, q}; }
 
 BezierCurve example2() { return control_points(PolynomialCurve(degree_ten_curve()), {}); }
 
-/// Example 2 by one method, with its error by the integral of the expanded polynomials.
+/// Example 2 by one method, with its error from the integral of the expanded polynomials.
 struct Reduced {
     BezierCurve curve;
     Rational squared_error;

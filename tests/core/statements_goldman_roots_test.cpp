@@ -2,8 +2,8 @@
 #include "core_test.hpp"
 
 // Goldman, Lecture 26, exercise 11: the roots of a polynomial in [a, b] from its Bezier graph (t, P(t)), by
-// subdivision. Random products of known factors; the graph is subdivided by blossom values and held against
-// the engine's kernel.
+// subdivision, for random products of known factors. The graph is subdivided by blossom values, and the
+// result is compared with the engine's kernel.
 
 namespace {
 
@@ -13,7 +13,7 @@ BezierCurve graph(const Polynomial& polynomial, const Interval& over) {
     return control_points(PolynomialCurve(std::vector<Polynomial>{t, polynomial}), over);
 }
 
-/// How often the control polygon of a graph crosses the axis.
+/// The number of crossings of the control polygon of a graph and the axis.
 std::size_t crossings(const BezierCurve& curve) {
     std::vector<int> signs;
     for (const Coordinates& point : curve.control_points().to_points()) {
@@ -24,8 +24,8 @@ std::size_t crossings(const BezierCurve& curve) {
     return changes;
 }
 
-/// Subdivides at the midpoint until every polygon crosses at most once, and gives the roots at which it was
-/// subdivided and the intervals with one crossing.
+/// Subdivides at the midpoint until every polygon crosses the axis at most once. Returns the intervals with
+/// one crossing, and in `met` the roots at which the polygon was subdivided.
 std::vector<Interval> isolated(const BezierCurve& curve, std::vector<Rational>& met) {
     const std::size_t changes = crossings(curve);
     if (changes == 0) return {};
@@ -39,7 +39,7 @@ std::vector<Interval> isolated(const BezierCurve& curve, std::vector<Rational>& 
     return intervals;
 }
 
-/// A polynomial with its rational roots; the quadratic factors have none that are real.
+/// A polynomial with its rational roots; its quadratic factors have no real roots.
 struct Known {
     Polynomial polynomial = 1;
     std::vector<Rational> roots;
@@ -56,7 +56,7 @@ struct Known {
         }
     }
 
-    /// Strictly between the ends, with multiplicities.
+    /// The roots strictly between the ends, with multiplicities.
     std::size_t inside(const Interval& over) const {
         const auto& [low, high] = std::minmax(over.a(), over.b());
         return static_cast<std::size_t>(

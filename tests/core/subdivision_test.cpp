@@ -2,7 +2,7 @@
 
 namespace {
 
-/// (a^(n-r-i), b^i, u_1, ..., u_r), the label of node i on level r.
+/// (a^(n-r-i), b^i, u_1, ..., u_r), the arguments of node i on level r.
 std::vector<Argument> label(const BezierCurve& curve, std::span<const Argument> arguments, std::size_t r,
                             std::size_t i) {
     std::vector<Argument> all = with_copies({}, curve.degree() - r - i, Parameter(curve.interval().a()));
@@ -11,7 +11,7 @@ std::vector<Argument> label(const BezierCurve& curve, std::span<const Argument> 
     return all;
 }
 
-/// Any number but the ends; inside, outside and just beside them.
+/// Any number except the ends: inside, outside or close to them.
 Rational splitting_parameter(Random& random, const Interval& interval, Size size) {
     Rational t = number(random, size);
     if (random.one_in(3)) t = interval.a() + (interval.b() - interval.a()) * Rational(1 + random.below(8), 9);
@@ -43,7 +43,7 @@ TEST_CASE("every node of the pyramid is the blossom value of its label", "[subdi
     }
 }
 
-TEST_CASE("the points of a pyramid stand over their least common denominator", "[subdivision]") {
+TEST_CASE("the points of a pyramid have their least common denominator", "[subdivision]") {
     const BezierCurve curve(std::vector<Coordinates>{{4}, {8}, {6}}, Interval(0, 2));
     const Pyramid pyramid = casteljau_pyramid(curve, with_copies({}, 2, Parameter(1)));
     CHECK(pyramid.levels[1].denominator() == 1);

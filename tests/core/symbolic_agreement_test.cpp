@@ -16,7 +16,7 @@ struct Frame {
 /// [0, 1], [-2/3, 5/3], the latter reversed, and one with a large denominator.
 const Frame frames[] = {{0, 1, 1}, {-2, 5, 3}, {5, -2, 3}, {INT64_MIN, 7, INT64_MAX}};
 
-/// Control points over [a/q, b/q], by the change of basis that knows nothing of symmetric functions.
+/// Control points over [a/q, b/q], by a change of basis that does not use symmetric functions.
 Symbols control_points(const Symbols& coefficients, const Frame& frame) {
     const auto points = constructions::bernstein_from_monomial(std::span<const Symbol>(coefficients), frame.a,
                                                                frame.b, frame.q);

@@ -4,7 +4,7 @@
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include "core_test.hpp"
 
-// B-spline surfaces and volumes, against the definition by basis functions.
+// B-spline surfaces and volumes, compared with the definition by basis functions.
 
 namespace {
 

@@ -1,6 +1,6 @@
-// One line per path: its cases, their kinds, its checks, the failures, and the time.
+// Prints one line per path: its cases and their kinds, its checks, the failures, and the time.
 
-#define CATCH_CONFIG_EXTERNAL_INTERFACES  // of version 2, where listeners are not there without
+#define CATCH_CONFIG_EXTERNAL_INTERFACES  // needed by version 2, which declares listeners only with it
 #include <cstdio>
 
 #include "each_case.hpp"

@@ -1,4 +1,4 @@
-// Curves and splines prepared to be evaluated at many parameters, with numbers that end where words do.
+// Curves and splines prepared for evaluation at many parameters, with numbers near the limits of words.
 
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/evaluation.hpp>
@@ -64,7 +64,7 @@ std::vector<Coordinates> unit_points(std::size_t n, std::size_t one) {
     return points;
 }
 
-/// A spline whose knots are as they come, evenly spaced, or of many bits.
+/// A spline whose knots are random, evenly spaced, or of many bits.
 BSplineCurve uneven_spline(Random& random) {
     SplineRecipe recipe = spline(random, random.below(random.one_in(8) ? 16 : 7));
     const std::size_t kind = random.below(3);
@@ -180,7 +180,7 @@ TEST_CASE("reduction by the inverse formula: from values at its nodes", "[differ
     });
 }
 
-TEST_CASE("curve values: values that end where words do", "[differential]") {
+TEST_CASE("curve values: values near the limits of words", "[differential]") {
     each_case("curve values", [&](Random& random) {
         const std::size_t limits[] = {63, 127, 256, 512};
         const std::size_t limit = limits[random.below(4)];
@@ -205,7 +205,7 @@ TEST_CASE("curve values: values that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("spline values: knots and points that end where words do", "[differential]") {
+TEST_CASE("spline values: knots and points near the limits of words", "[differential]") {
     each_case("spline values", [&](Random& random) {
         SplineRecipe recipe = spline(random, random.below(5));
         const std::size_t bits = random.below(random.one_in(4) ? 62 : 20);

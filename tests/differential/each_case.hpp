@@ -1,8 +1,8 @@
 #pragma once
 
-// Many cases for each fast path. The environment sets their number per path, BLOSSOM_DIFFERENTIAL_CASES (300
-// by default), and BLOSSOM_DIFFERENTIAL_SEED (1 by default). scripts/differential runs tens of thousands on
-// each level of vector instructions.
+// Many cases for each fast path. The environment variable BLOSSOM_DIFFERENTIAL_CASES sets their number per
+// path (300 by default), and BLOSSOM_DIFFERENTIAL_SEED the seed (1 by default). scripts/differential runs
+// tens of thousands on each level of vector instructions.
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,21 +17,21 @@
 namespace blossom::testing {
 
 inline std::uint64_t differential_setting(const char* variable, std::uint64_t otherwise) {
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here writes the environment
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): the tests never write the environment
     const char* text = std::getenv(variable);
     return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
 }
 
-/// `otherwise` is the number where the environment sets none.
+/// The number of cases; `otherwise` if the environment does not set it.
 inline std::size_t differential_cases(std::size_t otherwise = 300) {
     return differential_setting("BLOSSOM_DIFFERENTIAL_CASES", otherwise);
 }
 
-/// The cases so far of the path that is running, for the line that is printed about it.
+/// The counts of the current path, for the line that is printed about it.
 struct Counts {
     std::string path;
     std::size_t cases = 0;
-    std::map<std::string, std::size_t> kinds;  ///< of cases, where its kinds matter
+    std::map<std::string, std::size_t> kinds;  ///< of cases, if the path distinguishes them
 
     static Counts& of_path() {
         static Counts counts;
@@ -40,8 +40,8 @@ struct Counts {
 };
 inline void count_as(const std::string& kind) { ++Counts::of_path().kinds[kind]; }
 
-/// Calls check(random) for each case of a path. Each case has its own stream, so that it can be repeated
-/// without the cases before it.
+/// Calls check(random) for each case of a path. Each case has its own random stream, so that it can be
+/// repeated without the previous cases.
 template <class Check>
 void each_case(std::string_view path, const Check& check, std::size_t otherwise = 300) {
     Counts::of_path().path = path;
@@ -55,8 +55,8 @@ void each_case(std::string_view path, const Check& check, std::size_t otherwise 
     }
 }
 
-/// One check, which shows the ends of the first number that differs: Catch takes minutes to print rows of
-/// long numbers.
+/// Compares numbers, and on failure shows the ends of the first one that differs, because Catch takes minutes
+/// to print rows of long numbers.
 template <class Number>
 void check_same(const std::vector<Number>& numbers, const std::vector<Number>& expected) {
     if (numbers.size() != expected.size()) FAIL(numbers.size() << " numbers in place of " << expected.size());
@@ -72,7 +72,7 @@ void check_same(const std::vector<Number>& numbers, const std::vector<Number>& e
     FAIL_CHECK("number " << number - numbers.begin() << " is " << ends(*number) << ", not " << ends(*other));
 }
 
-/// Now and then zero, and mostly of just so many bits; `sign` is the one of all, or 0 for either.
+/// A number usually of exactly `bits` bits, sometimes zero; `sign` is its sign, or 0 for either.
 inline Integer number_near(Random& random, std::size_t bits, int sign = 0) {
     if (random.one_in(12)) return 0;
     const bool all_ones = random.one_in(3);

@@ -1,4 +1,4 @@
-// Eight tuples of factors side by side, at the limits of what lanes hold.
+// Eight tuples of factors at once, at the limits of the numbers in vector lanes.
 
 #include "sum_cases.hpp"
 
@@ -7,13 +7,13 @@ using namespace blossom::testing;
 
 namespace {
 
-/// Pairs u, m, and the factors that they are.
+/// Pairs u, m, and the factors that they denote.
 struct Tuple {
     std::vector<Rational> pairs;
     std::vector<WordFactor> factors;
 };
 
-/// With numbers of mostly just so many bits, up to those of which lanes read 31 and the sign.
+/// A line whose numbers usually have exactly `bits` bits, up to 32; lanes read 31 bits and the sign.
 WordLine line_near(Random& random, std::size_t bits) {
     const auto number = [&] {
         const std::int64_t word = word_near(random, bits);
@@ -22,7 +22,7 @@ WordLine line_near(Random& random, std::size_t bits) {
     return {number(), number(), number(), std::max<std::int64_t>(1, word_near(random, random.below(5)))};
 }
 
-/// The factor of a pair, over the line if there is one; nothing if words do not hold it.
+/// The factor of a pair, over the line if there is one; nullopt if words do not hold it.
 std::optional<WordFactor> factor_of(const Rational& u, bool is_point, const WordLine* line) {
     Integer constant = is_point ? u.denominator() : 0;
     Integer slope = u.numerator();
@@ -39,7 +39,7 @@ std::optional<WordFactor> factor_of(const Rational& u, bool is_point, const Word
     return WordFactor{*words.begin()[0], *words.begin()[1], *words.begin()[2]};
 }
 
-/// n pairs whose factors have about so many bits.
+/// n pairs whose factors have about `bits` bits.
 std::optional<Tuple> tuple_near(Random& random, std::size_t n, std::size_t bits, std::size_t denominator_bits,
                                 const WordLine* line) {
     Tuple tuple;
@@ -66,7 +66,7 @@ TEST_CASE("eight sums: sums and denominators that end at 51, 52, 63 and 102 bits
         const std::size_t limit = limits[random.below(5)] + 1 - random.below(random.one_in(3) ? 3 : 16);
         const std::size_t n = 1 + random.below(limit > 64 ? 17 : 9);
         const std::size_t bits = std::clamp<std::size_t>(limit / (n + random.below(3)), 2, 62) - 1;
-        // Such that all denominators together end near the limit, or far below.
+        // The product of all denominators is near the limit, or far below it.
         const std::size_t share = limit / n;
         const std::size_t denominator_bits =
             random.one_in(2) ? std::min<std::size_t>(62, share + 1 - std::min(share, random.below(5)))
@@ -89,7 +89,7 @@ TEST_CASE("eight sums: sums and denominators that end at 51, 52, 63 and 102 bits
             tuples.push_back(std::move(*tuple));
         }
         for (std::size_t l = 0; l < 8; ++l) addresses[l] = tuples[l].pairs.data();
-        // The widest decides on the numbers.
+        // The widest tuple determines the bits of the numbers.
         const auto widest_tuple = std::ranges::max_element(tuples, [](const Tuple& a, const Tuple& b) {
             return size_of_product(a.factors) < size_of_product(b.factors);
         });
@@ -108,7 +108,7 @@ TEST_CASE("eight sums: sums and denominators that end at 51, 52, 63 and 102 bits
                              values.begin() + static_cast<std::ptrdiff_t>(l * rows)));
         }
     });
-    // Where the processor has no lanes nothing is computed.
+    // Without the vector instructions nothing is computed.
     CHECK((computed == 0 || 8 * computed + 20 > differential_cases()));
     CHECK((computed == 0 || 16 * over_lines + 20 > differential_cases()));
 }

@@ -1,5 +1,5 @@
-// Factors of few bits, multiplied out in blocks of 51 bits, a block to a vector lane; and quotients whose
-// denominators have small primes alone.
+// Factors of few bits multiplied in blocks of 51 bits, one block per vector lane; and quotients whose
+// denominators have only small primes.
 
 #include "sum_cases.hpp"
 
@@ -8,10 +8,10 @@ using namespace blossom::testing;
 
 namespace {
 
-/// Blocks of as many factors as just fit, or do not.
+/// Blocks with as many factors as fit exactly, or with one more.
 struct BlockShape {
     std::size_t factors;
-    std::size_t bits;  ///< of a factor
+    std::size_t bits;  ///< per factor
 };
 
 BlockShape random_shape(Random& random) {
@@ -21,14 +21,14 @@ BlockShape random_shape(Random& random) {
     return {std::max<std::size_t>(4, blocks * degree + 1 - random.below(blocks + 2)), bits};
 }
 
-/// Near a number of digits or of words, up to the most of both.
+/// A number near a multiple of the bits of digits or of words, up to the most of both.
 std::size_t random_limit(Random& random, std::size_t least) {
     const std::size_t unit = random.one_in(3) ? 64 : 52;
     const std::size_t units = least / unit + 1 + random.below(random.one_in(4) ? 16 : 3);
     return std::max(least + 1, unit * units + 2 - random.below(4));
 }
 
-/// |constant| + |slope| just below 2^bits, or just of these.
+/// |constant| + |slope| is just below 2^bits, or has just this many bits.
 WordFactor factor_of_bits(Random& random, std::size_t bits, Signs signs) {
     const std::int64_t size = (std::int64_t{1} << bits) - (random.one_in(8) ? 0 : 1);
     const std::int64_t slope = random.between(0, size);
@@ -41,7 +41,7 @@ WordFactor factor_of_bits(Random& random, std::size_t bits, Signs signs) {
     return factor;
 }
 
-/// u and m of a factor m + u X whose size is about 2^bits.
+/// u and m of a factor m + u X whose magnitude is about 2^bits.
 struct Pair {
     Rational u;
     Rational m;
@@ -60,7 +60,7 @@ WordFactor factor_of(const Pair& pair) {
     return {pair.m.is_zero() ? 0 : denominator, *pair.u.numerator().to_int64(), denominator};
 }
 
-/// A product of odd primes up to 137, and now and then of others, of at most so many bits.
+/// A product of at most `bits` bits of odd primes up to 137, sometimes also of other primes.
 Integer smooth_number(Random& random, std::size_t bits) {
     Integer number = 1;
     for (;;) {
@@ -116,13 +116,13 @@ TEST_CASE("quotients by small primes", "[differential]") {
         SumCase given;
         const std::size_t n = 1 + random.below(12);
         for (std::size_t i = 0; i < n; ++i) {
-            // Of what is beyond 4095 the primes are not known.
+            // The primes of numbers beyond 4095 are not in the table.
             const Integer denominator =
                 random.one_in(12) ? 4096 + random.below(4096) : smooth_number(random, 1 + random.below(12));
             given.factors.push_back({1, 0, *denominator.to_int64()});
         }
         given.numerators.assign(n + 1, 0);
-        // All ones are as many times a divisor as a word, or two of them, can hold.
+        // Numbers of one or two words of ones are the largest multiples of a divisor.
         given.numerators[0] = random.one_in(6)
                                   ? (Integer(1) << (64 * (1 + random.below(4)))) - 1
                                   : smooth_number(random, 1 + random.below(random.one_in(4) ? 500 : 130));

@@ -1,4 +1,5 @@
-// Quotients whose numerators share primes with denominators of many words, and of numbers of a few limbs.
+// Quotients whose numerators share primes with denominators of many words, and quotients of numbers of a few
+// limbs.
 
 #include "each_case.hpp"
 #include "rational/blossom_sums_cases.hpp"

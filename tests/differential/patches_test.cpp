@@ -1,5 +1,5 @@
-// Nets of patches in words, in limbs, modulo primes and in integers beside the constructions over rational
-// numbers, with numbers that end where words do.
+// Nets of patches in words, in limbs, modulo primes and in integers, compared with the constructions over
+// rational numbers, with numbers near the limits of words.
 
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
@@ -35,7 +35,7 @@ std::size_t total_degree(const NetShape& shape) {
     return degree;
 }
 
-/// The bits of arguments and of the numbers of a net for which values end near where words do, or are long.
+/// The bits of arguments and of the numbers of a net for which values are near the limits of words, or long.
 struct Sizes {
     std::size_t argument;
     std::size_t net;
@@ -58,13 +58,26 @@ std::vector<std::vector<Rational>> rows(Random& random, const NetShape& shape, s
     return rows;
 }
 
+/// The numbers of a net, and the bits of arguments that go with them.
+struct RandomNet {
+    NetShape shape;
+    std::size_t argument_bits;
+    std::vector<std::vector<Rational>> rows;
+};
+RandomNet random_net(Random& random) {
+    NetShape net_shape = shape(random);
+    const auto [argument_bits, net_bits] = sizes(random, net_shape);
+    auto numbers = rows(random, net_shape, net_bits);
+    return {std::move(net_shape), argument_bits, std::move(numbers)};
+}
+
 PointArray points(const std::vector<std::vector<Rational>>& rows) {
     std::vector<Rational> numbers;
     for (const auto& row : rows) numbers.insert(numbers.end(), row.begin(), row.end());
     return {rows.size(), RationalVector(numbers)};
 }
 
-/// Entries over one denominator or over several; a vertex now and then.
+/// A tuple with entries over one denominator or over several; sometimes a vertex.
 Coordinates tuple(Random& random, std::size_t dimension, std::size_t bits) {
     Coordinates tuple(dimension + 1);
     if (random.one_in(8)) {
@@ -101,11 +114,9 @@ Coordinates folded(const NetShape& shape, const std::vector<std::vector<Rational
 
 }  // namespace
 
-TEST_CASE("patch values: values that end where words do", "[differential]") {
+TEST_CASE("patch values: values near the limits of words", "[differential]") {
     each_case("patch values", [&](Random& random) {
-        const NetShape net_shape = shape(random);
-        const auto [argument_bits, net_bits] = sizes(random, net_shape);
-        const auto net = rows(random, net_shape, net_bits);
+        const auto [net_shape, argument_bits, net] = random_net(random);
         const BezierPatch patch(net_shape, points(net));
         std::vector<PatchPoint> places;
         for (std::size_t i = 1 + random.below(9); i > 0; --i)
@@ -121,11 +132,9 @@ TEST_CASE("patch values: values that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("patch blossoms: values that end where words do", "[differential]") {
+TEST_CASE("patch blossoms: values near the limits of words", "[differential]") {
     each_case("patch blossoms", [&](Random& random) {
-        const NetShape net_shape = shape(random);
-        const auto [argument_bits, net_bits] = sizes(random, net_shape);
-        const auto net = rows(random, net_shape, net_bits);
+        const auto [net_shape, argument_bits, net] = random_net(random);
         PatchArguments arguments;
         for (const SimplexFactor& factor : net_shape.list()) {
             auto& list = arguments.emplace_back();
@@ -140,11 +149,9 @@ TEST_CASE("patch blossoms: values that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("polynomial patches: values that end where words do", "[differential]") {
+TEST_CASE("polynomial patches: values near the limits of words", "[differential]") {
     each_case("polynomial patches", [&](Random& random) {
-        const NetShape net_shape = shape(random);
-        const auto [argument_bits, net_bits] = sizes(random, net_shape);
-        const auto coefficients = rows(random, net_shape, net_bits);
+        const auto [net_shape, argument_bits, coefficients] = random_net(random);
         const PolynomialPatch patch(net_shape, points(coefficients));
         PatchPoint place;
         std::vector<std::vector<Rational>> monomials;
@@ -171,7 +178,7 @@ TEST_CASE("polynomial patches: values that end where words do", "[differential]"
     });
 }
 
-TEST_CASE("raised nets: numbers that end where words do", "[differential]") {
+TEST_CASE("raised nets: numbers near the limits of words", "[differential]") {
     each_case("raised nets", [&](Random& random) {
         const NetShape net_shape = shape(random);
         const std::size_t f = random.below(net_shape.factors());
@@ -197,7 +204,7 @@ TEST_CASE("raised nets: numbers that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("subdivided nets: numbers that end where words do", "[differential]") {
+TEST_CASE("subdivided nets: numbers near the limits of words", "[differential]") {
     each_case("subdivided nets", [&](Random& random) {
         const NetShape net_shape = shape(random);
         const std::size_t f = random.below(net_shape.factors());

@@ -26,7 +26,7 @@ Rational horner_form(std::span<const Integer> numerators, const Integer& denomin
     return {sum, denominator * power};
 }
 
-/// polynomial (constant + slope X)
+/// The product polynomial * (constant + slope X).
 std::vector<Integer> times(const std::vector<Integer>& polynomial, std::int64_t constant,
                            std::int64_t slope) {
     std::vector<Integer> product(polynomial.size() + 1);
@@ -50,14 +50,14 @@ std::vector<Integer> substituted(std::span<const Integer> coefficients, const Wo
     return sum;
 }
 
-/// What the bound on results of `form_on_line` adds to the bits of numbers.
+/// The bits that the bound on results of `form_on_line` adds to those of the coefficients.
 std::size_t bits_of_growth(std::size_t count, const WordQuotient& a, const WordQuotient& b) {
     const auto sum = [](std::int64_t x, std::int64_t y) { return abs(Integer(x)) + abs(Integer(y)); };
     const Integer growth = std::max(sum(a.numerator, b.numerator), sum(a.denominator, b.denominator));
     return (Integer(count) * pow(growth, count - 1)).bit_length();
 }
 
-/// Now and then 0, and mostly of just so many bits.
+/// A quotient usually of exactly `bits` bits, sometimes 0.
 WordQuotient word_quotient(Random& random, std::size_t bits) {
     const Integer denominator = abs(number_near(random, bits));
     return {*number_near(random, bits).to_int64(), denominator.is_zero() ? 1 : *denominator.to_int64()};
@@ -85,10 +85,10 @@ TEST_CASE("products of polynomials: coefficients up to the bits that the substit
     });
 }
 
-TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]") {
+TEST_CASE("Taylor shift: coefficients near the limits of digits", "[differential]") {
     each_case("Taylor shift", [&](Random& random) {
         const std::size_t size = 1 + random.below(random.one_in(40) ? 300 : random.one_in(4) ? 80 : 20);
-        // 48 bits are a digit and 384 a plane of eight, and a shift adds about as many bits as there are
+        // A digit has 48 bits and a plane of eight digits 384; a shift adds about as many bits as there are
         // coefficients.
         const std::size_t limit =
             (random.one_in(2) ? 48 : 384) * (1 + random.below(random.one_in(8) ? 20 : 4));
@@ -101,11 +101,12 @@ TEST_CASE("Taylor shift: coefficients that end where digits do", "[differential]
     });
 }
 
-TEST_CASE("Taylor shift: as many coefficients as transforms are taken for", "[differential]") {
+TEST_CASE("Taylor shift: numbers of coefficients that use transforms", "[differential]") {
     each_case(
         "Taylor shift in residues",
         [&](Random& random) {
-            // Transforms double where twice the coefficients are a power of 2, and end with 4096.
+            // The length of transforms doubles when twice the number of coefficients is a power of 2, and the
+            // longest has 4096.
             const bool longest = random.one_in(500);
             const bool longer = random.one_in(50);
             const std::size_t size = longest  ? (random.one_in(4) ? 4095 : 2047) + random.below(3)
@@ -133,8 +134,8 @@ TEST_CASE("forms on lines: numbers that end where groups of primes do", "[differ
         const std::size_t bits_of_ends = 1 + random.below(random.one_in(3) ? 48 : 6);
         const WordQuotient a = word_quotient(random, bits_of_ends);
         const WordQuotient b = word_quotient(random, bits_of_ends);
-        // A group of eight primes below 2^50 has a product of 400 bits, of which one is given away; at most
-        // 64 of them are combined.
+        // A group of eight primes below 2^50 has a product of 400 bits, of which one bit is not used; at most
+        // 64 groups are combined.
         const std::size_t groups = most ? 64 : 1 + random.below(random.one_in(8) ? 20 : 4);
         const std::size_t limit = (random.one_in(2) ? 399 : 400) * groups + 3;
         const std::size_t growth = most || random.one_in(2) ? bits_of_growth(size, a, b) : 0;
@@ -148,7 +149,7 @@ TEST_CASE("forms on lines: numbers that end where groups of primes do", "[differ
     });
 }
 
-TEST_CASE("Bernstein coefficients: rows that end where words do", "[differential]") {
+TEST_CASE("Bernstein coefficients: rows near the limits of words", "[differential]") {
     each_case("Bernstein coefficients in words", [&](Random& random) {
         const std::size_t size = 1 + random.below(random.one_in(4) ? 33 : 8);
         const std::size_t bits_of_ends = 1 + random.below(random.one_in(4) ? 48 : 8);
@@ -192,7 +193,7 @@ TEST_CASE("prepared polynomials: values that end where words and rows of words d
         if (random.one_in(2)) denominator = abs(number_near(random, random.below(limit))) + 1;
         if (random.one_in(4)) denominator *= pow(Integer(2 + random.below(9)), random.below(20));
         const PreparedPolynomial forms(RationalVector(numerators, denominator), rows);
-        // More often than there are coefficients, so that what pays only then is prepared too.
+        // More evaluations than there are coefficients, so that the prepared form is used too.
         for (std::size_t i = 0; i < (random.one_in(4) ? n + 3 : 3); ++i) {
             const Rational t(number_near(random, t_bits), abs(number_near(random, t_bits)) + 1);
             std::vector<Rational> values(rows);

@@ -1,4 +1,5 @@
-// Sums by residues, where one more group of primes is needed, by product trees and by transforms.
+// Sums by residues, at the sizes where one more group of primes is needed, by product trees and by
+// transforms.
 
 #include "sum_cases.hpp"
 
@@ -7,8 +8,8 @@ using namespace blossom::testing;
 
 namespace {
 
-/// Near the bits of some number of groups of eight primes below 2^50 or 2^28, whichever are in use: their
-/// product is a few bits short of that, and one bit per group is not used.
+/// A number of bits near that of some groups of eight primes below 2^50 or 2^28, whichever are in use: their
+/// product is a few bits shorter, and one bit per group is not used.
 std::size_t bits_near_groups(Random& random, std::size_t least) {
     const std::size_t of_group = random.one_in(2) ? 400 : 224;
     const std::size_t groups = least / of_group + 1 + random.below(2);
@@ -20,8 +21,8 @@ SumCase case_near_groups(Random& random, std::vector<WordFactor> factors, Signs 
     return case_at_limit(random, std::move(factors), bits_near_groups(random, least), signs);
 }
 
-/// Factors and numbers of ones alone, which come nearer to what their bits allow than the primes differ from
-/// powers of 2.
+/// Factors and numbers whose bits are all ones. They come closer to their bound than the primes to powers of
+/// 2.
 SumCase case_of_ones(Random& random, std::size_t n, Signs signs) {
     SumCase result;
     const std::int64_t ones = (std::int64_t{1} << (40 + random.below(22))) - 1;
@@ -35,8 +36,8 @@ SumCase case_of_ones(Random& random, std::size_t n, Signs signs) {
     return result;
 }
 
-/// Numbers that end where their digits are no longer taken at once, 4096 of 50 or 28 bits; now and then sums
-/// of 2'000'000 bits, the most in residues.
+/// Numbers near 4096 digits of 50 or 28 bits, where digits are no longer summed at once; sometimes sums of
+/// 2'000'000 bits, the longest in residues.
 SumCase case_of_long_numbers(Random& random, Signs signs) {
     std::vector<WordFactor> factors = factors_near(random, 16, 1 + random.below(62), 62, signs);
     const bool longest = random.one_in(20);
@@ -47,7 +48,7 @@ SumCase case_of_long_numbers(Random& random, Signs signs) {
     return case_at_limit(random, std::move(factors), bits - random.below(4), signs);
 }
 
-/// n factors of which all but few have one term, so that the evident way is short.
+/// n factors, all but a few with one term only, so that the evident formula is fast.
 std::vector<WordFactor> mostly_monomials(Random& random, std::size_t n, std::size_t bits, Signs signs) {
     std::vector<WordFactor> factors = factors_near(random, n, bits, bits, signs);
     const std::size_t full = random.below(12);
@@ -60,8 +61,8 @@ std::vector<WordFactor> mostly_monomials(Random& random, std::size_t n, std::siz
     return factors;
 }
 
-/// With all numbers alike the sum is one of them times the value of the product at 1, and at -1 with numbers
-/// whose signs alternate.
+/// If all numbers are equal, the sum is one of them times the value of the product at 1; if their signs
+/// alternate, at -1.
 std::vector<Rational> values_at_one(const SumCase& given, Signs signs) {
     Integer top = 1;
     Integer bottom = given.denominator;
@@ -75,17 +76,17 @@ std::vector<Rational> values_at_one(const SumCase& given, Signs signs) {
     return values;
 }
 
-/// Numbers of factors of which a share of the cases, in 64ths, has one.
+/// A range of numbers of factors, and the share of the cases, in 64ths, that uses it.
 struct Degrees {
     const char* kind;
     std::size_t share;
     std::vector<std::size_t> degrees;
 };
 
-/// By transforms of 512 values are taken 500 to 504 factors, of which the last fill the leaves. With leaves
-/// of 32 and of 64 coefficients those of 1024 values end at 992 and 1008, those of 2048, the longest for
+/// Transforms of 512 values take 500 to 504 factors, of which the last fill the leaves. With leaves of 32 and
+/// 64 coefficients, transforms of 1024 values end at 992 and 1008 factors, those of 2048, the longest for
 /// short primes, at 1984 and 2016, and those of 4096 at 3968 and 4032. They begin at 5/8 of a length, and
-/// product trees go on to 4095.
+/// product trees continue to 4095.
 const Degrees degrees_of_transforms[] = {
     {"of 500 to 504 factors", 44, {500, 501, 502, 503, 504}},
     {"by transforms of 1024", 8, {640, 641, 700, 991, 992, 993, 1007, 1008}},
@@ -108,7 +109,7 @@ const Degrees& any_degrees(Random& random) {
 
 }  // namespace
 
-TEST_CASE("residues: sums that end where groups of primes do", "[differential]") {
+TEST_CASE("residues: sums near the limits of groups of primes", "[differential]") {
     Met met;
     each_case("residues", [&](Random& random) {
         const Signs signs = any_signs(random);
@@ -160,7 +161,7 @@ TEST_CASE("residues: factors beyond words and negative denominators", "[differen
 
 TEST_CASE("residues: small fractions over one large denominator", "[differential]") {
     each_case("residues of small fractions", [&](Random& random) {
-        // So many bits as fractions can have before it is faster to take them as they are.
+        // The most bits of fractions for which it is faster to use them than the numerators.
         const std::size_t n = 16 + random.below(30);
         const std::size_t denominator_bits = 1 + random.below(random.one_in(2) ? 300 : 64);
         const std::size_t bits =
@@ -169,7 +170,7 @@ TEST_CASE("residues: small fractions over one large denominator", "[differential
         Integer denominator = abs(number_near(random, random.below(3000))) + 1;
         for (std::size_t k = 0; k <= n; ++k) {
             Integer& bottom = bottoms.emplace_back(abs(number_near(random, denominator_bits)) + 1);
-            // A prime of the residues on one level or another.
+            // A prime of the residues on some level.
             if (random.one_in(200))
                 bottom *=
                     random.one_in(2) ? (std::int64_t{1} << 50) - 16383 : (std::int64_t{1} << 28) - 65535;
@@ -200,7 +201,7 @@ TEST_CASE("transforms: sums of high degree", "[differential]") {
         count_as(degrees.kind);
         const std::size_t n = degrees.degrees[random.below(degrees.degrees.size())];
         beyond += n == 4096 ? 1 : 0;
-        // Short primes that have transforms end at sums of about 5900 bits.
+        // Short primes with transforms end at sums of about 5900 bits.
         std::size_t bits = 1 + random.below(n < 1280 ? 5 : 2);
         if (n <= 512 && random.one_in(8))
             bits = random.one_in(4) ? 1 + random.below(60) : 9 + random.below(4);

@@ -15,8 +15,8 @@ Rational coefficient(Random& random) {
     return random.one_in(3) ? Rational(1) : number(random, random.one_in(8) ? Size::any : Size::small);
 }
 
-/// Up to 7 terms, each with a variable that no later one has, and now and then a constant; in a quarter of
-/// the cases the terms may share variables.
+/// Up to 7 terms, each with a variable that no later term has, and sometimes a constant; in a quarter of the
+/// cases the terms may share variables.
 SparsePolynomial sum_of_terms(Random& random) {
     const bool independent = !random.one_in(4);
     SparsePolynomial sum;

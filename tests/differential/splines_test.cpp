@@ -1,4 +1,4 @@
-// De Boor's triangle and the insertion of knots over rational knots, with numbers that end where words do.
+// De Boor's triangle and knot insertion over rational knots, with numbers near the limits of words.
 
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
@@ -15,7 +15,7 @@ Rational rational_near(Random& random, std::size_t bits) {
     return {number_near(random, bits), abs(number_near(random, bits)) + 1};
 }
 
-/// The knots of a generator by an increasing map that gives each its own denominator.
+/// The knots of a random spline under an increasing map that gives each knot its own denominator.
 SplineRecipe rational_spline(Random& random, std::size_t bits) {
     SplineRecipe recipe = spline(random, random.below(6));
     const Rational scale = abs(rational_near(random, bits)) + Rational(1, 7);
@@ -27,7 +27,7 @@ SplineRecipe rational_spline(Random& random, std::size_t bits) {
 
 }  // namespace
 
-TEST_CASE("combinations: numbers that end where words do", "[differential]") {
+TEST_CASE("combinations: numbers near the limits of words", "[differential]") {
     each_case("combinations", [&](Random& random) {
         const std::size_t bits = random.below(random.one_in(3) ? 130 : 34);
         const Rational a = rational_near(random, bits);
@@ -43,7 +43,7 @@ TEST_CASE("combinations: numbers that end where words do", "[differential]") {
     });
 }
 
-TEST_CASE("de Boor's triangle: knots and points that end where words do", "[differential]") {
+TEST_CASE("de Boor's triangle: knots and points near the limits of words", "[differential]") {
     each_case("de Boor's triangle", [&](Random& random) {
         const SplineRecipe recipe = rational_spline(random, random.below(random.one_in(4) ? 62 : 12));
         const BSplineCurve curve = recipe.curve();
@@ -55,7 +55,7 @@ TEST_CASE("de Boor's triangle: knots and points that end where words do", "[diff
     });
 }
 
-TEST_CASE("inserted knots: knots and points that end where words do", "[differential]") {
+TEST_CASE("inserted knots: knots and points near the limits of words", "[differential]") {
     each_case("inserted knots", [&](Random& random) {
         const SplineRecipe recipe = rational_spline(random, random.below(random.one_in(4) ? 62 : 12));
         const BSplineCurve curve = recipe.curve();

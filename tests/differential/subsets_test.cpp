@@ -1,4 +1,4 @@
-// Both polarizations by residues, where one more group of primes is needed.
+// Both polarizations by residues, at the sizes where one more group of primes is needed.
 
 #include "each_case.hpp"
 #include "rational/subset_cases.hpp"
@@ -8,7 +8,8 @@ using namespace blossom::testing;
 
 namespace {
 
-/// Results that end near some number of groups of eight primes; all signs alike in half of the cases.
+/// A case whose results are near the bits of some number of groups of eight primes; in half of the cases all
+/// signs are equal.
 SubsetCase subset_case(Random& random, std::size_t most_groups) {
     SubsetCase result;
     const int sign = random.one_in(2) ? 1 : 0;
@@ -18,7 +19,7 @@ SubsetCase subset_case(Random& random, std::size_t most_groups) {
     for (std::size_t g = random.below(most_groups + 1); g > 0; --g) {
         const std::size_t multiplicity = random.one_in(4) ? 1 + random.below(4) : 1;
         Integer mass = random.one_in(3) ? Integer(1) : number_near(random, bits, sign);
-        // A prime of the residues on one level or another: the greatest that are 1 modulo 2^13 and 2^11.
+        // A prime of the residues on some level: the greatest that are 1 modulo 2^13 and 2^11.
         if (random.one_in(16))
             mass *= random.one_in(2) ? (std::int64_t{1} << 50) - 16383 : (std::int64_t{1} << 28) - 65535;
         result.groups.push_back({number_near(random, bits, sign), mass, multiplicity});
@@ -38,14 +39,14 @@ SubsetCase subset_case(Random& random, std::size_t most_groups) {
 
 }  // namespace
 
-TEST_CASE("strict polarization: results that end where groups of primes do", "[differential]") {
+TEST_CASE("strict polarization: results near the limits of groups of primes", "[differential]") {
     each_case("strict polarization", [&](Random& random) {
         const SubsetCase given = subset_case(random, 5);
         check_same(strict_subset_sums(given.spans(), given.groups).value(), evident_subset_sums(given));
     });
 }
 
-TEST_CASE("regrouped polarization: results that end where groups of primes do", "[differential]") {
+TEST_CASE("regrouped polarization: results near the limits of groups of primes", "[differential]") {
     std::size_t computed = 0;
     each_case("regrouped polarization", [&](Random& random) {
         const SubsetCase given = subset_case(random, random.one_in(8) ? 14 : 7);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Sums over products of linear factors whose numerators end where a kernel does, and their evident values.
+// Sums over products of linear factors whose numerators are near the limit of a kernel, and their values by
+// the evident formula.
 
 #include <algorithm>
 #include <map>
@@ -23,7 +24,8 @@ struct SumCase {
     }
 };
 
-/// Multiplied out in integers, one factor after the other; zero coefficients at both ends cost nothing.
+/// The sums with the factors multiplied in integers, one after the other; zero coefficients at both ends are
+/// skipped.
 inline std::vector<Rational> evident_values(std::span<const Integer> numerators, const Integer& denominator,
                                             std::span<const IntegerFactor> factors) {
     std::vector<Integer> product{1};
@@ -53,9 +55,9 @@ inline std::vector<Rational> evident_values(const SumCase& given) {
     return evident_values(given.numerators, given.denominator, beyond_words(given.factors));
 }
 
-/// How the signs of a case fall.
+/// The signs of the numbers of a case.
 enum class Signs {
-    alike,      ///< the bound on the sum is the sum
+    alike,      ///< the bound on the sum is attained
     alternate,  ///< the same for factors whose coefficients have different signs
     any,
 };
@@ -64,12 +66,12 @@ inline Signs any_signs(Random& random) {
     return random.one_in(3) ? Signs::alike : random.one_in(2) ? Signs::alternate : Signs::any;
 }
 
-/// Of at most `bits` bits, and mostly just of these.
+/// A word of at most `bits` bits, usually exactly this many.
 inline std::int64_t word_near(Random& random, std::size_t bits) {
     return *abs(number_near(random, bits)).to_int64();
 }
 
-/// A factor whose coefficients have about so many bits.
+/// A factor whose coefficients have about `bits` bits.
 inline WordFactor factor_near(Random& random, std::size_t bits, std::size_t denominator_bits, Signs signs) {
     std::int64_t constant = word_near(random, bits);
     std::int64_t slope = word_near(random, bits);
@@ -95,7 +97,7 @@ inline Integer size_of_product(std::span<const WordFactor> factors) {
     return size;
 }
 
-/// The same with as many bits each as bring that product near 2^bits.
+/// Factors with as many bits each as bring this product near 2^bits.
 inline std::vector<WordFactor> factors_filling(Random& random, std::size_t n, std::size_t bits,
                                                std::size_t denominator_bits, Signs signs) {
     std::vector<WordFactor> factors;
@@ -108,8 +110,8 @@ inline std::vector<WordFactor> factors_filling(Random& random, std::size_t n, st
     return factors;
 }
 
-/// Rows of numbers of which the greatest is the greatest for which the bound on the sums is below 2^bits; now
-/// and then one more.
+/// Rows of numbers whose largest is the largest for which the bound on the sums is below 2^bits; sometimes
+/// one more.
 inline SumCase case_at_limit(Random& random, std::vector<WordFactor> factors, std::size_t bits, Signs signs) {
     SumCase result;
     result.factors = std::move(factors);
@@ -130,7 +132,7 @@ inline SumCase case_at_limit(Random& random, std::vector<WordFactor> factors, st
     return result;
 }
 
-/// Every way to the same sums.
+/// Compares the results of all functions for the same sums.
 inline void check_sums(const SumCase& given, const std::vector<Rational>& expected, Met& met) {
     const BlossomSums prepared = given.sums();
     const BlossomSums once = given.sums(BlossomSums::Use::once);
@@ -146,7 +148,7 @@ inline void check_sums(const SumCase& given, const std::vector<Rational>& expect
 }
 inline void check_sums(const SumCase& given, Met& met) { check_sums(given, evident_values(given), met); }
 
-/// A path was met if the cases were enough to expect it.
+/// Requires that enough cases used a kernel.
 inline void require_met(Met& met, SumKernel kernel) { CHECK(4 * met[kernel] + 10 > differential_cases()); }
 
 }  // namespace blossom::testing

@@ -1,4 +1,4 @@
-// Sums in words, in 128 bits and in rows of limbs, at the bits where each ends and one beyond.
+// Sums in words, in 128 bits and in rows of limbs, at the limit of each and one bit beyond.
 
 #include "sum_cases.hpp"
 
@@ -7,13 +7,13 @@ using namespace blossom::testing;
 
 namespace {
 
-/// A case whose sums end near 2^limit, or some bits below for bounds that are not close, with numbers of some
-/// bits and factors of what is left.
+/// A case whose sums are near 2^limit, or some bits below it for bounds that are not close; the numbers have
+/// some of the bits, the factors the others.
 SumCase case_near(Random& random, std::size_t limit, std::size_t most_factors) {
     const std::size_t n = random.below(most_factors + 1);
     const std::size_t number_bits = 1 + random.below(62);
     const Signs signs = any_signs(random);
-    // The denominators end near a word in about as many cases as not.
+    // In about half of the cases, the product of the denominators is near a word.
     const std::size_t denominator_bits = n == 0 ? 1 : std::min<std::size_t>(62, 63 / n + random.below(3));
     const std::size_t bits = limit + 1 - random.below(random.one_in(2) ? 3 : 16);
     return case_at_limit(
@@ -70,7 +70,7 @@ TEST_CASE("limbs: sums that end at a multiple of 52 bits", "[differential]") {
             factor = {half, random.one_in(2) ? half : half - 1, 3};
             if (signs == Signs::alternate) factor.slope = -factor.slope;
         }
-        // More words of denominators than there is room for without taking memory.
+        // More words of denominators than there is room for without allocation.
         if (random.one_in(16))
             for (WordFactor& factor : factors) factor.denominator = INT64_MAX - random.between(0, 9);
         Met met;

@@ -12,8 +12,8 @@ void check_answered(std::span<const std::uint8_t> line, const blossom::Limits& l
     const std::string_view text(reinterpret_cast<const char*>(line.data()), line.size());
     const blossom::protocol::Response served = blossom::protocol::answer(text, limits);
     if (served.text.find('\n') != std::string::npos) std::abort();
-    // Without the `id`, which may hold numbers that are valid and too large for this reader.
-    blossom::Limits limits_of_responses;  // a result holds what a request does, some levels deeper
+    // The response without its `id`, which may hold valid numbers that are too large for this reader.
+    blossom::Limits limits_of_responses;  // a result is nested some levels deeper than its request
     limits_of_responses.nesting = 1000;
     const auto [echoed, problem] = blossom::protocol::read_json(served.text, limits_of_responses);
     if (problem) std::abort();

@@ -5,6 +5,6 @@
 #include <cstdint>
 #include <span>
 
-/// Aborts unless the response to the line is one line of valid JSON that says whether it succeeded, and no
-/// error of the program.
+/// Aborts unless the response to the line is one line of valid JSON that says whether the request succeeded,
+/// and not an internal error.
 void check_answered(std::span<const std::uint8_t> line, const blossom::Limits& limits);

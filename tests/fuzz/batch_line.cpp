@@ -1,4 +1,4 @@
-// Lines under limits so small that every input is answered in a moment.
+// Lines under limits so small that every input is answered quickly.
 
 #include <cstddef>
 #include <cstdint>

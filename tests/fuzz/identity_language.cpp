@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string_view>
 
-// Whatever the bytes are, they are read or refused; the canonical form of what was read reads back as the
-// same, and is its own canonical form.
+// Any bytes are parsed or refused; the canonical form of a parsed text parses to the same document, and is
+// its own canonical form.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace blossom;
     const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -21,7 +21,7 @@ blossom::Limits small_limits() {
     return limits;
 }
 
-/// The names may be so long that the text of a polynomial is much longer than the text that was read.
+/// Names may be so long that the text of a polynomial is much longer than the original text.
 constexpr std::size_t longest = 1 << 12;
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A file is refused as no certificate, or its proofs are checked. What is confirmed without conditions, the
-// prover does not refute.
+// A file is either refused because it is not a certificate, or its proofs are checked. The prover does not
+// refute a claim that is confirmed without conditions.
 
 #include <blossom/proofs/parser.hpp>
 #include <blossom/proofs/prover.hpp>

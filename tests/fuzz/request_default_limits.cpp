@@ -1,4 +1,4 @@
-// Lines under the limits that users have, with memory counted as in the program.
+// Lines under the default limits, with memory counted as in the program.
 
 #include <blossom/rational/resource_budget.hpp>
 
@@ -7,7 +7,7 @@
 
 #include "answered_line.hpp"
 
-// What libFuzzer allocates with an operator of its own goes to the operators of the program.
+// Memory that libFuzzer allocates with its own operator is released by the operator of the program.
 extern "C" const char* __asan_default_options() { return "alloc_dealloc_mismatch=0"; }  // NOLINT
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-// A certificate is checked from the text alone: whatever is spoiled in it, it is refused.
+// A certificate is checked from the text alone, and refused after any change that makes it wrong.
 
 using proofs::second::Branch;
 using proofs::second::Certificate;
@@ -27,7 +27,7 @@ Certificate certificate_of_only_case(const std::string& text) {
     return certificates[0];
 }
 
-/// What is wrong with the certificate once it is spoiled.
+/// The problem of the certificate after a change.
 std::string problem_after(const Certificate& good, const std::function<void(Certificate&)>& spoil) {
     REQUIRE(proofs::second::problem_of(good, {}).empty());
     Certificate changed = good;
@@ -81,7 +81,7 @@ TEST_CASE("a claim is confirmed when all of its cases are, each once") {
     CHECK(again[0].proved == 2);
     CHECK(again[0].problem == "a case has no certificate");
     CHECK(proofs::second::confirmed_theorems({}, {}).empty());
-    // A certificate of a case of a false line, and of a line that refutes.
+    // A certificate of a case of a false line, and one of a line `refute`.
     auto mixed = certificates_of("for n in 1..2\nclaim n == 1\n");
     REQUIRE(mixed.size() == 1);
     CHECK_FALSE(proofs::second::confirmed_theorems(mixed, {}).at(0).confirmed);
@@ -119,7 +119,7 @@ TEST_CASE("conditions that say too little, or nothing, are refused") {
     CHECK(problem_after(good, [](Certificate& c) { c.conditions[0][0].coefficient = 7; }) != "");
     CHECK(problem_after(good, [](Certificate& c) { c.conditions.push_back({}); }) == "a condition is 0");
     CHECK(problem_after(good, [](Certificate& c) { c.conditions[0] = {{Rational(1), {}}}; }) != "");
-    // A multiple says as much.
+    // A multiple of a relation is as good.
     CHECK(problem_after(good, [](Certificate& c) {
               for (auto& term : c.conditions[0]) term.coefficient *= Rational(3);
           }) == "");
@@ -145,7 +145,7 @@ TEST_CASE("steps that do not follow from the hypotheses are refused") {
         CHECK(spoiled([](auto& step) { step.relation.push_back({Rational(1), {}}); }) != "");
         CHECK(problem_after(good, [&](Certificate& c) { c.root.steps.push_back(c.root.steps[i]); }) != "");
     }
-    // The claim itself in the place of a hypothesis.
+    // The claim itself in place of a hypothesis.
     CHECK(problem_after(certificate_of_only_case("given a == b\nclaim a*c == b*c\n"),
                         [](Certificate& c) { c.text = "given a == 2*b\nclaim a*c == b*c\n"; }) != "");
     // A cofactor that may vanish: a == 0 leaves x free.
@@ -156,7 +156,7 @@ TEST_CASE("steps that do not follow from the hypotheses are refused") {
                             c.root.steps = {
                                 {"x", 1, {{Rational(1), {{"a", 1}, {"x", 1}}}, {Rational(-1), {{"a", 1}}}}}};
                         }) == "step 1: the cofactor of the symbol may vanish");
-    // With the condition it holds, and what the text does not say is told.
+    // With the condition the certificate is valid, and the condition beyond the text is reported.
     Certificate weaker = certificate_of_only_case("given a*x == a\nassume a != 0\nclaim x == 1\n");
     CHECK(proofs::second::confirmed_theorems(std::vector{weaker}, {}).at(0).where.empty());
     weaker.text = "given a*x == a\nclaim x == 1\n";
@@ -215,7 +215,7 @@ TEST_CASE("branches that are missing, left open or wrongly ended are refused") {
     CHECK(problem_after(certificate_of_only_case("given a*b == 0\nclaim a*b*c == 0\n"), [](Certificate& c) {
               c.text = "given a*b == 0\nclaim a*c == 0\n";
           }) == "branch 1: the two sides do not reduce to the same");
-    // Not one branch in which the sides agree: nothing is proved.
+    // No branch in which the sides agree: nothing is proved.
     CHECK(problem_after(certificate_of_only_case("given a == 1\nclaim a == 1\n"), [](Certificate& c) {
               c.text = "given a == 1\ngiven a == 2\nclaim a == 1\n";
               c.root.end = Branch::End::impossible;

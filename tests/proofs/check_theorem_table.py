@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Holds the table of proofs/README.md against what it names; no Coq is needed.
+"""Compares the table of proofs/README.md with the files that it names, without Coq.
 
 usage: check_theorem_table.py ROOT
 
 A row is: theorem | statement ids | engine | C++ function (header) | test file: words of a test's name. Each theorem
-stands in its file of proofs/coq, and each theorem there has one row; each id is in proofs/statements/index.tsv;
+is in its file of proofs/coq, and each theorem there has one row; each id is in proofs/statements/index.tsv;
 "engine" is the greatest degree for which proofs/statements/*.blossom prove one of the ids; each function is declared
 in that header; each test is a TEST_CASE of that file. docs/theorems.md names every theorem, and _CoqProject every
 file.
@@ -28,7 +28,7 @@ def one_file(name, folders, pattern):
 
 
 def degrees_of_statements():
-    """For each id the greatest degrees of its theorems in the identity language; none for a theorem without range."""
+    """The greatest degrees of the theorems of each id in the identity language; no entry for a theorem without range."""
     degrees = {}
     for path in (root / "proofs/statements").glob("*.blossom"):
         for block in re.split(r"^theorem ", text(path), flags=re.MULTILINE)[1:]:

@@ -17,11 +17,11 @@
 
 #include "support/catch.hpp"
 
-/// What the tests of the prover have in common.
+/// Functions that the tests of the prover share.
 
 namespace blossom::testing {
 
-/// The decisions of all lines of a text that can be read.
+/// The decisions of all lines of a text without syntax errors.
 inline std::vector<proofs::Decision> decided(std::string_view text, const Limits& limits = {}) {
     const proofs::Document document = proofs::parse(text, limits);
     for (const Error& error : document.errors) FAIL(proofs::diagnostic("text", text, error));
@@ -33,8 +33,8 @@ inline std::vector<proofs::Decision> decided(std::string_view text, const Limits
     return decisions;
 }
 
-/// "proved", "refuted", or the diagnostic of what could not be decided; of several lines with blanks between.
-/// A line that is refuted in one case and has an error in another is refuted.
+/// "proved", "refuted", or the diagnostic of an undecided line; for several lines separated by blanks. A line
+/// that is refuted in one case and has an error in another is refuted.
 inline std::string verdicts(std::string_view text, const Limits& limits = {}) {
     std::string result;
     for (const proofs::Decision& decision : decided(text, limits)) {
@@ -48,7 +48,7 @@ inline std::string verdicts(std::string_view text, const Limits& limits = {}) {
     return result;
 }
 
-/// "a != b, w != 0": what a line needs, whether a line of the block says so or not.
+/// "a != b, w != 0": the conditions of a line, assumed or not.
 inline std::string conditions(const proofs::Decision& decision) {
     std::string result;
     for (const proofs::Condition& condition : decision.conditions())
@@ -56,7 +56,7 @@ inline std::string conditions(const proofs::Decision& decision) {
     return result;
 }
 
-/// The verdicts of all cases of the only line, a letter each: proved, refuted, undecided, disagreement.
+/// The verdicts of all cases of the only line, one letter each: proved, refuted, undecided, disagreement.
 inline std::string by_case(const proofs::Decision& decision) {
     std::string result;
     for (const proofs::CaseDecision& one : decision.cases)
@@ -64,7 +64,7 @@ inline std::string by_case(const proofs::Decision& decision) {
     return result;
 }
 
-/// "3:7 message": where the only line is found wrong, and how.
+/// "3:7 message": the position and the message of the error of the only line.
 inline std::string complaint(std::string_view text) {
     const auto decisions = decided(text);
     REQUIRE(decisions.size() == 1);

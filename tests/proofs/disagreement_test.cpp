@@ -1,7 +1,7 @@
 #include "certificates/points/point_comparison.hpp"
 #include "proofs/decided.hpp"
 
-// The linker puts a second road that lies in the place of the real one.
+// The linker replaces the second road by one that lies.
 
 using namespace blossom;
 using namespace blossom::testing;
@@ -11,7 +11,7 @@ namespace {
 
 std::optional<Comparison::Result> lie;
 
-/// Lies as long as it lives.
+/// Makes the second road lie during its lifetime.
 class Lie {
 public:
     explicit Lie(Comparison::Result result) { lie = result; }
@@ -57,7 +57,7 @@ Comparison lying_confirm(const proofs::second::Reading& reading, const proofs::s
     return lie ? Comparison{*lie, 1, "a lie"} : real_confirm(reading, which, values, algebraic, hint);
 }
 
-TEST_CASE("no verdict stands that the second road contradicts") {
+TEST_CASE("a verdict that the second road contradicts is not given") {
     const Lie differ(Comparison::Result::differ);
     const auto decisions = decided("map b degree 1\nclaim b[t] == b(t)");
     CHECK(decisions.at(0).verdict() == proofs::Verdict::disagreement);
@@ -65,7 +65,7 @@ TEST_CASE("no verdict stands that the second road contradicts") {
     CHECK(decisions[0].error()->message().find("a lie") != std::string::npos);
 }
 
-TEST_CASE("no counterexample stands that the second road does not find one") {
+TEST_CASE("a counterexample that the second road does not confirm is not given") {
     const Lie agree(Comparison::Result::agree);
     const auto decisions = decided("map b degree 1\nclaim b[t] == b(0)\nrefute b[t] == b(0)");
     for (const proofs::Decision& decision : decisions) {

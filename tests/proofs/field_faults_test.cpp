@@ -1,6 +1,6 @@
 #include "decided.hpp"
 
-// Small statements on which the prover was wrong once, each with its neighbour that is false or true.
+// Small statements on which the prover was once wrong, each with a similar statement that is false or true.
 
 namespace {
 

@@ -91,9 +91,9 @@ TEST_CASE("work and terms are counted against their limits") {
     CHECK_THROWS_AS(field.power(x, 20), Error);
     limits = {};
     limits.expansion_work = 1000;
-    FractionField tired(limits);
-    CHECK_THROWS_AS(tired.power(x, 20), Error);
-    CHECK_THROWS_AS(tired.quotient(x, {}), Error);
+    FractionField exhausted(limits);
+    CHECK_THROWS_AS(exhausted.power(x, 20), Error);
+    CHECK_THROWS_AS(exhausted.quotient(x, {}), Error);
 }
 
 TEST_CASE("a sum has no factor left in numerator and denominator") {

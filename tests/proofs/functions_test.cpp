@@ -1,7 +1,7 @@
 #include "decided.hpp"
 
-// Sets, partitions, permutations, choices, splines, nets, derivatives of expressions: true by theorems of
-// their own.
+// Sets, partitions, permutations, choices, splines, nets, derivatives of expressions: statements that are
+// true by known theorems.
 
 namespace {
 
@@ -91,8 +91,7 @@ TEST_CASE("splines on one span: partition of unity, Marsden's identity, derivati
                    "(x_4 - t)/(x_4 - x_3)") == "proved proved");
     CHECK(letters("for d in 1..3\nclaim D(bspline(4, d, x, 4, t), t) == d*bspline(4, d - 1, x, 4, "
                   "t)/(x_{4+d} - x_4)") == "ppp");
-    // A term that is zero by its index is left out with its divisor: x_5 == x_6 does no harm on the span
-    // of 3.
+    // A term whose index makes it zero is omitted with its divisor: x_5 == x_6 is allowed on the span of 3.
     CHECK(conditions(decided("claim bspline(3, 1, x, 3, t) == 1").at(0)).find("x_5") == std::string::npos);
 }
 

@@ -99,7 +99,7 @@ TEST_CASE("circles and towers") {
     CHECK(verdicts("given x^2 + y^2 == 0\ngiven x*y == 1\nclaim x^4 == -1") == "proved");
     CHECK(verdicts("given x^3 == y\ngiven y^2 == 2\nclaim x^6 == 2\nclaim x^6 == 3\nclaim x == y") ==
           "proved refuted refuted");
-    // At x = y = 0 the sides agree at the only root, which the relation has twice.
+    // At x = y = 0 the sides agree at the only root, which is a double root of the relation.
     CHECK(verdicts("given w == z\ngiven z*(y - z) == -2*x*y*x\nclaim x == z\nclaim w^2 == w*y + 2*x^2*y") ==
           "refuted proved");
 }
@@ -111,7 +111,7 @@ TEST_CASE("a difference with a power that vanishes is zero at every point") {
 TEST_CASE("a condition that the hypotheses make vanish leaves no case, whatever the claim is") {
     CHECK(verdicts("given a*x == b\ngiven c*x == d\nassume a*x + c*x != b + d\nclaim 1 == 1")
               .find("leave no case") != std::string::npos);
-    // Whether y vanishes or not a is -1, a root of the assumption, which is one factor.
+    // Whether y vanishes or not, a is -1, a root of the first factor of the assumption.
     const std::string product = "assume (a + 1)*(b + 1) != 0\n";
     for (const std::string given : {"given y*(a + 1) == 0\ngiven (1 - y)*(a + 1) == 0\n",
                                     "given (1 - y)*(a + 1) == 0\ngiven y*(a + 1) == 0\n"}) {

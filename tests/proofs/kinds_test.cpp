@@ -1,10 +1,10 @@
 #include "decided.hpp"
 
-// Numbers, points, vectors, pairs and sets are told apart before anything is computed.
+// Numbers, points, vectors, pairs and sets are distinguished before anything is computed.
 
 namespace {
 
-/// The complaint about one claim on lines that declare something of every kind.
+/// The error of one claim after lines that declare something of every kind.
 std::string about(const std::string& claim) {
     static const std::string lines =
         "map b degree 2\nmap q degree 2 on simplex 2\npoint r, s in 2\nvector d in 2\npoint z in 3\n";
@@ -15,7 +15,7 @@ std::string about(const std::string& claim) {
 
 }  // namespace
 
-TEST_CASE("what cannot be added, multiplied or divided is refused where it stands") {
+TEST_CASE("operands that cannot be added, multiplied or divided are refused at their places") {
     CHECK(about("q(r + 1) == 0") == "9 a point of dimension 2 and a point of dimension 1 cannot be added");
     CHECK(about("q(r + z) == 0") == "9 a point of dimension 2 and a point of dimension 3 cannot be added");
     CHECK(about("q(r*s) == 0") == "9 two points or vectors cannot be multiplied");
@@ -49,7 +49,7 @@ TEST_CASE("sides are numbers, and arguments lie in the space of the map") {
     CHECK(about("b'(<t, w>) == 0") == "7 a derivative is taken at a number or at a point, of mass 1");
 }
 
-TEST_CASE("sets, permutations and integers stand where they are expected") {
+TEST_CASE("sets, permutations and integers are required where they are expected") {
     CHECK(about("size(3) == 0") == "12 an integer found, expected a set");
     CHECK(about("sum(S, 3, 1) == 0") == "14 an integer found, expected a set");
     CHECK(about("sum(S, subsets(2, 1), S) == 0") ==

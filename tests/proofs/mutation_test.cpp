@@ -7,8 +7,8 @@
 
 #include "plain_evaluation.hpp"
 
-// True identities of the literature, each spoiled in one place: a sign, a coefficient, an index or a bound.
-// What is false then, by plain evaluation at random places, the prover must refute.
+// True identities of the literature, each changed in one place: a sign, a coefficient, an index or a bound.
+// The prover must refute the results that are false by plain evaluation at random points.
 
 using proofs::Block;
 using proofs::Expression;
@@ -26,7 +26,7 @@ void visit(Expression& e, const std::function<void(Expression&)>& action) {
     }
 }
 
-/// Spoils one place of the claim, or does nothing when it has none.
+/// Changes one place of the claim, or does nothing if there is none.
 bool spoil(Statement& claim, Random& random) {
     std::vector<Expression*> places;
     for (Expression& side : claim.sides) {
@@ -69,7 +69,7 @@ std::size_t total_degree(const proofs::GroundBlock& block) {
     return greatest;
 }
 
-/// The block as its text says, which both roads read.
+/// The block with its own text, which both roads read.
 Block written_out(const Block& block) {
     proofs::Document document;
     if (block.strict) document.strict = 0;
@@ -80,7 +80,7 @@ Block written_out(const Block& block) {
     return std::move(again.blocks[0]);
 }
 
-/// Whether some case of moderate size is false at a random place. Nothing when that cannot be evaluated.
+/// Whether some case of moderate size is false at a random point; nullopt if that cannot be evaluated.
 std::optional<bool> is_false(const Block& block, Random& random) {
     try {
         const Limits limits;
@@ -99,7 +99,7 @@ std::optional<bool> is_false(const Block& block, Random& random) {
     }
 }
 
-/// Whether the sides have the values that the counterexample gives them, where it says, by plain evaluation.
+/// Whether the sides have the values that the counterexample gives, at its point, by plain evaluation.
 bool is_confirmed(const Block& block, const proofs::Counterexample& witness) {
     const Limits limits;
     for (const auto& choice : proofs::parameter_choices(block, limits)) {

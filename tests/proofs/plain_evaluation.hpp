@@ -8,7 +8,7 @@
 #include <map>
 #include <vector>
 
-/// Values of ground expressions by definitions of their own: a blossom as the alternating sum of the
+/// Values of ground expressions by independent definitions: a blossom is the alternating sum of the
 /// homogeneous form over the sums of its arguments (Fernandez-Jambrina, equation (18)).
 
 namespace blossom::testing {
@@ -25,7 +25,7 @@ public:
     }
 
 private:
-    using Argument = std::vector<Rational>;  ///< coordinates, then the mass
+    using Argument = std::vector<Rational>;  ///< coordinates, followed by the mass
 
     Rational value(const proofs::Node& node) {
         using proofs::NodeKind;

@@ -87,7 +87,7 @@ TEST_CASE("tensor products, simplices, raised and particular maps, abbreviations
     CHECK(verdicts("map p degree 3\nclaim p(<t, w>) == w^3*p(t/w)") == "proved");
 }
 
-TEST_CASE("what is wrong in a statement is said where it is") {
+TEST_CASE("an error in a statement has its place") {
     const auto message = [](const std::string& text) {
         const auto decisions = decided(text);
         REQUIRE(decisions.size() == 1);

@@ -1,7 +1,7 @@
 #include <blossom/proofs/doubtful_names.hpp>
 #include "decided.hpp"
 
-// What a name means, by the line in which it stands.
+// The meaning of a name, depending on the line in which it occurs.
 
 namespace {
 
@@ -34,7 +34,7 @@ TEST_CASE("no name is declared twice, whatever the two declarations are") {
     for (const std::string& first : declarations) {
         for (const std::string& second : declarations) {
             std::string other = second;
-            // The other names of a frame are not what is tested.
+            // Avoids the other names of a frame, which are not tested here.
             if (second.starts_with("frame") && first.starts_with("frame")) other = "frame x, v, w in 2";
             const std::string text = "map m degree 2\n" + first + "\n" + other + "\nclaim 1 == 1";
             INFO(text);

@@ -1,7 +1,7 @@
 #include "certificates/points/point_comparison.hpp"
 #include "decided.hpp"
 
-// The second road by itself: it reads the text anew, and contradicts whoever lies to it.
+// The second road alone: it reads the text again, and contradicts false statements about it.
 
 using proofs::second::Case;
 using proofs::second::Comparison;
@@ -16,7 +16,7 @@ const char* name_of(const Comparison& compared) {
     return names[static_cast<std::size_t>(compared.result)];
 }
 
-/// What comparing the sides of the first case says.
+/// The result of comparing the sides of the first case.
 std::string compared(const std::string& text, const std::vector<proofs::second::Step>& hint = {}) {
     const Reading reading(text);
     return name_of(proofs::second::compare(reading, reading.cases().at(0), hint, 2, 7));
@@ -96,7 +96,7 @@ TEST_CASE("the steps of a tower lead to a point that no single hypothesis gives"
     const std::vector<proofs::second::Step> around{{"x", 1, {{1, {{"x", 1}}}, {-1, {{"y", 1}}}}},
                                                    {"y", 1, {{1, {{"y", 1}}}, {-1, {{"x", 1}}}}}};
     CHECK(compared(text + "claim x^6 == 2\n", around) == "no point");
-    // They lead to a point where the second hypothesis does not hold.
+    // The steps lead to a point where the second hypothesis does not hold.
     const std::vector<proofs::second::Step> elsewhere{{"y", 1, {{1, {{"y", 1}}}, {-1, {{"x", 3}}}}},
                                                       {"x", 6, {{1, {{"x", 6}}}, {-3, {}}}}};
     CHECK(compared(text + "claim x^6 == 3\n", elsewhere) == "no point");

@@ -1,6 +1,6 @@
 #include "decided.hpp"
 
-// What becomes of a line whose cases come out differently.
+// The verdict on a line whose cases have different results.
 
 using proofs::Expectation;
 using proofs::Verdict;
@@ -57,7 +57,7 @@ TEST_CASE("an error in one claim leaves the other lines of the block") {
     CHECK(by_case(decided("claim delta == 1\nclaim 1 == 1").at(1)) == "p");
     CHECK(by_case(decided("claim delta == 1\nclaim 1 == 1").at(0)) == "u");
     CHECK(by_case(decided("claim 1 == 1\nclaim f(x) == 1\nrefute 1 == 2").at(2)) == "r");
-    // What is wrong with a declaration is wrong with all.
+    // An error in a declaration is an error of every line.
     for (const auto& decision : decided("let x = delta*delta\nclaim 1 == 1\nclaim 2 == 2"))
         CHECK(by_case(decision) == "u");
 }

@@ -16,7 +16,7 @@
 #include "json/json_text.hpp"
 #include "responses.hpp"
 
-/// What the tests of the protocol have in common.
+/// Functions that the tests of the protocol share.
 
 namespace blossom::protocol {
 
@@ -25,21 +25,21 @@ inline Json served(std::string_view line, const Limits& limits = {}) {
     return parse_json(answer(line, limits).text, Limits{});
 }
 
-/// The value at a place of the response, as JSON text; "" when there is none.
+/// The value at a pointer into the response, as JSON text; "" if there is none.
 inline std::string served_at(std::string_view pointer, std::string_view line, const Limits& limits = {}) {
     const Json response = served(line, limits);
     const Json* place = at_pointer(response, pointer);
     return place ? to_text(*place) : "";
 }
 
-/// The result of a request without its braces, as JSON text; the whole response when it is refused.
+/// The result of a request without its braces, as JSON text; the whole response if it is refused.
 inline std::string result_text(const std::string& request, const Limits& limits = {}) {
     const Json response = served("{" + request + "}", limits);
     const Json* found = response.find("result");
     return to_text(found ? *found : response);
 }
 
-/// The code and the place of the error, "wrong_kind /map"; the whole response when there is none.
+/// The code and the place of the error, "wrong_kind /map"; the whole response if there is none.
 inline std::string refusal_text(const std::string& request, const Limits& limits = {}) {
     const Json response = served("{" + request + "}", limits);
     const Json* error = response.find("error");

@@ -3,11 +3,11 @@
 #include "operations/operation.hpp"
 #include "rounding.hpp"
 
-// What `audit` compares: every number of every kind of map, and nothing of a map without the rest of it.
+// What `audit` compares: every number of every kind of map; and it requires the complete map.
 
 namespace {
 
-/// A map of every kind, the rational ones with weights or a denominator.
+/// A map of every kind; rational ones have weights or a denominator.
 const std::vector<std::string> maps{
     R"({"kind": "polynomial", "coefficients": [["1", "2/3"], ["-5", "1/10"]], "denominator": ["1", "1/7"]})",
     R"({"kind": "polynomial", "text": "1/3 + t"})",
@@ -43,18 +43,19 @@ std::size_t numbers_in(const Json& value) {
     return count;
 }
 
-/// The map as `convert` or any other answer writes it, and its nearest doubles by the names of its members.
+/// The map as `convert` or any other answer writes it, and the nearest doubles of its numbers by the names of
+/// its members.
 struct Written {
     Json exact;
     Json doubles;
 };
 
-void keep_twins(const Json::Object& members, Json& exact, Json& doubles) {
+void keep_rounded(const Json::Object& members, Json& exact, Json& doubles) {
     for (const auto& [name, member] : members) {
         if (name.ends_with("_double")) {
             doubles[name.substr(0, name.size() - std::string_view("_double").size())] = member;
         } else if (const Json::Object* inner = member.object()) {
-            keep_twins(*inner, exact[name], doubles[name]);
+            keep_rounded(*inner, exact[name], doubles[name]);
         } else if (numbers_in(member) > 0 && name != "kind" && name != "variables") {
             exact[name] = member;
         }
@@ -67,7 +68,7 @@ Written written(const std::string& map) {
     Json result = Json::Object{{"map", of_map}};
     add_rounded_numbers(result, Rounding::binary64);
     Written both;
-    keep_twins(*parse_json(to_text(*result.find("map")), limits).object(), both.exact, both.doubles);
+    keep_rounded(*parse_json(to_text(*result.find("map")), limits).object(), both.exact, both.doubles);
     return both;
 }
 
@@ -121,7 +122,7 @@ TEST_CASE("an audit takes every number of every kind of map") {
     }
 }
 
-TEST_CASE("an audit sees a wrong number wherever it stands in a map") {
+TEST_CASE("an audit finds a wrong number at every place of a map") {
     for (const std::string& map : maps) {
         const Written both = written(map);
         for (const auto& [name, member] : *both.doubles.object()) {
@@ -151,7 +152,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("any of the members of a map may be computed by itself") {
+TEST_CASE("any single member of a map may be computed") {
     for (const std::string& map : maps) {
         const Written both = written(map);
         if (both.doubles.find("weights") || both.doubles.find("denominator")) continue;
@@ -283,13 +284,13 @@ TEST_CASE("a document of another degree is refused, even with as many numbers") 
                        map) == "mismatched_dimensions /document/SplineList/0/degrees/0");
 }
 
-TEST_CASE("a document without knots is compared with others where it stands") {
+TEST_CASE("a document without knots is compared with others at its place") {
     CHECK(refusal_text(R"("op": "audit", "format": "splinepy", "document": {"SplineList": [{"degrees": [1],
         "control_points": [[0], [1]]}]}, "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2],
         "control_points": [["0"], ["1"], ["2"]]})") == "mismatched_dimensions /document/SplineList/0");
 }
 
-TEST_CASE("a number in the text of an audit says where it stands") {
+TEST_CASE("a number in the text of an audit has its place") {
     const auto text = [](const char* map, const char* computed) {
         const Limits limits;
         const Json request = Json::Object{

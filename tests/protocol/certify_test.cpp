@@ -25,7 +25,7 @@ const std::string parabola =
 
 }  // namespace
 
-TEST_CASE("certify: a value, control points, derivatives and the expansion stand in comments") {
+TEST_CASE("certify: a value, control points, derivatives and the expansion are shown in comments") {
     CHECK(says(about(cubic, R"("op": "blossom", "arguments": ["1/2", "-2/3", {"vector": "1"}])"),
                "value = p[1/2, -2/3, delta] = 7/9 *)"));
     CHECK(says(about(cubic, R"("op": "control-points", "interval": ["2", "-1"])"),
@@ -57,7 +57,7 @@ TEST_CASE("certify: the words are 4 |x| + 2 [x < 0], or a count of 60-bit words 
     const std::string document =
         certified(about(R"({"kind": "polynomial", "coefficients": ["-2305843009213693953"]})",
                         R"("op": "blossom", "arguments": [])"));
-    // One map of degree 0 over 1, the coefficient -2^61 - 1 as two words, one value, once.
+    // One map of degree 0 over 1, the coefficient -2^61 - 1 as two words, and one value, each once.
     CHECK(document.find("[:: 4; 0; 4; 11; 1;\n     2; 4; 4; 11; 1;\n     2; 4]]%uint63") !=
           std::string::npos);
 }

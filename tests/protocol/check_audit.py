@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the errors, ulps and roundings of the program against Python's fractions and floats.
+"""Compares the errors, ulps and roundings of the program with Python's fractions and floats.
 
 usage: check_audit.py PROGRAM
 """
@@ -22,7 +22,7 @@ def power(exponent):
 
 
 def nearest(exact):
-    """The nearest double with the sign of the exact number; None beyond the doubles."""
+    """The nearest double, with the sign of the exact number; None if it is beyond the doubles."""
     try:
         return math.copysign(exact.numerator / exact.denominator, -1.0 if exact < 0 else 1.0)
     except OverflowError:
@@ -30,7 +30,7 @@ def nearest(exact):
 
 
 def unit(exact):
-    """The unit of the greatest double that is at most |exact|."""
+    """The unit in the last place of the greatest double that is at most |exact|."""
     size = abs(exact)
     below = nearest(size)
     if below is None:

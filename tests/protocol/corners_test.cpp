@@ -168,7 +168,7 @@ TEST_CASE("the least machine word among the numbers of a map has a size like any
     }
 }
 
-TEST_CASE("a map of a kind that is not taken is refused where it stands") {
+TEST_CASE("a map of a kind that is not taken is refused at its place") {
     const std::string samples = R"({"kind": "samples", "degree": 0, "values": [["0", "1"]]})";
     const std::string line = R"({"kind": "bezier", "control_points": [["0"], ["1"]]})";
     CHECK(refusal_text(R"("op": "graph", "map": )" + samples) == "wrong_kind /map");

@@ -1,6 +1,6 @@
 #include "answered.hpp"
 
-// The operations on curves of every kind: what they answer, and what they refuse.
+// The operations on curves of every kind: their answers and their errors.
 
 namespace {
 
@@ -120,7 +120,7 @@ TEST_CASE("part of a spline is a Bezier curve on one span, a spline on several")
 }
 
 TEST_CASE("rational curves meet as the curves that they are, or as homogeneous ones") {
-    // The same curve, its homogeneous points times t + 1.
+    // The same curve with its homogeneous points multiplied by t + 1.
     const std::string maps =
         R"("at": 1, "maps": [{"kind": "polynomial", "text": ["t"], "denominator": "1 + t^2"},
                              {"kind": "polynomial", "text": ["t + t^2"], "denominator": "(1 + t)^1(1 + t^2)^1"}])";

@@ -3,7 +3,7 @@
 #include "maps/kind.hpp"
 #include "operations/map_options.hpp"
 
-// What operations and kinds of maps say of themselves, held against what they do for the golden requests and
+// The descriptions of operations and kinds of maps, compared with their behaviour for the golden requests and
 // those of docs/protocol.md.
 
 namespace {
@@ -16,7 +16,7 @@ Names names_of(const FieldList& fields) {
     return names;
 }
 
-/// What is in the first and not in the second, "a, b".
+/// The names in the first list that are not in the second, "a, b".
 std::string missing_text(const Names& names, const Names& others) {
     std::string text;
     for (const std::string& name : names) {
@@ -40,10 +40,10 @@ std::vector<Json> example_requests() {
     return requests;
 }
 
-/// What was read and written of one operation or kind of map.
+/// The fields and members that one operation or kind of map used.
 struct Observed {
-    Names asked;    ///< fields that were asked for
-    Names read;     ///< those of them that were there
+    Names asked;    ///< fields that were looked up
+    Names read;     ///< those of them that were present
     Names written;  ///< members of results
 };
 
@@ -90,7 +90,7 @@ private:
         try {
             add_written(observed, found->answer(fields, Limits{}).result);
         } catch (const Error&) {
-            static_cast<void>(fields);  // what was read before the error counts
+            static_cast<void>(fields);  // the fields that were read before the error count
         }
         add_read(observed, fields, without_common);
     }
@@ -106,7 +106,7 @@ private:
             }
             add_read(observed, fields, map);
         } catch (const Error&) {
-            return;  // a kind that is not known
+            return;  // an unknown kind
         }
     }
 };
@@ -146,7 +146,7 @@ TEST_CASE("a result has the members that its operation declares, and no others")
         const Observed& observed = observed_in(observation().operations, std::string(operation.name));
         Names declared = names_of(all_fields(operation.result));
         CHECK(missing_text(observed.written, declared) == "");
-        // Only constructions that disagree have them, which is an error of the program.
+        // Constructions have expansions only if they disagree, which is an internal error.
         if (operation.name == "agree") declared.erase("expansions");
         CHECK(missing_text(declared, observed.written) == "");
     }

@@ -68,7 +68,7 @@ TEST_CASE("a rational curve is said to be shown in homogeneous coordinates") {
     CHECK(has(explained(R"({"op": "evaluate", )" + map + R"(, "at": ["1/2"]})"), "A rational arc"));
 }
 
-TEST_CASE("statements are written with brackets unless another notation is asked for") {
+TEST_CASE("statements are written with brackets unless another notation is requested") {
     const std::string request = R"({"op": "prove", "statement": "map b degree 1\nclaim b(t) == b[t]"})";
     CHECK(has(explained(request), "b[t]"));
     CHECK_FALSE(has(explained(request, R"(, "notation": "parentheses")"), "  b[t]"));

@@ -2,7 +2,8 @@
 
 namespace {
 
-/// Whether `actual` holds everything that `expected` shows: members may be added, all else is equal.
+/// Whether `actual` contains everything in `expected`: additional members are allowed, all else must be
+/// equal.
 bool holds(const Json& actual, const Json& expected) {
     if (const Json::Object* members = expected.object()) {
         for (const auto& [name, value] : *members) {

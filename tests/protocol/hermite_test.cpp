@@ -1,6 +1,6 @@
 #include "answered.hpp"
 
-// Kind hermite: how it is read and written, and that every operation on curves takes it.
+// The kind hermite: how it is read and written; and every operation on curves takes it.
 
 namespace {
 

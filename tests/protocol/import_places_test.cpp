@@ -1,6 +1,6 @@
 #include "answered.hpp"
 
-// Where a document of another library is wrong, the error says so in the document as it was given.
+// An error in a document of another library has its place in this document.
 
 namespace {
 
@@ -9,7 +9,7 @@ struct Document {
     std::string text;
 };
 
-/// Each format with and without what it may leave out.
+/// Each format with and without its optional members.
 const std::vector<Document> documents{
     {"tinyspline", R"({"degree": 1, "dimension": 2, "control_points": [0, 1, 2, 3], "knots": [0, 0, 1, 1]})"},
     {"tinyspline",
@@ -26,7 +26,7 @@ const std::vector<Document> documents{
         {"degrees": [0], "control_points": [[7]], "dim": 1}]})"},
 };
 
-/// The places of everything in a value, itself included.
+/// The places of all parts of a value, including itself.
 std::vector<Place> places_in(const Json& value) {
     std::vector<Place> places{Place{}};
     const auto append = [&](const Place& step, const Json& inner) {
@@ -66,7 +66,7 @@ Json request_with(const Document& document) {
         {"op", "import"}, {"format", document.format}, {"document", parse_json(document.text, limits)}};
 }
 
-/// The value around the one at the place.
+/// The value that contains the one at the place.
 Json& around(Json& value, const Place& place) {
     Json* outer = &value;
     Json* inner = &value;

@@ -12,7 +12,7 @@ namespace {
 
 std::string echoed(std::string_view text) { return protocol::to_text(parse_json(text, Limits{})); }
 
-/// Another reader of JSON, whose numbers do not overflow here.
+/// Another JSON reader, whose numbers do not overflow here.
 using OtherJson =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, long double>;
 
@@ -38,7 +38,7 @@ TEST_CASE("JSON values are written as they were read") {
     CHECK(echoed(R"({"\u0061" : "\u0062", "\u0063\u0064": ["\u0065f"]})") == R"({"a": "b", "cd": ["ef"]})");
 }
 
-TEST_CASE("what is no JSON is refused with the place") {
+TEST_CASE("text that is not JSON is refused with the place") {
     for (const std::string_view text :
          {std::string_view(""), std::string_view("{"), std::string_view("[1,]"), std::string_view("01"),
           std::string_view("+1"), std::string_view("NaN"), std::string_view("1 2"),

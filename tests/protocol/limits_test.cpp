@@ -3,7 +3,7 @@
 
 namespace {
 
-/// The message of a request that is refused because of a limit.
+/// The message of a request that a limit refuses.
 std::string excess(const std::string& request, const Limits& limits = {}) {
     const Json response = served(request, limits);
     INFO(protocol::to_text(response).substr(0, 300));
@@ -22,7 +22,7 @@ std::string evaluate(const std::string& text, const std::string& at = "1") {
            "\"]}";
 }
 
-/// Digits beyond the limit. Under the address sanitizer a character costs forty times as much.
+/// Digits beyond the limit. With AddressSanitizer, a character costs forty times as much.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 #define BLOSSOM_ADDRESS_SANITIZER

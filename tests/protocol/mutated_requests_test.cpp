@@ -2,13 +2,13 @@
 #include "operations/operation.hpp"
 #include "support/random.hpp"
 
-// Requests that are almost right: whatever is wrong with them is said, at a place that they have.
+// Requests that are almost valid: every error has a place that exists in the request.
 
 using blossom::testing::Random;
 
 namespace {
 
-/// Small enough for every request to be answered in a moment.
+/// Limits so small that every request is answered quickly.
 Limits small_limits() {
     Limits limits;
     limits.degree = 12;
@@ -21,7 +21,7 @@ Limits small_limits() {
     return limits;
 }
 
-/// The requests of the golden file and of the page of the protocol, and some that neither has.
+/// The requests of the golden file and of the page of the protocol, and some others.
 std::vector<Json> right_requests() {
     std::vector<Json> requests;
     std::ifstream golden(BLOSSOM_SOURCE "/tests/golden/protocol-examples.jsonl");
@@ -56,7 +56,7 @@ std::vector<Json> right_requests() {
     return requests;
 }
 
-/// What stands in the requests, to be put elsewhere.
+/// The values in the requests, which are used to replace others.
 struct Pool {
     std::vector<Json> values;
     std::vector<std::string> names;
@@ -90,7 +90,7 @@ Pool pool_of(const std::vector<Json>& requests) {
     return pool;
 }
 
-/// Some place in the value: each level deeper with equal chances.
+/// A random place in the value: each level deeper is equally likely.
 Json& some_place(Json& value, Random& random) {
     Json* place = &value;
     while (!random.one_in(4)) {
@@ -128,7 +128,7 @@ void mutate(Json& request, const Pool& pool, Random& random) {
     }
 }
 
-/// What a person is shown for the request, if it is answered.
+/// Renders the answer to the request for people, if there is one.
 void show(const Json& request, const Limits& limits) {
     try {
         const Answer answer = find_answer(request, limits);
@@ -152,7 +152,7 @@ void check_answer(const Json& request, const Limits& limits) {
     const std::string& code = *error->find("code")->text();
     CHECK(code != "internal");
     std::string pointer = *error->find("at")->text();
-    // Which of several segments is meant is missing, too.
+    // A missing choice among several segments is also a missing field.
     if (code == "missing_field" || (pointer.ends_with("/segment") && code == "outside_domain"))
         pointer.erase(pointer.rfind('/'));
     CHECK(at_pointer(request, pointer));
@@ -178,7 +178,7 @@ TEST_CASE("requests with a few changes are answered, or refused at a place that 
     check_mutants(1500, 1);
 }
 
-// protocol_tests [mutants]
+// Run as: protocol_tests [mutants]
 TEST_CASE("the same of many requests", "[.][mutants]") {
     for (std::uint64_t seed = 2; seed < 22; ++seed) check_mutants(1000, seed);
 }

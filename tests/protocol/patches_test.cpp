@@ -1,6 +1,6 @@
 #include "answered.hpp"
 
-// Maps on simplices and boxes and polynomials in several variables: what is answered, and what is refused.
+// Maps on simplices and boxes and polynomials in several variables: answers and errors.
 
 namespace {
 
@@ -55,7 +55,7 @@ TEST_CASE("the same map as a polynomial, over a triangle and over a box") {
         const Json derived = served(R"({"op": "derivative", "direction": [1, 2], )" + map + "}");
         CHECK(result(R"("op": "evaluate", "at": [[2, 3]], "map": )" +
                      protocol::to_text(*at_pointer(derived, "/result/map"))) == R"({"values": ["25"]})");
-        // Raised, it is the same map.
+        // After degree raising it is the same map.
         const Json raised = served(R"({"op": "elevate", "by": 2, )" + map + "}");
         CHECK(result(R"("op": "evaluate", "at": [[2, 3]], "map": )" +
                      protocol::to_text(*at_pointer(raised, "/result/map"))) == R"({"values": ["20"]})");
@@ -158,7 +158,7 @@ TEST_CASE("two patches meet along the face that they share") {
           "wrong_kind /maps/1");
 }
 
-TEST_CASE("what is no patch is refused with its place") {
+TEST_CASE("an invalid patch is refused with its place") {
     const auto map = [](const std::string& members) {
         return R"("op": "evaluate", "at": [], "map": {)" + members + "}";
     };

@@ -29,7 +29,7 @@ const std::string ratio =
     R"("map": {"kind": "polynomial", "text": ["1 - t^2", "2t"], "denominator": "1 + t^2",
                                      "degree": 2, "homogeneous": true})";
 
-/// Of every operation requests that have each of its fields, and of every kind of map each of its.
+/// For every operation, requests with each of its fields, and for every kind of map, each of its fields.
 const std::vector<std::string> requests{
     R"({"op": "agree", "arguments": ["1", {"vector": "2"}, {"homogeneous": ["1", "2"]}], )" + cubic + "}",
     R"({"op": "blossom", "numbers": "double", "construction": "casteljau", "arguments": ["1", "2", "3"], )" +
@@ -144,7 +144,7 @@ const std::vector<std::string> requests{
     R"({"op": "barycentric", "vertices": [["0", "0"], ["1", "0"], ["0", "1"]], "at": [["1/4", "1/2"]]})",
 };
 
-/// Every place in a request, the whole left out.
+/// Every place in a request except the whole.
 std::vector<Place> places_in(const Json& value) {
     std::vector<Place> places;
     const auto append = [&](const Place& step, const Json& inner) {
@@ -169,7 +169,7 @@ Json& at(Json& value, const Place& place) {
     return *found;
 }
 
-/// What is wrong wherever it stands, by its type or as a text.
+/// Values that are wrong at every place, by their type or as a text.
 std::vector<Json> wrong_values(const Json& right) {
     std::vector<Json> wrong{Json(), Json::Object{{"wrong", "0"}}, Json("?!")};
     if (!right.boolean()) wrong.emplace_back(true);
@@ -180,7 +180,7 @@ std::vector<Json> wrong_values(const Json& right) {
     return wrong;
 }
 
-/// What has the right type, and may be wrong beside the rest of the request.
+/// Values of the right type that may contradict the rest of the request.
 std::vector<Json> doubtful_values(const Json& right) {
     std::vector<Json> doubtful;
     if (right.number()) {
@@ -199,7 +199,7 @@ std::vector<Json> doubtful_values(const Json& right) {
     return doubtful;
 }
 
-/// A request with another value somewhere, and what is answered.
+/// A request with one changed value, and its answer.
 struct Changed {
     Json request;
     Place place;
@@ -254,7 +254,7 @@ TEST_CASE("the requests are right, and have every field that an option writes") 
 
 TEST_CASE("a wrong value anywhere in a request is refused, at its place or below") {
     for_each_change(wrong_values, [](const Changed& changed) {
-        // A direction in which a tensor product is not divided.
+        // A direction in which a tensor product is not subdivided.
         const bool undivided = *changed.request.find("op") == Json("subdivide") &&
                                changed.place.begins_with(Part::at) && changed.place.steps().size() == 2 &&
                                at_place(changed.request, changed.place)->is_null();

@@ -22,7 +22,7 @@ const std::string statements[] = {
     "given a*b == 0\ngiven (a + b)*c == 0\nclaim a*c == 0\n",
 };
 
-/// As it is read back from a file.
+/// The certificate as it is read from a file.
 Json certificate_of(const std::string& text) {
     std::vector<proofs::second::Certificate> certificates;
     const proofs::Document document = proofs::parse(text);
@@ -34,7 +34,7 @@ Json certificate_of(const std::string& text) {
     return parse_json(to_text(certificates_json(certificates)), Limits{});
 }
 
-/// Whether every claim of the certificate is confirmed in all cases. What cannot be read is not.
+/// Whether every claim of the certificate is confirmed in all cases; false if it cannot be read.
 bool is_confirmed(const Json& certificate) {
     try {
         const auto read = read_certificates(certificate, Limits{});
@@ -65,7 +65,7 @@ std::size_t values_in(Json certificate) {
     return count;
 }
 
-/// The certificate with another value in place number `place`.
+/// The certificate with the value at place number `place` replaced.
 Json replaced(Json certificate, std::size_t place, const Json& by) {
     std::size_t count = 0;
     Json* found = nullptr;
@@ -181,14 +181,14 @@ TEST_CASE("anything in the place of anything in a certificate is read or refused
         const Json certificate = certificate_of(text);
         const std::size_t count = values_in(certificate);
         CHECK(count > 8);
-        // Nothing that this makes of a true claim is a false one, and it ends with a sentence at the worst.
+        // No replacement makes a false claim confirmed, and every error is a sentence.
         for (std::size_t place = 0; place < count; ++place) {
             for (const Json& other : others) is_confirmed(replaced(certificate, place, other));
         }
     }
 }
 
-TEST_CASE("what is no certificate is refused") {
+TEST_CASE("a file that is not a certificate is refused") {
     const auto refused = [](const std::string& text) {
         try {
             read_certificates(parse_json(text, Limits{}), Limits{});

@@ -157,7 +157,7 @@ TEST_CASE("what was not run on symbols is skipped too") {
     CHECK(text.find("expansion_work = 1") != std::string::npos);
 }
 
-TEST_CASE("a disagreement has an outcome of its own") {
+TEST_CASE("a disagreement has its own outcome") {
     const auto outcome = [](const char* result) { return outcome_of(parse_json(result, Limits{})); };
     CHECK(outcome(R"({"agree": false})") == Outcome::disagreement);
     CHECK(outcome(R"({"agree": true})") == Outcome::success);
@@ -165,7 +165,7 @@ TEST_CASE("a disagreement has an outcome of its own") {
     CHECK(protocol::answer("{}").outcome == Outcome::refused);
 }
 
-TEST_CASE("rounded numbers stand beside the exact ones, in the same shape") {
+TEST_CASE("rounded numbers are given beside the exact ones, in the same shape") {
     CHECK(result(R"("op": "evaluate", "at": ["1/3"], "numbers": "double", )" + circle) ==
           R"({"values": [["4/5", "3/5"]], "values_double": [[0.8, 0.6]]})");
     CHECK(
@@ -187,7 +187,7 @@ TEST_CASE("rounded numbers stand beside the exact ones, in the same shape") {
 }
 
 TEST_CASE("nested and mixed shapes are rounded too") {
-    // A count, not braces: compilers differ on a list in braces whose one element is a list.
+    // A constructor with a count, not braces: compilers differ on a braced list whose one element is a list.
     const Json::Array row{Json(std::size_t{2}), Rational(1, 4)};
     const Json::Array net(1, Json(row));
     const Json::Array maps(1, Json(Json::Object{{"net", Json(net)}}));

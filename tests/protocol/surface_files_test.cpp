@@ -6,7 +6,7 @@
 #include "pictures/shading.hpp"
 #include "responses.hpp"
 
-// Pictures and meshes of patches: read again without the code that wrote them.
+// Pictures and meshes of patches, read without the code that wrote them.
 
 using blossom::testing::failure;
 
@@ -22,7 +22,7 @@ std::string shown(const std::string& text, std::string (*Operation::*show)(const
 
 std::string picture(const std::string& request) { return shown(request, &Operation::plot); }
 
-/// What a reader of OBJ files sees in one.
+/// The contents of an OBJ file.
 struct ReadMesh {
     std::vector<std::string> objects;
     std::vector<std::array<double, 3>> vertices;
@@ -34,7 +34,7 @@ struct ReadMesh {
         return static_cast<std::ptrdiff_t>(vertices.size()) - static_cast<std::ptrdiff_t>(edges().size()) +
                static_cast<std::ptrdiff_t>(faces.size());
     }
-    /// How often each edge, of whatever direction, belongs to a face.
+    /// The number of faces to which each undirected edge belongs.
     std::map<std::set<std::size_t>, std::size_t> edges() const {
         std::map<std::set<std::size_t>, std::size_t> counts;
         for (const auto& face : faces) {
@@ -136,7 +136,7 @@ TEST_CASE("every patch of a result is an object of its own, and a curve a polyli
     REQUIRE(curve.lines.size() == 1);
     CHECK(curve.lines.front().size() == 17);
     for (const auto& [x, y, z] : curve.vertices) CHECK((2 * y == 2 + x && z == 0));
-    // The derived map is shown whether or not its values are asked for.
+    // The derived map is shown whether or not its values are requested.
     const std::string derivative = R"({"op": "derivative", "direction": [1, 0], )" + saddle;
     CHECK(mesh(derivative + "}").vertices == mesh(derivative + R"(, "at": [[0, 0]]})").vertices);
     for (const auto& [x, y, z] : mesh(derivative + "}").vertices) CHECK(z == 2 * x);
@@ -184,7 +184,7 @@ TEST_CASE("a picture of a patch has its cells, lines, net and marked values, and
     CHECK(occurrences(text, ">y<") == 1);
     const std::string pieces = picture(R"({"op": "subdivide", "at": ["5/3", "1/2"], )" + triangle + "}");
     CHECK(occurrences(pieces, "<polygon") == 3 * 256);
-    // The nets of the pieces and of the patch before have the same points.
+    // The nets of the pieces have the same points as that of the patch.
     CHECK(occurrences(pieces, "<circle") == 4);
     const std::string plane = picture(
         R"({"op": "control-points", "map": {"kind": "polynomial", "variables": ["x", "y"], "text": ["x", "y"]}})");

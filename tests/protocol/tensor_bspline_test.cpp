@@ -1,6 +1,6 @@
 #include "answered.hpp"
 
-// B-splines in several directions: what is answered, and what is refused.
+// B-splines in several directions: answers and errors.
 
 namespace {
 
@@ -8,15 +8,15 @@ const std::string fields =
     R"("kind": "bspline", "degrees": [2, 1], "knots": [[0, 0, 0, 1, 2, 2, 2], [0, 2]],
        "control_net": [[0, 1], [1, 3], [3, "-1"], [4, 0]])";
 const std::string surface = R"("map": {)" + fields + "}";
-/// The same as a polynomial on each side of u = 1: sums of products of the basis functions, written out.
-/// For u <= 1 the functions are (1 - u)^2, 2 u - 3/2 u^2, u^2 / 2, and (1 - v/2), v/2 in the other direction.
+/// The same map as a polynomial on each side of u = 1: sums of products of the basis functions. For u <= 1
+/// the functions are (1 - u)^2, 2 u - 3/2 u^2, u^2 / 2, and (1 - v/2), v/2 in the other direction.
 const std::string left = R"("map": {"kind": "polynomial", "variables": ["u", "v"], "degrees": [2, 1], "text":
     "((2u - 3/2u^2) + 3u^2/2)(1 - v/2) + ((1 - u)^2 + 3(2u - 3/2u^2) - u^2/2)v/2"})";
 /// For u >= 1 they are (2 - u)^2 / 2, 2 (2 - u) - 3/2 (2 - u)^2, (u - 1)^2.
 const std::string right = R"("map": {"kind": "polynomial", "variables": ["u", "v"], "degrees": [2, 1], "text":
     "((2 - u)^2/2 + 3(2(2 - u) - 3/2(2 - u)^2) + 4(u - 1)^2)(1 - v/2) + (3(2 - u)^2/2 - (2(2 - u) - 3/2(2 - u)^2))v/2"})";
 
-/// The answer to a request about both maps is the same.
+/// Checks that a request gives the same answer for both maps.
 void check_same(const std::string& request, const std::string& map, const std::string& polynomial,
                 const std::string& more = "") {
     CAPTURE(request);
@@ -42,7 +42,7 @@ TEST_CASE("B-splines in two directions have the values, blossoms and derivatives
     check(left, R"("2/5")", R"("segment": [2, 0], )");
     check(right, R"("7/5")", R"("segment": [3, 0], )");
     check(right, "2", R"("segment": [3, 0], )");
-    // At a knot it is the polynomial to the right.
+    // At a knot, the polynomial to the right counts.
     check(right, "1", R"("segment": [3, 0], )");
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("the Bezier patches and the parts of B-splines in two directions are t
 }
 
 TEST_CASE("rational B-splines in two directions are divided by their weights") {
-    // Half a cylinder of two quarters: x^2 + y^2 = 1.
+    // Half a cylinder in two quarters: x^2 + y^2 = 1.
     const std::string cylinder = R"("map": {"kind": "bspline", "degrees": [2, 1],
         "knots": [[0, 0, 0, 1, 1, 2, 2, 2], [0, 0, 1, 1]],
         "control_net": [[[1, 0, 0], [1, 0, 1]], [[1, 1, 0], [1, 1, 1]], [[0, 1, 0], [0, 1, 1]],
@@ -116,7 +116,7 @@ TEST_CASE("rational B-splines in two directions are divided by their weights") {
           R"([["1", "1"], ["1", "1"], ["3/2", "3/2"], ["2", "2"], ["1", "1"], ["1", "1"]])");
 }
 
-TEST_CASE("what is no tensor product of B-splines is refused with its place") {
+TEST_CASE("an invalid tensor product of B-splines is refused with its place") {
     const auto read = [](const std::string& members) {
         return refusal_text(R"("op": "evaluate", "at": [], "map": {"kind": "bspline", )" + members + "}");
     };

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Holds the requests and responses of the documents and the golden files against docs/protocol.schema.json.
+"""Validates the requests and responses of the documents and the golden files with docs/protocol.schema.json.
 
 usage: validate_schema.py ROOT PROGRAM; the exit status 77 means that jsonschema is not installed.
 """
@@ -38,7 +38,7 @@ def golden_requests():
 
 
 def statements():
-    """Of everything that an answer to `prove` may hold: conditions, roots, open cases, cases of all verdicts, several lines."""
+    """Every member that an answer to `prove` may have: conditions, roots, open cases, cases of all verdicts, several lines."""
     for text in (
         "theorem one \"title\"\nfor n in 1..2\nclaim x^n/x == x^(n-1)",
         "for n in 1..2\nclaim n == i for i in 1..n",
@@ -56,7 +56,7 @@ def statements():
 
 
 def audits():
-    """Of numbers in every form that a map has, and of what is missing or too much."""
+    """Requests with numbers in every form, and with missing or additional members."""
     ends = {"kind": "hermite", "left": ["1"], "right": ["2"], "denominator": {"left": ["1"], "right": ["1/3"]}}
     line = {"kind": "simplex", "degree": 1, "control_net": [[[1, 0], "1"], [[0, 1], "2"]]}
     curve = {"kind": "taylor", "center": "1/2", "coefficients": [["1", "2"]]}
@@ -83,7 +83,7 @@ answers = subprocess.run([program, "batch"], input=lines, capture_output=True, t
 responses = [json.loads(line) for line in answers.splitlines()]
 assert len(responses) == len(requests) > 60, len(responses)
 
-# Refused by their form alone, so that the schema must refuse them too.
+# Requests whose form alone is wrong, so that the schema must also refuse them.
 form_errors = {"inexact_number", "missing_field", "unknown_field", "unknown_op", "wrong_kind"}
 problems = 0
 members = set()

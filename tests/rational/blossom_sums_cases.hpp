@@ -1,6 +1,6 @@
 #pragma once
 
-// Factors and rows for BlossomSums, and the evident formula on Rational, operation by operation.
+// Factors and rows for BlossomSums, and the evident formula on Rational, one operation after the other.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -14,7 +14,7 @@ namespace blossom::testing {
 
 inline constexpr std::int64_t greatest_word = INT64_MAX;
 
-/// sum_k c_k e_k from the definition: multiply out, one factor after the other, in lowest terms throughout.
+/// sum_k c_k e_k from the definition: multiplies one factor after the other, in lowest terms throughout.
 template <class R>
 Rational evident_sum(std::span<const Rational> numbers, const std::vector<LinearFactor<R>>& factors) {
     std::vector<Rational> product{1};
@@ -96,7 +96,7 @@ inline Rational evident_apex(std::vector<Integer> row, Integer denominator,
     return {row[0], denominator};
 }
 
-/// The sums of one row that need no preparation, where its numbers are words.
+/// Checks the sums of one row that need no preparation, if its numbers are words.
 inline void check_unprepared(std::span<const Integer> numerators, const Integer& denominator,
                              std::span<const WordFactor> factors, const Rational& expected) {
     std::vector<std::int64_t> row;
@@ -113,7 +113,7 @@ inline void check_unprepared(std::span<const Integer> numerators, const Integer&
         CHECK(*apex == evident_apex({numerators.begin(), numerators.end()}, denominator, factors));
 }
 
-/// Which kernels the cases of a test have met.
+/// The kernels that the cases of a test used.
 using Met = std::map<SumKernel, std::size_t>;
 
 inline void check(const Case& given, Met& met) {

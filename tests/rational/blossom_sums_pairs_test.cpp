@@ -1,16 +1,17 @@
 #include "blossom_sums_cases.hpp"
 #include "rational_test.hpp"
 
-// Factors read from pairs of numbers, one tuple and eight of them at a time, against the evident formula.
+// Factors read from pairs of numbers, one tuple and eight tuples at a time, compared with the evident
+// formula.
 
 namespace {
 
-/// u and m of each factor, one behind the other.
+/// u and m of each factor, consecutively.
 using Pairs = std::vector<Rational>;
 
-/// Mostly of few bits; now and then at the ends of words, beyond them, or with a mass that is neither 0 nor
-/// 1.
-Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_ones) {
+/// Pairs, usually of few bits; sometimes near the limits of words, beyond them, or with a mass other than 0
+/// and 1.
+Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool special_cases) {
     const Integer large = Integer(1) << 64;
     Pairs pairs;
     for (std::size_t i = 0; i < n; ++i) {
@@ -18,7 +19,7 @@ Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_one
         Rational u(word_of_bits(random, bits),
                    denominator_of_bits(random, smooth ? std::min<std::size_t>(bits, 7) : bits));
         Rational m = random.one_in(4) ? 0 : 1;
-        if (odd_ones && random.one_in(n)) {
+        if (special_cases && random.one_in(n)) {
             const Rational odd[] = {std::numeric_limits<std::int64_t>::min(),
                                     std::numeric_limits<std::int64_t>::max(), Rational(large),
                                     Rational(1, large), Rational(-large - 1, large)};
@@ -32,7 +33,7 @@ Pairs random_pairs(Random& random, std::size_t n, std::size_t bits, bool odd_one
     return pairs;
 }
 
-/// Whether factors can be read, as the documentation says.
+/// Whether the factors can be read according to the documentation.
 bool can_be_read(const Pairs& pairs) {
     for (std::size_t i = 0; i < pairs.size(); i += 2) {
         const Rational& u = pairs[i];
@@ -53,7 +54,7 @@ std::vector<WordFactor> factors_of(const Pairs& pairs) {
     return factors;
 }
 
-/// Over the line if there is one.
+/// The factors, over the line if there is one.
 std::vector<WordFactor> factors_over(const WordLine* line, const Pairs& pairs) {
     std::vector<WordFactor> factors = factors_of(pairs);
     if (line == nullptr) return factors;
@@ -124,21 +125,21 @@ TEST_CASE("eight tuples of pairs of numbers", "[blossom_sums]") {
         const std::size_t n = 1 + random.below(wide ? 17 : 9);
         const Given given = random_rows(random, n);
         const BlossomSums sums(RationalVector(given.numbers), given.rows);
-        const bool odd_ones = random.one_in(3);
-        // About as many bits as fit in 51, in 63 and in 102, and more.
+        const bool special_cases = random.one_in(3);
+        // About as many bits as fit in 51, 63 and 102, and more.
         const std::size_t bits =
             1 + random.below(std::clamp<std::size_t>((wide ? 105 : 66) / n, 2, random.one_in(2) ? 12 : 62));
         std::vector<Pairs> tuples;
         const Rational* addresses[8];
         for (std::size_t l = 0; l < 8; ++l)
-            tuples.push_back(random_pairs(random, n, bits, odd_ones && random.one_in(8)));
+            tuples.push_back(random_pairs(random, n, bits, special_cases && random.one_in(8)));
         for (std::size_t l = 0; l < 8; ++l) addresses[l] = tuples[l].data();
         const std::int64_t a = random.between(-9, 9);
         const std::int64_t length = random.between(1, 6);
         const WordLine lines[] = {{0, 1, 1, 1}, {a, a + length, random.between(1, 4), length}};
         const std::size_t choice = random.below(3);
         const WordLine* line = choice == 2 ? nullptr : &lines[choice];
-        // What is set may have held more than words.
+        // The results may have held more than words before.
         std::vector<Rational> before(8 * given.rows, Rational(7, 9));
         if (random.one_in(3)) before[random.below(before.size())] = Rational(Integer(1) << 70);
         if (random.one_in(3)) before[random.below(before.size())] = Rational(1, Integer(1) << 70);
@@ -151,7 +152,7 @@ TEST_CASE("eight tuples of pairs of numbers", "[blossom_sums]") {
         for (std::size_t l = 0; l < 8; ++l)
             check_values(given, tuples[l], std::span(values).subspan(l * given.rows, given.rows), line);
     }
-    // Where the processor has no lanes nothing is computed.
+    // Without the vector instructions nothing is computed.
     CHECK((computed == 0 || computed > 1'200));
 }
 

@@ -3,7 +3,7 @@
 
 #include <thread>
 
-// Sums by residues: at high degree against the product at points, where the evident formula takes long.
+// Sums by residues, compared at high degree with the product at points, because the evident formula is slow.
 
 TEST_CASE("sums by residues", "[blossom_sums]") {
     Random random(7);

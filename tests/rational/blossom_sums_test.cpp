@@ -1,7 +1,7 @@
 #include "blossom_sums_cases.hpp"
 #include "rational_test.hpp"
 
-// Every kernel against the evident formula on Rational, at the limits of each kernel.
+// Every kernel compared with the evident formula on Rational, at the limits of each kernel.
 
 TEST_CASE("sums over products of linear factors of every size", "[blossom_sums]") {
     Random random(4);
@@ -62,7 +62,7 @@ TEST_CASE("sums without factors, and rows of zeros", "[blossom_sums]") {
     check({std::vector<Rational>(71, Rational(1, 2)), std::vector<WordFactor>(70, {1, 1, 2})}, met);
 }
 
-TEST_CASE("rows are taken from the one asked for", "[blossom_sums]") {
+TEST_CASE("sums start at the requested row", "[blossom_sums]") {
     const std::vector<Rational> numbers{1, Rational(1, 2), 3, 4, Rational(-5, 7), pow(Rational(3), 90)};
     const BlossomSums sums(RationalVector(numbers), 3);
     CHECK(sums.rows() == 3);

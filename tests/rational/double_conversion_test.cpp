@@ -16,14 +16,14 @@ Rational power_of_two(int exponent) {
     return exponent < 0 ? Rational(1, power) : Rational(power);
 }
 
-/// Any finite double, its exponent uniform.
+/// Any finite double, with a uniformly distributed exponent.
 double any_double(Random& random) {
     double value = std::bit_cast<double>(random.word());
     while (!std::isfinite(value)) value = std::bit_cast<double>(random.word());
     return value;
 }
 
-/// The least unit 2^e >= 2^-1074 of which |value| is less than 2^53.
+/// The least unit 2^e >= 2^-1074 with |value| < 2^53 units.
 Rational unit_by_doubling(const Rational& value) {
     Rational unit = power_of_two(-1074);
     while (abs(value) >= unit * power_of_two(53 + 64)) unit = unit * power_of_two(64);
@@ -72,7 +72,7 @@ TEST_CASE("the nearest double of simple fractions", "[double_conversion]") {
     for (int p = -40; p <= 40; ++p) {
         for (int q = 1; q <= 40; ++q) {
             CAPTURE(p, q);
-            // One division of doubles that are exact is correctly rounded.
+            // One division of two exact doubles is correctly rounded.
             CHECK(nearest_double(Rational(p, q)) == static_cast<double>(p) / q);
         }
     }
@@ -107,7 +107,7 @@ TEST_CASE("halfway between two doubles the even significand wins, and a hair dec
           "[double_conversion]") {
     Random random(74);
     for (int i = 0; i < 1500; ++i) {
-        // significand * 2^exponent with 54 bits, the last one set: the middle of two doubles.
+        // significand * 2^exponent with 54 bits, the last one set: the midpoint of two doubles.
         const auto significand = static_cast<std::int64_t>((std::uint64_t{1} << 53) +
                                                            2 * random.below(std::uint64_t{1} << 52) + 1);
         const auto exponent = static_cast<int>(random.between(-1070, 960));
@@ -186,8 +186,7 @@ TEST_CASE("hexadecimal floats as C writes them", "[double_conversion]") {
     }
 }
 
-TEST_CASE("the unit in the last place is the distance of the doubles around a number",
-          "[double_conversion]") {
+TEST_CASE("the unit in the last place is the distance between neighbouring doubles", "[double_conversion]") {
     const Rational epsilon = power_of_two(-52);
     CHECK(unit_in_last_place(1) == epsilon);
     CHECK(unit_in_last_place(Rational(-3, 2)) == epsilon);

@@ -2,7 +2,7 @@
 #include <blossom/rational/limits.hpp>
 #include "rational_test.hpp"
 
-TEST_CASE("every error code has a name of its own", "[error]") {
+TEST_CASE("error codes have distinct names", "[error]") {
     std::set<std::string_view> names;
     int codes = 0;
     for (; error_name(static_cast<ErrorCode>(codes)) != "error"; ++codes)
@@ -13,7 +13,7 @@ TEST_CASE("every error code has a name of its own", "[error]") {
     CHECK(error_name(ErrorCode::limit_exceeded) == "limit_exceeded");
 }
 
-TEST_CASE("every part has a name of its own", "[error]") {
+TEST_CASE("parts have distinct names", "[error]") {
     std::set<std::string_view> names;
     for (int part = 0; part <= static_cast<int>(Part::vertices); ++part)
         names.insert(part_name(static_cast<Part>(part)));

@@ -1,6 +1,6 @@
 #include "rational_test.hpp"
 
-// The generators must produce what the other tests rely on: every corner, in the shares their header claims.
+// The generators must produce every corner case, with the frequencies that their header states.
 
 TEST_CASE("the stream of choices is the same everywhere", "[generators]") {
     // The 10000th output of std::mt19937_64 with its default seed is fixed by the standard.

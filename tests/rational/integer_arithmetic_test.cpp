@@ -1,7 +1,7 @@
 #include <iterator>
 #include "rational_test.hpp"
 
-// Every operation of Integer against another library's numbers, across the boundary of 64 bits.
+// Every operation of Integer compared with numbers of another library, across the boundary of 64 bits.
 
 namespace {
 
@@ -18,8 +18,8 @@ std::vector<Integer> boundary_values() {
     return {values.begin(), values.end()};
 }
 
-/// No result may depend on how it was reached: a value of 64 bits is held as one, and its own negation comes
-/// back.
+/// The representation must not depend on how a value was computed: a 64-bit value is stored as one, and
+/// double negation gives the value back.
 void check_canonical(const Integer& value) {
     const bool word = textbook::bit_length(value) < 64 || to_string(value) == "-9223372036854775808";
     CHECK(value.to_int64().has_value() == word);

@@ -18,7 +18,7 @@ IntegerPolynomial plain_product(const IntegerPolynomial& a, const IntegerPolynom
     return result;
 }
 
-/// Of this degree, with a leading coefficient of up to so many bits that is not 0.
+/// A polynomial of this degree, with coefficients of up to `bits` bits and a nonzero leading coefficient.
 IntegerPolynomial random_polynomial(Random& random, std::size_t degree, std::size_t bits) {
     IntegerPolynomial polynomial;
     for (std::size_t k = 0; k <= degree; ++k) {

@@ -24,7 +24,7 @@ TEST_CASE("a value is made once, for all threads") {
     for (const auto* place : seen) CHECK(place == once.if_made());
 }
 
-TEST_CASE("where making a value fails, the next who asks makes it") {
+TEST_CASE("if making a value fails, the next caller makes it") {
     const MadeOnce<int> once;
     CHECK_THROWS_AS(once.value([]() -> int { throw std::bad_alloc(); }), std::bad_alloc);
     CHECK(once.if_made() == nullptr);

@@ -1,7 +1,7 @@
 #include "rational_test.hpp"
 #include "support/memory.hpp"
 
-// The one door from text to numbers.
+// Conversion from text to numbers.
 
 TEST_CASE("numbers are read in every form", "[number_text]") {
     struct Example {

@@ -3,12 +3,12 @@
 
 #include "support/horner.hpp"
 
-// Values of prepared polynomials, held against Horner's rule on rational numbers: at the limits of words, of
-// rows of words and beyond.
+// Values of prepared polynomials, compared with Horner's rule on rational numbers: at the limits of words and
+// of rows of words, and beyond.
 
 namespace {
 
-/// Now and then zero, or with factors that cancel.
+/// A random number; sometimes zero, or with factors that cancel.
 Rational number(Random& random, std::size_t bits) {
     if (random.one_in(8)) return 0;
     const Integer numerator = integer_of_bits(random, random.below(bits + 1));
@@ -21,7 +21,7 @@ void check_values(const std::vector<Rational>& coefficients, const std::vector<R
                   std::size_t rows = 1) {
     const std::size_t size = coefficients.size() / rows;
     const PreparedPolynomial forms(RationalVector(coefficients), rows);
-    // More often than there are coefficients, so that what pays only then is prepared too.
+    // More evaluations than there are coefficients, so that the prepared form is used too.
     for (std::size_t round = 0; round * parameters.size() < 2 * size; ++round) {
         for (const Rational& t : parameters) {
             std::vector<Rational> values(rows);

@@ -2,8 +2,8 @@
 #include "rational_test.hpp"
 #include "support/smooth_numbers.hpp"
 
-// Sums whose numerators share long and short factors with denominators of many words, against the evident
-// formula.
+// Sums whose numerators share long and short factors with denominators of many words, compared with the
+// evident formula.
 
 TEST_CASE("a numerator that the whole denominator divides", "[quotient_reduction]") {
     for (const std::size_t n : {1U, 2U, 5U, 20U, 40U}) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the tests of numbers have in common.
+// The includes that the tests of numbers share.
 
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/number_text.hpp>

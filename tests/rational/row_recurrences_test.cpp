@@ -1,8 +1,8 @@
 #include <blossom/rational/row_recurrences.hpp>
 #include "rational_test.hpp"
 
-// The integer overloads choose words of a width that must hold every intermediate value. They are held here
-// against the generic template on Integer, which has no width, at the limits of each.
+// The integer overloads choose a width that must hold every intermediate value. At the limits of each width,
+// they are compared with the template on Integer, which has no width.
 
 namespace {
 
@@ -10,7 +10,7 @@ struct Weights {
     std::vector<Integer> own;
     std::vector<Integer> neighbours;
 
-    /// The bits of prod(|own| + |neighbours|), which the results come near when no signs cancel.
+    /// The bits of prod(|own| + |neighbours|), which the results approach if no signs cancel.
     std::size_t bits() const {
         Integer product = 1;
         for (std::size_t i = 0; i < own.size(); ++i) product *= abs(own[i]) + abs(neighbours[i]);
@@ -28,7 +28,7 @@ void check_fold(const std::vector<Integer>& row, const Weights& weights) {
           fold_triangle<Integer>(row, weights.own, weights.neighbours));
 }
 
-/// Level after level, as it is written down.
+/// The edges by computing every level.
 TriangleEdges edges_by_levels(std::vector<Integer> level, const Integer& left, const Integer& right) {
     TriangleEdges edges;
     std::vector<Integer> last;
@@ -52,7 +52,7 @@ void check_edges(const std::vector<Integer>& row, const Integer& left, const Int
     CHECK(edges.right == expected.right);
 }
 
-/// A weight of at most `bits` bits; now and then zero or the extreme of that width.
+/// A weight of at most `bits` bits; sometimes zero or the extreme value of this width.
 Integer weight(Random& random, std::size_t bits) {
     if (random.one_in(12)) return 0;
     if (random.one_in(12)) return (Integer(1) << bits) - 1;
@@ -60,7 +60,7 @@ Integer weight(Random& random, std::size_t bits) {
     return integer_of_bits(random, random.below(bits + 1));
 }
 
-/// Weights of n levels whose bound has about `bits` bits, all of one sign in half of the cases.
+/// Weights of n levels whose bound has about `bits` bits; in half of the cases all have the same sign.
 Weights weights_of_bits(Random& random, std::size_t n, std::size_t bits) {
     Weights weights;
     const bool one_sign = random.one_in(2);
@@ -100,7 +100,7 @@ TEST_CASE("recurrences whose bound has 62 to 66 or 126 to 130 bits", "[row_recur
         const std::size_t target = (random.one_in(2) ? 61 : 125) + random.below(7);
         const std::size_t n = 1 + random.below(6);
         Weights weights = weights_of_bits(random, n, random.below(target));
-        // The last level, then the row, fill up to the target.
+        // The last level, then the row, fill up the bits to the target.
         weights.own.back() = 0;
         weights.neighbours.back() = 1;
         const std::size_t missing = target - std::min(target, weights.bits());

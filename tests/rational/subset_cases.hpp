@@ -1,7 +1,7 @@
 #pragma once
 
-// Sums over subsets, and the blossom written out in elementary symmetric functions, which knows neither
-// subsets nor residues.
+// Sums over subsets, and the blossom in elementary symmetric functions, which uses neither subsets nor
+// residues.
 
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/subset_sums.hpp>

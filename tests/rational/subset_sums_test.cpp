@@ -1,12 +1,12 @@
 #include "rational_test.hpp"
 #include "subset_cases.hpp"
 
-// Sums over subsets by residues against the blossom written out in elementary symmetric functions.
+// Sums over subsets by residues, compared with the blossom in elementary symmetric functions.
 
 namespace {
 
-/// The greatest primes below 2^50 that are 1 modulo 2^13, and below 2^28 that are 1 modulo 2^11, with which
-/// residues start at one level or another.
+/// The greatest primes below 2^50 that are 1 modulo 2^13, and below 2^28 that are 1 modulo 2^11: the first
+/// primes of the residues on some levels.
 constexpr std::int64_t first_primes[] = {(std::int64_t{1} << 50) - 16383, (std::int64_t{1} << 28) - 65535};
 
 SubsetCase random_case(Random& random, std::size_t groups, std::size_t bits) {
@@ -45,7 +45,7 @@ TEST_CASE("sums over subsets of few arguments", "[subset_sums]") {
 TEST_CASE("more subsets than are lined up for the lanes", "[subset_sums]") {
     Random random(73);
     for (int i = 0; i < 20; ++i) check(random_case(random, 9 + random.below(5), 1 + random.below(20)));
-    // One group with more copies than places.
+    // One group with more copies than fit in the lanes.
     SubsetCase copies{{std::vector<Integer>(601, 1)}, {{3, 2, 600}}};
     CHECK(strict_subset_sums(copies.spans(), copies.groups) == evident_subset_sums(copies));
     SubsetCase long_result{{{0, 1}}, {{Integer(1) << 99'990, 1, 1}}};
@@ -66,7 +66,7 @@ TEST_CASE("masses that a prime of the residues divides", "[subset_sums]") {
             check(given);
         }
     }
-    // One of them is among the primes of this level.
+    // Whether the prime is among those of the current level.
     const auto is_met = [](std::int64_t prime) {
         const SubsetCase given{{{1, 1}}, {{1, prime, 1}}};
         return !regrouped_subset_sums(given.spans(), given.groups).has_value();

@@ -1,7 +1,7 @@
 #include <blossom/rational/taylor_shift.hpp>
 #include "rational_test.hpp"
 
-// The Taylor shift by one on digits in vector lanes, held against Horner's rule on integers.
+// The Taylor shift by one on digits in vector lanes, compared with Horner's rule on integers.
 
 namespace {
 

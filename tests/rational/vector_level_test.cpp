@@ -1,8 +1,8 @@
 #include <blossom/rational/taylor_shift.hpp>
 #include "rational_test.hpp"
 
-// Run apart, with BLOSSOM_VECTOR_LEVEL=avx512 in the environment.
-TEST_CASE("a vector level that there is not is refused at every use", "[.][unknown_vector_level]") {
+// Run separately, with BLOSSOM_VECTOR_LEVEL=avx512 in the environment.
+TEST_CASE("an unknown vector level is refused at every use", "[.][unknown_vector_level]") {
     const std::vector<Integer> too_many_for_words(100, 1);
     for (int use = 0; use < 2; ++use) {
         const std::optional<Error> error = failure([&] { shifted_by_one(too_many_for_words); });

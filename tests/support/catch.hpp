@@ -1,6 +1,6 @@
 #pragma once
 
-// Catch2 as the system has it: one header in version 2, several in version 3.
+// The installed Catch2: one header in version 2, several in version 3.
 
 #if __has_include(<catch2/catch_all.hpp>)
 #include <catch2/catch_all.hpp>

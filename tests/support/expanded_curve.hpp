@@ -1,7 +1,7 @@
 #pragma once
 
-// The oracle of the representations: a curve as polynomials, by the definition of its representation and ring
-// operations alone.
+// The oracle for the representations: a curve as polynomials, by the definition of its representation and
+// ring operations only.
 
 #include <blossom/core/maps/bezier_curve.hpp>
 #include <blossom/core/maps/polynomial_curve.hpp>
@@ -17,7 +17,7 @@ std::vector<Polynomial> expanded(const PolynomialCurve& curve);
 /// sum_k m_k (t - center)^k.
 std::vector<Polynomial> expanded(const TaylorCurve& curve);
 
-/// The integral over [a, b] from the coefficients; negative for a reversed interval of a positive polynomial.
+/// The integral over [a, b], from the coefficients; it changes its sign if the interval is reversed.
 Rational integral(const Polynomial& polynomial, const Interval& interval = {});
 
 }  // namespace blossom::testing

@@ -7,7 +7,7 @@
 
 namespace blossom::testing {
 
-/// The error that `action` ends in, if any.
+/// The error that `action` throws, if any.
 template <class Action>
 std::optional<Error> failure(Action&& action) {
     try {
@@ -18,7 +18,7 @@ std::optional<Error> failure(Action&& action) {
     return std::nullopt;
 }
 
-/// Its code alone.
+/// Only the code of this error.
 template <class Action>
 std::optional<ErrorCode> failure_code(Action&& action) {
     const std::optional<Error> error = failure(std::forward<Action>(action));

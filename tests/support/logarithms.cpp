@@ -7,7 +7,7 @@ namespace blossom::testing {
 
 namespace {
 
-/// 2 artanh(x) = 2 sum x^(2k+1) / (2k+1) for 0 < x < 1; the terms left out are below a geometric series.
+/// 2 artanh(x) = 2 sum x^(2k+1) / (2k+1) for 0 < x < 1; a geometric series bounds the omitted terms.
 Enclosure twice_artanh(const Rational& x) {
     Rational sum;
     Rational power = x;

@@ -1,6 +1,6 @@
 #pragma once
 
-// ln 2, ln 3 and ln 5: exactly, as a basis over Q of what is combined of them, and in rational enclosures.
+// ln 2, ln 3 and ln 5: exactly, as a basis over Q of their combinations, and in rational enclosures.
 
 #include <blossom/core/maps/point_array.hpp>
 
@@ -26,7 +26,7 @@ Enclosure operator*(const Enclosure& a, const Enclosure& b);
 /// factors.
 Coordinates logarithm(const Rational& t);
 
-/// The real number that such coordinates stand for, within 10^-40 for coefficients below a million.
+/// The real number with these coordinates, within 10^-40 for coefficients below a million.
 Enclosure enclosed(const Coordinates& combination);
 
 }  // namespace blossom::testing

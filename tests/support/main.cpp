@@ -1,4 +1,4 @@
-// In version 2 this macro is what compiles Catch2 itself, here and nowhere else.
+// In version 2, this macro compiles Catch2 itself, which only this file does.
 #define CATCH_CONFIG_RUNNER
 #include "catch.hpp"
 

@@ -12,13 +12,13 @@
 
 namespace blossom::testing {
 
-/// How large the numbers of a map or an argument may be.
+/// The size of the numbers of a map or an argument.
 enum class Size {
     small,  ///< `small_rational`
     any,    ///< `rational`, digits of every size
 };
 
-/// A polynomial map as the numbers that it was made of, so that an oracle need not ask the map for them.
+/// A polynomial map as the numbers from which it was made, so that an oracle does not need the map.
 struct PolynomialRecipe {
     std::vector<Coordinates>
         coefficients;    ///< at most degree + 1 of them; a quarter of all coefficients are zero
@@ -41,15 +41,15 @@ Rational number(Random& random, Size size);
 /// 1 to 3 coordinates.
 PolynomialRecipe polynomial_map(Random& random, std::size_t degree, Size size);
 BezierRecipe bezier_map(Random& random, std::size_t degree, Size size);
-/// One of these.
+/// A polynomial or Bezier curve.
 PolynomialMap any_map(Random& random, std::size_t degree, Size size);
 /// [0, 1] in a quarter of the cases, reversed in about half of the others.
 Interval interval(Random& random, Size size);
-/// An element of Q[t] of at most that degree, zero among them.
+/// An element of Q[t] of at most this degree, sometimes zero.
 Polynomial polynomial(Random& random, std::size_t degree, Size size);
 
 Parameter point(Random& random, Size size);
-/// Of 8: 4 points, 2 vectors, 2 pairs of any mass; 0, 1 and delta among them.
+/// Among 8 arguments, 4 are points, 2 vectors, and 2 pairs of any mass; 0, 1 and delta occur.
 Argument argument(Random& random, Size size);
 /// Each argument after the first repeats an earlier one in a third of the cases.
 std::vector<Argument> arguments(Random& random, std::size_t n, Size size);

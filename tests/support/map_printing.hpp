@@ -1,6 +1,6 @@
 #pragma once
 
-// How a failed check shows polynomials and arguments.
+// How a failed check prints polynomials and arguments.
 
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/maps/argument.hpp>

@@ -4,8 +4,7 @@
 
 namespace blossom::testing {
 
-/// The most memory that this process has held so far, in MiB. A refusal that comes before the memory is taken
-/// leaves it be.
+/// The peak memory of this process in MiB. A refusal before memory is allocated leaves it unchanged.
 std::size_t peak_memory();
 
 }  // namespace blossom::testing

@@ -9,7 +9,7 @@
 
 namespace blossom::testing {
 
-/// The families that `integer` draws from, with their shares out of 16.
+/// The families of integers that `integer` produces, with their frequencies out of 16.
 enum class IntegerKind {
     unit,      ///< 3: 0, 1 or -1
     tiny,      ///< 4: |x| <= 100
@@ -27,7 +27,8 @@ Integer integer_of_bits(Random& random, std::size_t bits);
 
 /// p / q with |p| <= 12 and 1 <= q <= 9.
 Rational small_rational(Random& random);
-/// Half of them small, a quarter integers, a quarter quotients of two integers of any kind.
+/// Half of the numbers are small, a quarter are integers, and a quarter are quotients of two integers of any
+/// kind.
 Rational rational(Random& random);
 
 }  // namespace blossom::testing

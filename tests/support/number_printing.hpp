@@ -1,6 +1,6 @@
 #pragma once
 
-// How a failed check shows numbers and errors.
+// How a failed check prints numbers and errors.
 
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/rational.hpp>

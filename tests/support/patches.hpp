@@ -1,6 +1,6 @@
 #pragma once
 
-// Patches over products of simplices as the numbers that they were made of, and the definitions written out.
+// Patches over products of simplices as the numbers from which they were made, and their definitions.
 
 #include <blossom/core/algebra/sparse_polynomial.hpp>
 #include <blossom/core/maps/bezier_patch.hpp>
@@ -25,7 +25,7 @@ struct PatchRecipe {
     std::size_t dimension() const { return points.begin()->second.size(); }
 };
 
-/// Degrees 0 to 4, fewer where the net would have more than `most_points`.
+/// Degrees 0 to 4, lower if the net would have more than `most_points`.
 PatchRecipe patch(Random& random, const std::vector<std::size_t>& dimensions, Size size,
                   std::size_t most_points = 100);
 
@@ -41,16 +41,16 @@ void for_random_patches(std::uint64_t seed, std::size_t rounds, std::size_t most
     }
 }
 
-/// s + 1 numbers of sum `mass`; a vertex, or the difference of two, in a quarter of the cases.
+/// s + 1 numbers with the sum `mass`; in a quarter of the cases a vertex, or the difference of two.
 Coordinates tuple_of_mass(Random& random, std::size_t dimension, const Rational& mass, Size size);
-/// Points in half of the cases, then vectors, then tuples of any mass.
+/// In half of the cases a point, otherwise a vector or a tuple of any mass.
 Coordinates tuple(Random& random, std::size_t dimension, Size size);
 /// One list per factor; each argument repeats an earlier one in a third of the cases.
 PatchArguments patch_arguments(Random& random, const std::vector<SimplexFactor>& factors, Size size);
 PatchPoint patch_point(Random& random, const std::vector<SimplexFactor>& factors, Size size);
 
-/// The sum over all ways to assign a vertex of its factor to every argument, of the product of the
-/// coordinates that belong to them times the control point with these vertices.
+/// The sum over all ways to assign to every argument a vertex of its factor: the product of the corresponding
+/// coordinates times the control point with these vertices.
 Coordinates textbook_value(const PatchRecipe& recipe, const PatchArguments& arguments);
 
 /// One coordinate as a polynomial in the barycentric coordinates of all factors, by Bernstein polynomials.

@@ -43,7 +43,7 @@ pid_t start(const std::vector<std::string>& arguments, int input, int output, in
     return process;
 }
 
-/// False at the end. A terminal whose program has ended says so with EIO.
+/// Returns false at the end. A terminal whose program has ended reports EIO.
 bool append_some(int descriptor, std::string& text) {
     std::array<char, 4096> room{};
     const ssize_t count = read(descriptor, room.data(), room.size());

@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-/// Runs a program as a process of its own.
+/// The result of a program that ran as a separate process.
 
 struct Process {
-    int status;  ///< the exit status; 128 + the signal when one ended it, as a shell says it
+    int status;  ///< the exit status; 128 + the number of a signal that ended it, as in a shell
     std::string output;
     std::string errors;
 };
@@ -14,10 +14,10 @@ struct Process {
 /// Runs `command` with /bin/sh in `directory`, with nothing on its standard input.
 Process run_shell(const std::string& command, const std::string& directory = ".");
 
-/// The same with a terminal for its standard output, whose bytes are the `output`.
+/// The same with a terminal as its standard output, which `output` contains.
 Process run_on_terminal(const std::string& command);
 
-/// A program that is talked to line by line.
+/// A running program with which a test communicates line by line.
 class Conversation {
 public:
     explicit Conversation(const std::vector<std::string>& arguments);
@@ -26,7 +26,7 @@ public:
     ~Conversation();
 
     void send(const std::string& text) const;
-    /// Waits for a whole line; without its end.
+    /// Waits for a whole line, and returns it without its end.
     std::string receive();
     /// Closes the program's standard input and waits for its end.
     int finish();

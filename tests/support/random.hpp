@@ -5,15 +5,15 @@
 
 namespace blossom::testing {
 
-/// A seeded stream of choices that is the same on every platform: the standard fixes the engine, and the
-/// distribution is here.
+/// A seeded random stream that is the same on every platform: the standard defines the engine, and the
+/// distributions are defined here.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 
     std::uint64_t word() { return engine_(); }
 
-    /// Uniform in 0..bound-1, without the bias of a bare remainder.
+    /// Uniform in 0..bound-1, without the bias of a plain remainder.
     std::uint64_t below(std::uint64_t bound) {
         const std::uint64_t surplus = (0 - bound) % bound;
         std::uint64_t choice = word();

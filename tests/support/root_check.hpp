@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether isolating intervals are what they claim to be, by Sturm's theorem and nothing of the isolation.
+// Checks isolating intervals by Sturm's theorem, without the code of the isolation.
 
 #include <blossom/core/curve/roots.hpp>
 
@@ -9,8 +9,8 @@
 
 namespace blossom::testing {
 
-/// The greatest m such that P, P', ..., P^(m-1) have a common root in (lower, upper], which holds one root of
-/// P.
+/// The greatest m such that P, P', ..., P^(m-1) have a common root in (lower, upper], which contains one root
+/// of P.
 inline std::size_t multiplicity_in(const Polynomial& polynomial, const Rational& lower,
                                    const Rational& upper) {
     std::size_t multiplicity = 0;

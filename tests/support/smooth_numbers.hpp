@@ -1,6 +1,6 @@
 #pragma once
 
-// Numbers made of few primes, so that numerators and denominators share much.
+// Numbers with few distinct primes, so that numerators and denominators have many common factors.
 
 #include <array>
 #include <cstdint>
@@ -10,11 +10,11 @@
 
 namespace blossom::testing {
 
-/// Primes on both sides of the table of small ones, and such that fill a word.
+/// Primes on both sides of the limit of the table of small primes, and primes near the limit of a word.
 inline constexpr std::array<std::int64_t, 8> primes{2,     3,          137,        139,
                                                     65537, 2147483647, 1000000007, 2305843009213693951};
 
-/// A product of those primes below 2^62, now and then 1.
+/// A product of these primes below 2^62, sometimes 1.
 inline std::int64_t smooth_word(Random& random) {
     std::int64_t product = 1;
     while (!random.one_in(9)) {

@@ -14,8 +14,8 @@ Rational step(Random& random, Size size) {
     return length.is_zero() ? Rational(1, 2) : length;
 }
 
-/// `outer` knots on one side of an end, going away from it, with `direction` -1 or 1. None is
-/// repeated beyond degree + 1.
+/// `outer` knots on one side of an end, in order away from it, with `direction` -1 or 1. No multiplicity
+/// exceeds degree + 1.
 std::vector<Rational> outer_knots(Random& random, Ends ends, const Rational& end, int direction,
                                   std::size_t outer, std::size_t degree, Size size) {
     std::size_t copies = 0;

@@ -12,14 +12,14 @@
 
 namespace blossom::testing {
 
-/// What stands before the beginning and behind the end of a domain.
+/// The knots before the beginning and behind the end of a domain.
 enum class Ends {
-    clamped,   ///< the end itself, as often as the convention has room for: n + 1 or n copies in all
+    clamped,   ///< copies of the end, as many as the convention permits: n + 1 or n in all
     open,      ///< other knots, in increasing order and partly repeated
     repeated,  ///< some copies of the end, and other knots
 };
 
-/// A B-spline as the numbers that it was made of.
+/// A B-spline as the numbers from which it was made.
 struct SplineRecipe {
     std::size_t degree;
     std::vector<Rational> knots;
@@ -31,12 +31,12 @@ struct SplineRecipe {
 
 textbook::Spline oracle(const BSplineCurve& curve);
 
-/// One span more than there are inner multiplicities, each of them 1 to degree + 1. Every control point has
-/// influence.
+/// A spline with one span more than there are inner multiplicities, each of which is 1 to degree + 1. Every
+/// control point has influence.
 SplineRecipe spline(Random& random, std::size_t degree, std::span<const std::size_t> inner_multiplicities,
                     KnotConvention convention, Ends begin, Ends end, Size size = Size::small);
 
-/// Any of these, with at most 8 spans.
+/// A random spline of at most 8 spans.
 SplineRecipe spline(Random& random, std::size_t degree, Size size = Size::small);
 
 /// A plane cubic over the knots 0 to 7.

@@ -4,7 +4,7 @@ namespace blossom::testing {
 
 namespace {
 
-/// A positive multiple with coprime integers as coefficients.
+/// A positive multiple whose coefficients are coprime integers.
 Polynomial primitive(const Polynomial& polynomial) {
     Integer content;
     for (const Integer& coefficient : polynomial.coefficients().numerators())
@@ -14,8 +14,8 @@ Polynomial primitive(const Polynomial& polynomial) {
 
 }  // namespace
 
-// The common divisor of P and P' divides the whole sequence, so that it counts distinct roots; dividing by it
-// makes the signs at multiple roots right as well.
+// The common divisor of P and P' divides the whole sequence, so that the sequence counts distinct roots;
+// dividing by it also makes the signs at multiple roots correct.
 SturmSequence::SturmSequence(const Polynomial& polynomial) {
     const Polynomial simple = divide_exactly(polynomial, gcd(polynomial, derivative(polynomial)));
     sequence_.push_back(primitive(simple));

@@ -1,6 +1,6 @@
 #pragma once
 
-// The oracle of the roots: Sturm's theorem, and multiplicities by common divisors with derivatives.
+// The oracle for the roots: Sturm's theorem, and multiplicities by common divisors with derivatives.
 
 #include <blossom/core/algebra/polynomial.hpp>
 
@@ -9,7 +9,7 @@
 
 namespace blossom::testing {
 
-/// P, P', and the negated remainders of each by the next.
+/// P, P', and then the negated remainder of each pair of predecessors.
 class SturmSequence {
 public:
     explicit SturmSequence(const Polynomial& polynomial);

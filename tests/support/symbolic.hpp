@@ -1,6 +1,6 @@
 #pragma once
 
-// Blossoms over the ring of polynomials in many variables: what is shown here is shown for all values of the
+// Blossoms over the ring of polynomials in many variables: an identity here holds for all values of the
 // variables.
 
 #include <blossom/core/algebra/sparse_polynomial.hpp>
@@ -15,7 +15,7 @@ namespace blossom::testing {
 using Symbol = SparsePolynomial;
 using Symbols = std::vector<SparsePolynomial>;
 
-/// Hands out variables, each once.
+/// Hands out new variables.
 class Variables {
 public:
     Symbol next() { return SparsePolynomial::variable(used_++); }
@@ -45,9 +45,9 @@ SymbolicArguments copies(std::size_t k, const SymbolicArgument& argument);
 SymbolicArguments joined(std::initializer_list<SymbolicArguments> lists);
 
 Symbol by_symmetric_functions(const Symbols& coefficients, const SymbolicArguments& arguments);
-/// From values of the homogeneous polynomial sum_k c_k u^k v^(n-k) alone.
+/// The blossom from values of the homogeneous polynomial sum_k c_k u^k v^(n-k) alone.
 Symbol by_polarization(const Symbols& coefficients, const SymbolicArguments& arguments);
-/// From control points over [a/q, b/q].
+/// The blossom from control points over [a/q, b/q].
 Symbol by_casteljau(const Symbols& control_points, const Integer& a, const Integer& b, const Integer& q,
                     const SymbolicArguments& arguments);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-// The oracle of the numbers: the same operations on another library's numbers, which share no code with the
-// engine. Operands go there and results come back as decimal digits.
+// The oracle for the numbers: the same operations on numbers of another library, which share no code with the
+// engine. Operands are passed and results returned as decimal digits.
 
 #include <blossom/rational/rational.hpp>
 
@@ -14,7 +14,7 @@ namespace blossom::textbook {
 std::string sum(const Integer& a, const Integer& b);
 std::string difference(const Integer& a, const Integer& b);
 std::string product(const Integer& a, const Integer& b);
-/// Truncated towards zero.
+/// The quotient truncated towards zero.
 std::string quotient(const Integer& a, const Integer& b);
 std::string remainder(const Integer& a, const Integer& b);
 std::string greatest_common_divisor(const Integer& a, const Integer& b);
@@ -38,8 +38,8 @@ std::string lowest_terms(const Integer& p, const Integer& q);
 
 /// significand * 2^exponent as an exact decimal such as "123e-45".
 std::string decimal_of(std::int64_t significand, int exponent);
-/// Whether no double is nearer to `value` than `candidate`, and of two equally near it is the one with the
-/// even significand.
+/// Whether `candidate` is the double nearest to `value`; of two equally near doubles, the one with the even
+/// significand.
 bool is_nearest(double candidate, const Rational& value);
 
 }  // namespace blossom::textbook

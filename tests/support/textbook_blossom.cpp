@@ -34,7 +34,7 @@ std::vector<std::string> combination(std::span<const Coordinates> points, std::s
 }
 
 /// For k = 0..n the sum over all subsets S of k indices of prod_{i in S} inside_i prod_{i not in S}
-/// outside_i, and how many there are.
+/// outside_i, and the number of these subsets.
 struct SubsetSums {
     std::vector<Fraction> sums;
     std::vector<Number> counts;
@@ -69,7 +69,7 @@ std::vector<std::string> blossom_of_coefficients(std::span<const Coordinates> co
         masses.push_back(fraction(argument.mass));
     }
     SubsetSums subsets(parameters, masses);
-    // Not by /=: in Boost 1.81 a cpp_rational of value 1 divided in place by an integer stays 1.
+    // Without /=: in Boost 1.81, a cpp_rational of value 1 divided in place by an integer stays 1.
     for (std::size_t k = 0; k < subsets.sums.size(); ++k) subsets.sums[k] *= Fraction(1, subsets.counts[k]);
     return combination(coefficients, subsets.sums);
 }

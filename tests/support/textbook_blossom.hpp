@@ -1,6 +1,6 @@
 #pragma once
 
-// The oracle of the blossoms: the definitions, written out over all subsets, on another library's numbers.
+// The oracle for the blossoms: the definitions as sums over all subsets, on numbers of another library.
 
 #include <blossom/core/maps/argument.hpp>
 #include <blossom/core/maps/interval.hpp>
@@ -32,7 +32,7 @@ std::vector<std::string> polynomial_value(std::span<const Coordinates> coefficie
 std::vector<std::string> bernstein_value(std::span<const Coordinates> control_points,
                                          const Interval& interval, const Rational& t);
 
-/// The engine's value as the oracle writes it.
+/// The engine's value in the text form of the oracle.
 std::vector<std::string> text(const Coordinates& value);
 
 }  // namespace blossom::textbook

@@ -22,7 +22,7 @@ Rational power(const Rational& base, std::size_t exponent) {
     return result;
 }
 
-/// (1/n!) sum over the subsets S that are not empty of (-1)^(n - |S|) |S|^n F(mean of S).
+/// (1/n!) times the sum over the non-empty subsets S of (-1)^(n - |S|) |S|^n F(mean of S).
 Coordinates blossom_at_points(const Spline& spline, std::size_t span, std::span<const Rational> points) {
     const std::size_t n = spline.degree;
     if (n == 0) return segment_value(spline, span, spline.knots[span]);
@@ -44,7 +44,7 @@ Coordinates blossom_at_points(const Spline& spline, std::size_t span, std::span<
     return sum;
 }
 
-/// Arguments from `next` on are still pairs; those before it are in `points`.
+/// The blossom at `points`, followed by the remaining arguments, which may be pairs.
 Coordinates blossom_from(const Spline& spline, std::size_t span, std::span<const Argument> arguments,
                          std::vector<Rational>& points) {
     if (points.size() == arguments.size()) return blossom_at_points(spline, span, points);

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Computes every number of worked examples again.
 
-usage: check_documents.py PROGRAM EXAMPLES   (a line of EXAMPLES: what stands behind "blossom explain", or an exercise)
+usage: check_documents.py PROGRAM EXAMPLES   (a line of EXAMPLES: the arguments of "blossom explain", or an exercise)
        check_documents.py --files FILE...
 
-What is said in general, in formulas with indices, has no numbers. Every other relation must hold, and every value of a table, a pyramid and a picture must be that of its meaning. A number that stands
-alone in a table must have a meaning, count the rows, or be an argument of what has one; alone in a sentence it must be a number
-of the given map, or occur in what was checked.
+General formulas with indices have no numbers. Every other relation must hold, and every value of a table, a pyramid and a picture must
+be the value of its meaning. A single number in a table must have a meaning, count the rows, or be an argument of an entry with a
+meaning; a single number in a sentence must be a number of the given map, or occur in a checked relation.
 """
 
 import copy
@@ -39,7 +39,7 @@ def is_bare(tree):
 
 
 def with_other_maps(document):
-    """The same document about other maps of the same shape: what holds for labels and weights holds for them too."""
+    """The same document for other maps of the same shape: relations of labels and weights must hold for them too."""
     other = copy.deepcopy(document)
     chosen = random.Random(len(str(document)))
     for entry in other["maps"]:
@@ -79,17 +79,17 @@ class Checker:
                 self.problem(f"{text}: both sides are {left}")
             return
         if tree["name"] != "=":
-            # What is only asked: whether two sides are equal.
+            # Questions, such as whether two sides are equal.
             return
         sides = tree["parts"]
         name = sides[0]["name"] if sides[0]["kind"] == "symbol" else self.context.indexed_name(sides[0])
         if name is not None and name not in (*self.context.symbols, "delta"):
-            # The first time a name stands alone on the left it is defined.
+            # The first formula with a single name on the left defines this name.
             self.context.symbols[name] = self.context.value(sides[1])
         try:
             values = [self.context.value(side) for side in sides]
         except Unknown:
-            # A point as the sum of another and a vector, 1 = 0 + delta, is true for pairs.
+            # A point as the sum of a point and a vector, 1 = 0 + delta, is true for pairs.
             values = [self.pair_value(side) for side in sides]
         for value in values[1:]:
             self.same(value, values[0], text)

@@ -1,7 +1,7 @@
 """Computes a worked example again from its JSON form, with Python's fractions and the textbook definitions.
 
-Shares nothing with the engine: blossoms are de Boor's and de Casteljau's recursions or sums over subsets, maps are those that the
-document says it is about.
+It shares nothing with the engine: blossoms are computed by de Boor's and de Casteljau's recursions or by sums over subsets, from the
+maps that the document names.
 """
 
 import itertools
@@ -12,7 +12,7 @@ from math import comb, factorial, prod
 
 
 class Unknown(Exception):
-    """A formula with a part that has no value, such as the name of a summation index."""
+    """A formula that contains something without a value, such as the name of a summation index."""
 
 
 def scaled(factor, value):
@@ -62,7 +62,7 @@ class PolynomialByCoefficients(Map):
 
 
 class PolynomialByNames(Map):
-    """With numbers that the context chooses for its coefficients."""
+    """With numbers from the context as its coefficients."""
 
     def __init__(self, definition, context):
         self.trees, self.context = definition["coefficients"], context
@@ -131,7 +131,7 @@ class Spline(Map):
 
 
 class Triangle(Map):
-    """By the definition: every way to put a vertex in the place of each argument, with the product of coordinates."""
+    """By the definition: every way to assign a vertex to each argument, with the product of coordinates."""
 
     def __init__(self, definition):
         self.degree = n = definition["degree"]
@@ -185,7 +185,7 @@ class Context:
         }
         for name, place in self.points.items():
             for vertices in (d.vertices for d in self.maps.values() if d.vertices):
-                # As a value a point is a place; as an argument it has barycentric coordinates.
+                # As a value, a point is its coordinates; as an argument, it has barycentric coordinates.
                 self.symbols[name] = total(scaled(x, v) for x, v in zip(place, vertices, strict=True))
             self.symbols.setdefault(name, place)
 
@@ -283,7 +283,7 @@ class Context:
         return defined.blossom(pairs, tree.get("span"))
 
     def at(self, name, pairs):
-        """The map, or with a pair its form."""
+        """The map, or for a pair its homogeneous form."""
         defined = self.maps[name]
         if isinstance(defined, Triangle):
             place = pairs[0] if len(pairs) == 1 else defined.barycentric([u for u, mass in pairs])
@@ -299,12 +299,12 @@ class Context:
         return self.at(tree["name"], self.pairs(tree))
 
     def value_derivative(self, tree):
-        """By the limit of nothing: n!/(n-k)! times the coefficient form, differentiated term by term."""
+        """By the definition: n!/(n-k)! times the homogeneous form, differentiated term by term."""
         defined, order = self.maps[tree["name"]], int(tree["value"])
         t = self.parts(tree)[0]
         n = defined.degree
         span = defined.span_at(t) if isinstance(defined, Spline) else None
-        # Newton's divided differences of n + 1 values give the polynomial, whatever the map is made of.
+        # Newton's divided differences of n + 1 values give the polynomial of any map.
         nodes = [t + i for i in range(n + 1)]
         values = [defined.blossom([(x, Fraction(1))] * n, span) for x in nodes]
         differences = values

@@ -16,12 +16,12 @@ SheetRequest request(std::string_view topic, std::uint64_t seed, std::size_t lev
     return {std::string(topic), seed, count, level};
 }
 
-/// A sheet with one problem as its text, without the number of the sheet in the title.
+/// The text of a sheet with a single problem, without the number of the sheet in the title.
 std::string problem_text(Sheet sheet, std::size_t i) {
     Document one;
     one.steps.push_back(sheet.problems.steps[i]);
     std::string text = render_json(one);
-    // Names have the number of the problem behind them.
+    // The number of the problem is appended to names.
     for (const std::string name : {"P", "p", "F", "f"}) {
         const std::string numbered = "\"" + name + std::to_string(i + 1) + "\"";
         for (std::size_t at = text.find(numbered); at != std::string::npos; at = text.find(numbered)) {
@@ -44,7 +44,7 @@ TEST_CASE("the same seed gives the same sheet, another seed another one") {
     }
 }
 
-TEST_CASE("a sheet has as many problems as asked for, each with its solution and no two alike") {
+TEST_CASE("a sheet has the requested number of different problems, each with its solution") {
     for (const std::string_view topic : exercise_topics()) {
         for (std::size_t level = 1; level <= 3; ++level) {
             CAPTURE(topic, level);
@@ -66,13 +66,13 @@ Rational area(const Coordinates& p, const Coordinates& q, const Coordinates& r) 
     return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
 }
 
-/// In the plane, after a division by the weight where there is one.
+/// The point in the plane, after a division by the weight if there is one.
 Coordinates in_plane(const Coordinates& point) {
     if (point.size() == 2) return point;
     return {point[0] / point[2], point[1] / point[2]};
 }
 
-bool bends(const std::vector<Coordinates>& points) {
+bool is_bent(const std::vector<Coordinates>& points) {
     for (std::size_t i = 0; i + 2 < points.size(); ++i) {
         if (area(in_plane(points[i]), in_plane(points[i + 1]), in_plane(points[i + 2])).is_zero())
             return false;
@@ -80,14 +80,14 @@ bool bends(const std::vector<Coordinates>& points) {
     return true;
 }
 
-/// Whether there is something to do: no leading coefficient is zero, no polygon lies on a line.
+/// Checks that a problem is not trivial: no leading coefficient is zero, and no polygon lies on a line.
 struct HasWork {
     bool operator()(const PolynomialCurve& curve) const {
         return !curve.coordinate(0)[curve.degree()].is_zero();
     }
-    bool operator()(const BezierCurve& curve) const { return bends(curve.control_points().to_points()); }
+    bool operator()(const BezierCurve& curve) const { return is_bent(curve.control_points().to_points()); }
     bool operator()(const PolynomialMap& map) const { return std::visit(*this, map); }
-    bool operator()(const BSplineCurve& curve) const { return bends(curve.control_points()); }
+    bool operator()(const BSplineCurve& curve) const { return is_bent(curve.control_points()); }
     bool operator()(const TriangleMap& map) const {
         const auto net = map.net.control_net().to_points();
         const std::size_t n = map.net.shape()[0].degree;

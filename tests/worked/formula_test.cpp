@@ -45,7 +45,7 @@ TEST_CASE("a blossom value in each notation") {
     CHECK(to_text(numbers, multiplicative) == "0·0·1/2");
     CHECK(to_text(numbers, counted) == "b(0^<2>, 1/2)");
     CHECK(to_latex(numbers, counted) == "b({0}^{\\langle 2\\rangle}, \\tfrac{1}{2})");
-    // Beside a factor the product of arguments needs parentheses.
+    // After a factor, the product of arguments needs parentheses.
     CHECK(to_text(product({number(2), numbers}), multiplicative) == "2(0·0·1/2)");
 }
 

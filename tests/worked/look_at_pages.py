@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Measures the pages of a folder in headless Chromium, light and dark, at the widths of a desk and of a phone.
+"""Measures the pages of a folder in headless Chromium, light and dark, at the widths of a desktop and of a phone.
 
-usage: look_at_pages.py GALLERY WORK [PICTURES]   (WORK: a folder for files in between; PICTURES receives screenshots)
+usage: look_at_pages.py GALLERY WORK [PICTURES]   (WORK: a folder for intermediate files; PICTURES receives screenshots)
 
-Before that it breaks a page in every way that it looks for, and each must be found.
+First it breaks a page in every way that it checks for, and must detect each.
 """
 
 import html
@@ -17,9 +17,9 @@ import sys
 WIDTHS = {"desk": 1100, "phone": 390}
 SCHEMES = {"light": 1, "dark": 0}
 MEASURE = pathlib.Path(__file__).with_name("measure_page.js")
-# Errors of a page are caught before anything of it runs.
+# Errors of a page are caught from the beginning.
 CATCH = "<head><script>window.pageErrors=[];addEventListener('error',e=>pageErrors.push('error: '+e.message),true)</script>"
-# At most this part of the labels may have a line behind them.
+# The greatest share of labels that may have a line behind them.
 MOST_CROSSED = 0.1
 
 BROKEN = {
@@ -49,7 +49,7 @@ def chromium(*arguments):
 
 
 def measured(pages, work, scheme):
-    """What each page has at each width, and the lines of the console."""
+    """The measurements of each page at each width, and the lines of the console."""
     folder = work / "measured"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -72,7 +72,7 @@ def broken_links(page, text):
 
 
 def what_is_not_found(pages, work):
-    """Breaks pages on purpose; the names of what was not noticed."""
+    """Breaks pages on purpose, and returns the names of the faults that were not detected."""
     broken = {}
     for i, (problem, (old, new)) in enumerate(BROKEN.items()):
         text = next((text for text in pages.values() if old in text and "<circle" in text and "<mfrac>" in text), None)
@@ -101,7 +101,7 @@ def take_pictures(path, heights, work, folder):
                 encoding="utf-8",
             )
             setting = f"--blink-settings=preferredColorScheme={SCHEMES[scheme]}"
-            # Chromium has a least window width.
+            # Chromium has a minimum window width.
             size = f"--window-size={max(width, 500)},{height}"
             chromium(setting, size, f"--screenshot={folder}/{path.stem}-{name}-{scheme}.png", f"file://{frame}")
     chromium(f"--print-to-pdf={folder}/{path.stem}-printed.pdf", "--no-pdf-header-footer", f"file://{path}")

@@ -29,7 +29,7 @@ std::size_t count(std::string_view text, std::string_view part) {
     return found;
 }
 
-/// The characters of the longest line.
+/// The number of characters of the longest line.
 std::size_t widest_line(std::string_view text) {
     std::size_t widest = 0;
     std::size_t width = 0;
@@ -45,7 +45,7 @@ std::size_t widest_line(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("a text fits its width, and pyramids stand in columns where they have room") {
+TEST_CASE("a text fits its width, and pyramids are set in columns if there is room") {
     for (const GalleryPage& page : gallery_pages()) {
         // Tables and single formulas cannot be broken; none of these is wider than 79 columns.
         CAPTURE(page.name);
@@ -143,7 +143,7 @@ TEST_CASE("a long number is rounded to four digits") {
     CHECK(short_text(Rational(1234567, 1000)) == "1235");
 }
 
-TEST_CASE("JSON stands on one line, or with a line for each element and member") {
+TEST_CASE("JSON is written on one line, or with one line per element and member") {
     const Json value =
         Json::Object{{"a", Json::Array{Rational(1, 2), true}}, {"b", Json::Object()}, {"c", Json()}};
     CHECK(to_text(value) == R"({"a": ["1/2", true], "b": {}, "c": null})");

@@ -6,7 +6,6 @@
 #include <blossom/worked/gallery.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -17,9 +16,9 @@
 #include "explain_options.hpp"
 #include "floats.hpp"
 #include "json/json_text.hpp"
-#include "limit_flags.hpp"
 #include "operations/map_options.hpp"
 #include "operations/table.hpp"
+#include "option_values.hpp"
 #include "prove_command.hpp"
 #include "rounding.hpp"
 #include "run_command.hpp"
@@ -28,70 +27,7 @@ namespace blossom::cli {
 
 namespace {
 
-// Values are kept apart from options by this mark, which no text on a command line begins with: "-t^2" and
-// "-1/2" are polynomials and numbers, "[1]" and "" are texts like any other.
-constexpr char value_mark = '\x1f';
-
-std::string protected_value(const std::string& argument) {
-    const bool option = argument == "-h" || argument.starts_with("--");
-    const bool special = argument.empty() || argument.front() == '-' || argument.front() == '[';
-    return special && !option ? value_mark + argument : argument;
-}
-
-std::vector<std::string> results_of(const CLI::Option& option) {
-    std::vector<std::string> values = option.results();
-    for (std::string& value : values) {
-        if (value.starts_with(value_mark)) value.erase(0, 1);
-    }
-    return values;
-}
-
-std::string result_of(const CLI::Option& option, const std::string& otherwise = "") {
-    return option.count() == 0 ? otherwise : results_of(option).front();
-}
-
-std::size_t integer(const std::string& text, const std::string& name, std::size_t least,
-                    std::size_t greatest) {
-    std::size_t value = 0;
-    const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc{} || end != text.data() + text.size() || value < least || value > greatest) {
-        throw UsageError(
-            fmt::format("{} must be an integer from {} to {}, not \"{}\"", name, least, greatest, text));
-    }
-    return value;
-}
-
-/// An option with one value, which the program passes on unchanged.
-CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& value, std::string help) {
-    return app.add_option(name, CLI::callback_t(), std::move(help))->type_name(value);
-}
-
-/// The flags of the limits, from their table.
-class LimitOptions {
-public:
-    explicit LimitOptions(CLI::App& app) {
-        const Limits defaults;
-        for (const LimitEntry& entry : limit_table()) {
-            const std::string help = fmt::format("{}; by default {}", entry.help, defaults.*entry.member);
-            options_.push_back(add_value(app, flag_of(entry), "N", help)->group("Limits"));
-        }
-    }
-    Limits read() const {
-        Limits limits;
-        for (std::size_t i = 0; i < options_.size(); ++i) {
-            const LimitEntry& entry = limit_table()[i];
-            if (options_[i]->count() == 0) continue;
-            limits.*entry.member =
-                integer(result_of(*options_[i]), options_[i]->get_name(), 0, entry.greatest);
-        }
-        return limits;
-    }
-
-private:
-    std::vector<const CLI::Option*> options_;
-};
-
-/// `wanted` alone, where it is one of the names: only the options of a command that is run are made.
+/// Only `wanted` if it is one of the names, so that only the options of the command that runs are created.
 std::vector<std::string_view> named_or_all(std::string_view wanted, std::vector<std::string_view> names) {
     if (std::ranges::find(names, wanted) == names.end()) return names;
     return {wanted};
@@ -332,7 +268,7 @@ Subcommand add_completion(CLI::App& app) {
     return {command, action};
 }
 
-/// A command that is no operation.
+/// A command that is not an operation.
 struct OtherCommand {
     std::string_view name;
     Subcommand (*add)(CLI::App& app);

@@ -29,7 +29,7 @@ Words widened(std::span<const std::uint64_t> monomials, std::size_t bits) {
     return result;
 }
 
-/// With an even number of words a monomial.
+/// For an even number of words per monomial.
 Words narrowed(std::span<const std::uint64_t> monomials, std::size_t bits) {
     Words result;
     result.reserve(monomials.size() / 2);

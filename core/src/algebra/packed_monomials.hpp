@@ -9,8 +9,8 @@
 
 /// Monomials as words: exponents of 4, 8 or 16 bits, the first variable in the top bits of the first word, so
 /// that words compare as the exponents do lexicographically. The top bit of each exponent is a guard, 0 in
-/// what is stored: sums of exponents do not run into their neighbours, and comparisons of all exponents of a
-/// word at a time borrow from it.
+/// stored monomials: it keeps sums of exponents apart, and comparisons of all exponents of a word at once
+/// borrow from it.
 
 namespace blossom::packed_monomials {
 
@@ -18,7 +18,7 @@ constexpr std::size_t least_bits = 4;
 constexpr std::size_t most_bits = 16;
 constexpr std::size_t greatest_exponent = 0x7fff;
 
-/// The lowest bit of every exponent.
+/// A word with the lowest bit of every exponent.
 constexpr std::uint64_t ones(std::size_t bits) {
     return bits == 4 ? 0x1111'1111'1111'1111 : bits == 8 ? 0x0101'0101'0101'0101 : 0x0001'0001'0001'0001;
 }
@@ -28,7 +28,7 @@ constexpr std::size_t words_for(std::size_t variables, std::size_t bits) {
     return (variables * bits + 63) / 64;
 }
 
-/// The least width that holds an exponent, at most `greatest_exponent`.
+/// The least width that holds an exponent of at most `greatest_exponent`.
 constexpr std::size_t bits_for(std::size_t exponent) { return exponent < 8 ? 4 : exponent < 128 ? 8 : 16; }
 
 constexpr std::size_t exponent(std::span<const std::uint64_t> monomial, std::size_t variable,
@@ -45,7 +45,7 @@ constexpr void set_exponent(std::span<std::uint64_t> monomial, std::size_t varia
     monomial[place / 64] |= std::uint64_t{exponent} << shift;
 }
 
-/// The greater one of each pair of exponents.
+/// The maximum of each pair of exponents.
 constexpr std::uint64_t greater_exponents(std::uint64_t a, std::uint64_t b, std::size_t bits) {
     const std::uint64_t not_less = ((a | guards(bits)) - b) & guards(bits);
     const std::uint64_t from_a = not_less - (not_less >> (bits - 1));
@@ -70,7 +70,7 @@ constexpr bool divides(std::span<const std::uint64_t> b, std::span<const std::ui
     return true;
 }
 
-/// The exponents of half a word, of `bits` bits each, with twice as many.
+/// Widens the exponents of half a word from `bits` bits to twice as many.
 constexpr std::uint64_t spread(std::uint64_t half, std::size_t bits) {
     half = (half | half << 16) & 0x0000'ffff'0000'ffff;
     half = (half | half << 8) & 0x00ff'00ff'00ff'00ff;
@@ -78,14 +78,15 @@ constexpr std::uint64_t spread(std::uint64_t half, std::size_t bits) {
     return (half | half << 4) & 0x0f0f'0f0f'0f0f'0f0f;
 }
 
-/// The exponents of a word, of `bits` bits each that are kept in twice as many, side by side: half a word.
+/// Narrows the exponents of a word from twice `bits` bits to `bits`, which gives half a word.
 constexpr std::uint64_t gathered(std::uint64_t word, std::size_t bits) {
     if (bits == 4) word = (word | word >> 4) & 0x00ff'00ff'00ff'00ff;
     word = (word | word >> 8) & 0x0000'ffff'0000'ffff;
     return (word | word >> 16) & 0x0000'0000'ffff'ffff;
 }
 
-/// The words of a monomial as a constant, or, for 0, at run time: loops over few words are unrolled.
+/// The number of words per monomial as a constant, so that loops over few words are unrolled; or, for 0, at
+/// run time.
 template <std::size_t W>
 struct Width {
     using Monomial = std::conditional_t<W == 0, std::vector<std::uint64_t>, std::array<std::uint64_t, W>>;
@@ -113,7 +114,7 @@ struct Width {
     }
 };
 
-/// Calls `action` with the width for so many words a monomial.
+/// Calls `action` with the width for this many words per monomial.
 template <class Action>
 auto with_width(std::size_t words, const Action& action) {
     switch (words) {
@@ -130,8 +131,8 @@ auto with_width(std::size_t words, const Action& action) {
     }
 }
 
-/// Monomials of `words` words with exponents of `bits` bits, rewritten with `new_words` words and `new_bits`;
-/// what falls away is 0.
+/// Monomials of `words` words with exponents of `bits` bits, rewritten with `new_words` words and `new_bits`
+/// bits; exponents that are dropped must be 0.
 std::vector<std::uint64_t> rewritten(std::span<const std::uint64_t> monomials, std::size_t words,
                                      std::size_t bits, std::size_t new_words, std::size_t new_bits);
 

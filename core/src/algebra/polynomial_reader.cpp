@@ -23,7 +23,7 @@ std::size_t saturating_product(std::size_t a, std::size_t b) {
     return __builtin_mul_overflow(a, b, &product) ? unbounded : product;
 }
 
-/// Predicts what a product or a power would cost, and refuses it beyond the limits before it is computed.
+/// Predicts the cost of a product or a power, and refuses it beyond the limits before it is computed.
 class Budget {
 public:
     explicit Budget(const Limits& limits) : limits_(limits) {}
@@ -50,7 +50,7 @@ public:
         return pow(base, exponent);
     }
 
-    /// By halves; different denominators multiply.
+    /// By halves, because different denominators multiply.
     SparsePolynomial sum(std::span<const SparsePolynomial> summands) const {
         if (summands.size() == 1) return summands.front();
         const std::size_t half = summands.size() / 2;
@@ -70,7 +70,7 @@ private:
                polynomial.coefficients().denominator().bit_length();
     }
 
-    /// How many monomials there are with the exponents of base^exponent * other at most.
+    /// The number of monomials whose exponents are at most those of base^exponent * other.
     static std::size_t box(const SparsePolynomial& base, std::size_t exponent,
                            const SparsePolynomial* other) {
         std::size_t size = 1;
@@ -82,7 +82,7 @@ private:
         return size;
     }
 
-    /// C(exponent + terms - 1, terms - 1), as far as it matters here.
+    /// C(exponent + terms - 1, terms - 1), or `unbounded` if it exceeds the limit.
     std::size_t multinomial_terms(std::size_t terms, std::size_t exponent) const {
         if (terms <= 1) return terms;
         if (terms - 1 > limits_.expansion_terms || exponent > limits_.expansion_terms) {
@@ -161,7 +161,8 @@ private:
         const std::string found = at_end() ? "the end" : quoted(first_character(rest()));
         fail_at(position_, ErrorCode::syntax, "expected " + expected + ", found " + found);
     }
-    /// Runs an operation on what began at `position`, and says so when a limit stops it.
+    /// Runs an operation on the expression that begins at `position`, and adds this position to the error if
+    /// a limit stops it.
     template <class Operation>
     auto at(std::size_t position, Operation operation) const {
         try {

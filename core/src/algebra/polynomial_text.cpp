@@ -20,7 +20,8 @@ std::string monomial_text(const SparsePolynomial& polynomial, std::size_t term,
     return text;
 }
 
-/// "3t", but "3 t1" and "2/3 t": a space where the coefficient and the name would be hard to tell apart.
+/// "3t", but "3 t1" and "2/3 t": a space separates the coefficient and the name if they would be hard to
+/// distinguish.
 std::string term_text(const Rational& magnitude, const std::string& monomial) {
     if (monomial.empty()) return to_string(magnitude);
     if (magnitude == Rational(1)) return monomial;

@@ -22,8 +22,8 @@ SparsePolynomial monic(const SparsePolynomial& polynomial) {
                                 : polynomial * SparsePolynomial(Rational(1) / polynomial.coefficient(0));
 }
 
-/// Coefficients by powers of one variable, lowest first, none for zero: elements of R[x] with R in the other
-/// variables.
+/// The coefficients of the powers of one variable, lowest first, none for zero: elements of R[x], where R is
+/// the ring in the other variables.
 using Coefficients = std::vector<SparsePolynomial>;
 
 constexpr std::uint64_t prime = 2147483647;
@@ -39,7 +39,8 @@ std::uint64_t power_of(std::uint64_t base, std::uint64_t exponent) {
     return result;
 }
 
-/// The integer coefficients by powers of one variable modulo the prime, with numbers for the other ones.
+/// The coefficients of the powers of one variable modulo the prime, with numbers substituted for the other
+/// variables.
 Residues image_in(const SparsePolynomial& polynomial, std::size_t variable) {
     Residues image(polynomial.degree_in(variable) + 1);
     for (std::size_t i = 0; i < polynomial.size(); ++i) {
@@ -71,7 +72,7 @@ void divide_by(Coefficients& coefficients, const SparsePolynomial& divisor) {
     for (SparsePolynomial& coefficient : coefficients) coefficient = divide_exactly(coefficient, divisor);
 }
 
-/// The remainder of leading(b)^k a by b, without common factors of its coefficients.
+/// The remainder of leading(b)^k a divided by b, without common factors of its coefficients.
 Coefficients primitive_remainder(Coefficients a, const Coefficients& b) {
     while (a.size() >= b.size()) {
         const SparsePolynomial top = a.back();
@@ -105,7 +106,7 @@ SparsePolynomial substitute(const SparsePolynomial& polynomial, std::span<const 
 
 SparsePolynomial derivative(const SparsePolynomial& polynomial, std::size_t variable) {
     if (variable >= polynomial.variables()) return {};
-    // The terms that have the variable stay in order.
+    // The terms that contain the variable stay in order.
     const SparseLayout layout = SparseArithmetic::layout(polynomial);
     const std::size_t words = layout.words();
     SparseTerms terms;
@@ -126,7 +127,7 @@ std::vector<SparsePolynomial> coefficients_by_powers(const SparsePolynomial& pol
                                                      std::size_t variable) {
     if (polynomial.is_zero()) return {};
     if (variable >= polynomial.variables()) return {polynomial};
-    // The terms with one power of the variable stay in order without it.
+    // The terms with the same power of the variable stay in order without it.
     const SparseLayout layout = SparseArithmetic::layout(polynomial);
     const std::size_t words = layout.words();
     std::vector<SparseTerms> terms(polynomial.degree_in(variable) + 1);
@@ -153,7 +154,7 @@ bool may_have_repeated_factor(const SparsePolynomial& polynomial, std::size_t va
     if (degree < 2 || image[degree] == 0) return degree >= 2;
     Residues slope(degree);
     for (std::size_t k = 1; k <= degree; ++k) slope[k - 1] = image[k] * (k % prime) % prime;
-    // Euclid's algorithm, leading coefficients last.
+    // Euclid's algorithm; leading coefficients come last.
     while (true) {
         while (!slope.empty() && slope.back() == 0) slope.pop_back();
         if (slope.empty()) return image.size() > 1;

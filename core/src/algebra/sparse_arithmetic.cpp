@@ -30,8 +30,8 @@ SparsePolynomial SparseArithmetic::polynomial(SparseTerms terms, const SparseLay
     return result;
 }
 
-/// Gives up variables that do not occur, and bits that no exponent needs. Cost: up to the first terms that
-/// need all, in what needs all.
+/// Drops variables that do not occur, and bits that no exponent needs. Cost: if nothing can be dropped, up to
+/// the first terms that need everything.
 void SparseArithmetic::shrink(SparsePolynomial& polynomial) {
     const std::size_t words = polynomial.words_;
     if (words == 0) return;

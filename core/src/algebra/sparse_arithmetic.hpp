@@ -9,7 +9,7 @@
 
 namespace blossom {
 
-/// How the monomials of a polynomial stand in words.
+/// The layout of the monomials of a polynomial in words.
 struct SparseLayout {
     std::size_t variables = 0;
     std::size_t bits = packed_monomials::least_bits;
@@ -17,7 +17,7 @@ struct SparseLayout {
     std::size_t words() const { return packed_monomials::words_for(variables, bits); }
 };
 
-/// Terms with integer coefficients, in order and without zeros, all with one layout.
+/// Terms with integer coefficients, in order and without zeros, all with the same layout.
 struct SparseTerms {
     std::vector<std::uint64_t> monomials;
     std::vector<Integer> coefficients;
@@ -25,7 +25,7 @@ struct SparseTerms {
     std::size_t size() const { return coefficients.size(); }
 };
 
-/// What the arithmetic of sparse polynomials works on.
+/// Access to the representation for the arithmetic of sparse polynomials.
 struct SparseArithmetic {
     static SparseLayout layout(const SparsePolynomial& a) { return {a.variables_, a.bits_}; }
     static SparseLayout common_layout(const SparseLayout& a, const SparseLayout& b) {
@@ -48,7 +48,7 @@ private:
     static void shrink(SparsePolynomial& polynomial);
 };
 
-/// The terms of a polynomial with monomials of another layout, in place where it is the same one.
+/// The terms of a polynomial in another layout; not copied if the layout is the same.
 class AlignedTerms {
 public:
     AlignedTerms(const SparsePolynomial& polynomial, const SparseLayout& layout) : polynomial_(&polynomial) {

@@ -21,8 +21,8 @@ Integer content(const SparsePolynomial& polynomial) {
     return common;
 }
 
-/// The products of the terms of a divisor but the first with the terms of a quotient that is still growing:
-/// a heap of the greatest product that is left of each of these terms.
+/// The products of all terms but the first of a divisor with the terms of a growing quotient: a heap of the
+/// greatest remaining product of each term of the divisor.
 template <class Width>
 class GrowingProducts {
 public:
@@ -35,7 +35,7 @@ public:
     bool empty() const { return heap_.empty(); }
     /// The greatest monomial.
     const std::uint64_t* monomial() const { return product(heap_.front()); }
-    /// Subtracts the coefficient of the greatest product and takes it away.
+    /// Subtracts the coefficient of the greatest product, and removes this product.
     void subtract_from(Integer& coefficient) {
         const std::size_t term = heap_.front();
         std::pop_heap(heap_.begin(), heap_.end(), less());
@@ -47,8 +47,8 @@ public:
             waiting_.push_back(term);
         }
     }
-    /// What waited for the next term of the quotient has it now.
-    void take_up() {
+    /// Adds to the heap the terms that waited for the next term of the quotient.
+    void add_waiting() {
         for (const std::size_t term : waiting_) push(term);
         waiting_.clear();
     }
@@ -69,13 +69,14 @@ private:
     Width width_;
     const AlignedTerms& divisor_;
     const SparseTerms& quotient_;
-    std::vector<std::size_t> next_;  ///< the term of the quotient that each term is multiplied with
+    std::vector<std::size_t> next_;  ///< the quotient term that each term is multiplied with
     std::vector<std::uint64_t> products_;
     std::vector<std::size_t> heap_;
     std::vector<std::size_t> waiting_;
 };
 
-/// The quotient of the numerators, with those of b divided by their content; `greatest` bounds its exponents.
+/// The quotient of the numerators, where those of b are divided by their content; `greatest` bounds its
+/// exponents.
 template <class Width>
 std::optional<SparseTerms> quotient_of_numerators(const Width& width, const AlignedTerms& a,
                                                   const AlignedTerms& b, const Integer& content_of_b,
@@ -110,7 +111,7 @@ std::optional<SparseTerms> quotient_of_numerators(const Width& width, const Alig
         }
         quotient.monomials.insert(quotient.monomials.end(), monomial.begin(), monomial.end());
         quotient.coefficients.push_back(std::move(coefficient));
-        products.take_up();
+        products.add_waiting();
     }
     return quotient;
 }

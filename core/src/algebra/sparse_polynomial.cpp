@@ -6,8 +6,6 @@
 
 #include "sparse_arithmetic.hpp"
 
-/// Sparse polynomials: what they are made of, their degrees and values.
-
 namespace blossom {
 
 SparsePolynomial::SparsePolynomial(const Rational& constant) {

@@ -6,15 +6,13 @@
 
 #include "summand_streams.hpp"
 
-/// Powers of sparse polynomials.
-
 namespace blossom {
 
 namespace {
 
 using packed_monomials::greatest_exponent;
 
-/// The power of a polynomial of two terms, by the binomial theorem: the terms come out in order.
+/// The power of a polynomial of two terms, by the binomial theorem, which gives the terms in order.
 SparsePolynomial binomial_power(const SparsePolynomial& base, std::size_t n) {
     std::size_t greatest = 0;
     for (std::size_t k = 0; k < base.variables(); ++k)
@@ -41,8 +39,8 @@ SparsePolynomial binomial_power(const SparsePolynomial& base, std::size_t n) {
     return SparseArithmetic::polynomial(std::move(result), layout, pow(base.coefficients().denominator(), n));
 }
 
-/// How many terms are left from the first one on whose first variable occurs in a later one too; 1 when there
-/// is none.
+/// The number of terms from the first one whose first variable also occurs in a later term; 1 if there is no
+/// such term.
 std::size_t terms_after_independent_ones(const SparsePolynomial& polynomial) {
     std::size_t start = 0;
     for (; start + 1 < polynomial.size(); ++start) {
@@ -58,9 +56,9 @@ std::size_t terms_after_independent_ones(const SparsePolynomial& polynomial) {
     return polynomial.size() - start;
 }
 
-/// Powers 0..n of integer terms, times denominators left out, where all terms but the last are independent.
-/// With x the first variable, which no other term has, (c m + z)^k = sum_j C(k, j) c^j m^j z^(k-j) comes out
-/// in order block by block.
+/// Powers 0..n of terms with integer coefficients, all independent except the last. With the first variable
+/// x, which no other term contains, (c m + z)^k = sum_j C(k, j) c^j m^j z^(k-j) gives the terms in order,
+/// block by block.
 std::vector<SparseTerms> independent_powers(const AlignedTerms& base, std::size_t words, std::size_t n,
                                             bool all) {
     std::vector<SparseTerms> powers(n + 1);
@@ -119,8 +117,8 @@ private:
     std::vector<Integer> table_;
 };
 
-/// The terms of sum_k weights[k] x^k for a sum x of so many independent terms, or 2^40 for more; they are
-/// counted as work.
+/// The number of terms of sum_k weights[k] x^k for a sum x of `terms` independent terms, at most 2^40; it
+/// counts as work.
 std::size_t terms_to_write(std::span<const Integer> weights, std::size_t terms) {
     constexpr std::size_t most = std::size_t{1} << 40;
     constexpr std::uint64_t words_of_term = 16;
@@ -134,10 +132,10 @@ std::size_t terms_to_write(std::span<const Integer> weights, std::size_t terms) 
     return count;
 }
 
-/// sum_k weights[k] x^k for the sum x of the first `count` terms of a polynomial, independent ones with
-/// integer coefficients and none of them constant, term by term in order: by the exponent of the first
-/// variable, which no other term of x has, then by that of the next one. The multinomial coefficients are
-/// products of binomial coefficients on the way.
+/// sum_k weights[k] x^k for the sum x of the first `count` terms of a polynomial, independent terms with
+/// integer coefficients, none of them constant. The terms are written in order: by the exponent of the first
+/// variable, which no other term of x contains, then by that of the next one. The multinomial coefficients
+/// are products of the binomial coefficients on the way.
 template <class Width>
 class IndependentValue {
 public:
@@ -166,8 +164,8 @@ public:
 private:
     using Monomial = typename Width::Monomial;
 
-    /// The products of `monomial`, of degree `used` in the terms before, with powers of the terms from this
-    /// one on.
+    /// The products of `monomial`, which has degree `used` in the previous terms, with powers of the terms
+    /// from this one on.
     void write(std::size_t term, std::size_t used, Monomial monomial, const Integer& multinomial) {
         const std::uint64_t* own = base_.monomials() + term * width_.words();
         const std::size_t degree = weights_.size() - 1;
@@ -192,11 +190,11 @@ private:
     std::size_t count_;
     std::span<const Integer> weights_;
     BinomialTable binomials_;
-    std::vector<Integer> powers_;  ///< of the coefficient of each term, unless all are 1
+    std::vector<Integer> powers_;  ///< of the coefficient of each term; empty if all are 1
     summand_streams::TermWriter<Width> writer_;
 };
 
-/// A layout for base^n.
+/// A layout that can hold base^n.
 SparseLayout layout_of_power(const SparsePolynomial& base, std::size_t n) {
     std::size_t greatest = 0;
     for (const std::size_t degree : base.degrees()) greatest = std::max(greatest, degree);
@@ -209,7 +207,7 @@ SparsePolynomial value_at_independent_terms(const RationalVector& coefficients, 
                                             const Rational& y) {
     const std::size_t n = coefficients.size() - 1;
     const SparseLayout layout = layout_of_power(x, n);
-    // With the denominators d of x and e of y, (x d)^k (y e)^(n-k) d^(n-k) e^k is x^k y^(n-k) (d e)^n.
+    // With the denominators d of x and e of y, x^k y^(n-k) (d e)^n = (x d)^k (y e)^(n-k) d^(n-k) e^k.
     const Integer& d = x.coefficients().denominator();
     std::vector<Integer> weights = coefficients.numerators();
     Integer falling = 1;

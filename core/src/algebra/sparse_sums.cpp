@@ -3,8 +3,6 @@
 
 #include "summand_streams.hpp"
 
-/// Sums and products of sparse polynomials: terms merged in order.
-
 namespace blossom {
 
 namespace {
@@ -21,7 +19,7 @@ SparsePolynomial sum_of(std::span<const Summand> summands, const SparseLayout& l
     });
 }
 
-/// a + sign b; neither is zero.
+/// a + sign * b for nonzero a and b.
 SparsePolynomial sum_of_two(const SparsePolynomial& a, const SparsePolynomial& b, int sign) {
     const SparseLayout layout =
         SparseArithmetic::common_layout(SparseArithmetic::layout(a), SparseArithmetic::layout(b));
@@ -34,7 +32,7 @@ SparsePolynomial sum_of_two(const SparsePolynomial& a, const SparsePolynomial& b
     return sum_of(summands, layout, std::move(denominator));
 }
 
-/// A layout that holds the product of two polynomials, whose degrees in each variable add.
+/// A layout that can hold the product of two polynomials; degrees in each variable are added.
 SparseLayout product_layout(const SparsePolynomial& a, const SparsePolynomial& b) {
     SparseLayout layout =
         SparseArithmetic::common_layout(SparseArithmetic::layout(a), SparseArithmetic::layout(b));
@@ -71,7 +69,7 @@ void add_products(const AlignedTerms& a, const AlignedTerms& b, const SparseLayo
     }
 }
 
-/// The product of two polynomials as products of its larger factor with the terms of the smaller one.
+/// A product of two polynomials as products of the larger factor with the terms of the smaller one.
 struct Product {
     Product(const SparsePolynomial& a, const SparsePolynomial& b)
         : layout(product_layout(a, b)),

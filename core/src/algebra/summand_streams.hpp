@@ -8,18 +8,18 @@
 
 #include "sparse_arithmetic.hpp"
 
-/// Terms of polynomials one after the other, and the sums of several such streams.
+/// Streams of the terms of polynomials, and sums of several streams.
 
 namespace blossom::summand_streams {
 
-/// Terms times one term, whose monomial is left out when it is 1.
+/// Terms times one term, whose monomial is empty if it is 1.
 struct Summand {
     const AlignedTerms* terms;
     const std::uint64_t* monomial;
     Integer coefficient;
 };
 
-/// The terms of a summand one after the other.
+/// The terms of a summand as a stream.
 template <class Width>
 class SummandStream {
 public:
@@ -59,7 +59,7 @@ private:
     bool scaled_;
 };
 
-/// Terms one after the other; their coefficients are moved away.
+/// Stored terms as a stream; their coefficients are moved out.
 template <class Width>
 class ConsumedStream {
 public:
@@ -75,7 +75,7 @@ private:
     std::size_t next_ = 0;
 };
 
-/// Terms as they are written, greatest first.
+/// Collects terms in descending order.
 template <class Width>
 class TermWriter {
 public:
@@ -127,7 +127,7 @@ SparseTerms merged(const Width& width, Stream a, Stream b) {
     return std::move(writer).finished();
 }
 
-/// The sum of summands, at least one, by halves.
+/// The sum of one or more summands, by halves.
 template <class Width>
 SparseTerms sum_of(const Width& width, std::span<const Summand> summands) {
     using Stream = SummandStream<Width>;

@@ -10,7 +10,7 @@ namespace blossom {
 
 namespace {
 
-/// Runs the constructions; `excess(construction)` says why one is not run, or nothing.
+/// Runs the constructions; `excess(construction)` gives the reason not to run one, or "".
 template <class Value, class Excess, class Run>
 Agreement<Value> side_by_side(std::initializer_list<Construction> constructions, const Excess& excess,
                               const Run& run) {
@@ -24,7 +24,8 @@ Agreement<Value> side_by_side(std::initializer_list<Construction> constructions,
     return agreement;
 }
 
-/// The three, and behind a polarization that is not run that of a curve of degree n regrouped.
+/// The three constructions; for a curve of degree n, regrouped polarization follows if polarization is too
+/// expensive.
 template <class Map, class Arguments>
 Agreement<Coordinates> agreement_at(const Map& map, const Arguments& arguments, std::size_t terms,
                                     std::optional<std::size_t> n, const Limits& limits) {
@@ -48,7 +49,7 @@ Agreement<Coordinates> agreement_at(const Map& map, const Arguments& arguments, 
                                      run);
 }
 
-/// Bounds the bits of a coefficient of the blossom written out: a change of basis and the common denominator
+/// A bound on the bits of a coefficient of the expanded blossom: a change of basis and the common denominator
 /// of the binomials.
 std::size_t coefficient_bits(const NetShape& shape, const PointArray& points, std::size_t frame_bits) {
     std::size_t bits = bits_of(points);
@@ -56,7 +57,7 @@ std::size_t coefficient_bits(const NetShape& shape, const PointArray& points, st
     return bits;
 }
 
-/// The terms of the blossom on distinct symbolic points. Errors: `limit_exceeded`.
+/// The number of terms of the blossom at distinct symbolic points. Errors: `limit_exceeded`.
 std::size_t symbolic_terms(const NetShape& shape, const Limits& limits) {
     std::size_t terms = 1;
     for (std::size_t f = 0; f < shape.factors(); ++f) {
@@ -68,8 +69,8 @@ std::size_t symbolic_terms(const NetShape& shape, const Limits& limits) {
     return terms;
 }
 
-/// The term operations of polarization there: the value at a sum of N points of dimension s has C(N s + n, n)
-/// terms.
+/// The term operations of polarization at these points: the value at a sum of N points of dimension s has C(N
+/// s + n, n) terms.
 Integer symbolic_work(const NetShape& shape) {
     Integer work = 1;
     for (std::size_t f = 0; f < shape.factors(); ++f) {
@@ -81,7 +82,7 @@ Integer symbolic_work(const NetShape& shape) {
     return work;
 }
 
-/// (1, x_1, ..., x_s), one point an argument.
+/// The tuples (1, x_1, ..., x_s), one point per argument.
 TupleLists<SparsePolynomial> symbolic_points(const NetShape& shape) {
     TupleLists<SparsePolynomial> arguments;
     std::size_t used = 0;
@@ -96,7 +97,7 @@ TupleLists<SparsePolynomial> symbolic_points(const NetShape& shape) {
     return arguments;
 }
 
-/// points(symbols) are the symbolic points (1, x_1, ..., x_s) as arguments of the map.
+/// points(symbols) gives the symbolic points (1, x_1, ..., x_s) as arguments of the map.
 template <class Points>
 Agreement<std::vector<SparsePolynomial>> symbolic_agreement(const PatchMap& map, std::size_t frame_bits,
                                                             const Points& points, const Limits& limits) {
@@ -146,7 +147,7 @@ Agreement<std::vector<SparsePolynomial>> agreement_for_all_arguments(const Polyn
         const auto* bezier = std::get_if<BezierCurve>(&map);
         if (!bezier) return symbols;
         const auto& [a, b] = std::pair(bezier->interval().a(), bezier->interval().b());
-        // (1, u) is ((b - u) / (b - a), (u - a) / (b - a)).
+        // (1, u) becomes ((b - u) / (b - a), (u - a) / (b - a)).
         for (auto& tuple : symbols.front()) {
             const SparsePolynomial u = Rational(1) / (b - a) * tuple[1];
             tuple = {SparsePolynomial(b / (b - a)) - u, u - SparsePolynomial(a / (b - a))};

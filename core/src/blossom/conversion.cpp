@@ -22,8 +22,8 @@ BezierCurve control_points(const PolynomialCurve& curve, const Interval& interva
     return {point_array(std::move(rows), curve.coefficients().denominator()), interval};
 }
 
-// In the local coordinate s = (t - a) / (b - a) the new interval has the ends (c - a) / (b - a) and (d - a) /
-// (b - a).
+// In the local coordinate s = (t - a) / (b - a), the ends of the new interval are (c - a) / (b - a) and (d -
+// a) / (b - a).
 BezierCurve control_points(const BezierCurve& curve, const Interval& interval, const Limits& limits) {
     const Rational& a = curve.interval().a();
     const Rational length = curve.interval().b() - a;

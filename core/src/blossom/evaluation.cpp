@@ -7,7 +7,7 @@ namespace blossom {
 
 namespace {
 
-/// t = u/v in integers, and the size of what comes out checked.
+/// t = u/v in integers; also checks the size of the result.
 HomogeneousPair<Integer> cleared_parameter(const PointArray& numbers, const Parameter& t,
                                            std::size_t more_bits, const Limits& limits) {
     const std::size_t bits = std::max(t.value.numerator().bit_length(), t.value.denominator().bit_length());

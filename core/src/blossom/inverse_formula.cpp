@@ -33,7 +33,8 @@ Integer signed_power(std::size_t count, std::size_t degree) {
     return (degree - count) % 2 == 0 ? power : -power;
 }
 
-/// `values` with one point a node of one factor taken to one point a control point of it.
+/// Applies the formula in one factor: `values` has one point per node, the result one point per control
+/// point.
 PointArray applied(const SimplexInverseFormula& formula, const PointArray& values, std::size_t behind) {
     const std::size_t nodes = formula.nodes.size();
     std::vector<Rational> all;
@@ -56,7 +57,7 @@ PointArray applied(const SimplexInverseFormula& formula, const PointArray& value
     return canonical_points(rows, values.denominator() * weights.denominator());
 }
 
-/// What the vertices 0 and 1 of a segment are mapped to.
+/// The point of an interval with these barycentric coordinates.
 Rational on_line(const Interval& interval, const Coordinates& barycentric) {
     return interval.a() + barycentric[1] * (interval.b() - interval.a());
 }

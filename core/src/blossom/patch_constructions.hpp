@@ -1,7 +1,6 @@
 #pragma once
 
-// One construction run on a patch, over the integers or a symbolic ring: each takes the map from its own
-// source.
+// Each construction on a patch, over the integers or a symbolic ring, from its own data.
 
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/constructions/net_constructions.hpp>
@@ -10,15 +9,15 @@
 
 namespace blossom {
 
-/// The values of a blossom at the elements of a frame, with arguments given in this frame.
+/// The values of a blossom at the elements of a frame, and arguments with coordinates in this frame.
 template <class R>
 struct Source {
     PointArray points;
     TupleLists<R> arguments;
 };
 
-/// The values over the frame whose other elements are each plus or minus the first: between the vertices of a
-/// simplex and its first vertex with the edges from there.
+/// The values over the frame in which the first element is added to, or subtracted from, all others: this
+/// converts between the vertices of a simplex and its first vertex with the edges from there.
 PointArray sheared(const NetShape& shape, const PointArray& polar, int sign, const Limits& limits);
 
 /// The first coordinate plus or minus the sum of the others.
@@ -32,7 +31,8 @@ TupleLists<R> sheared(TupleLists<R> arguments, int sign) {
     return arguments;
 }
 
-/// With respect to vertices, or to one of them and the edges from there: an origin and unit vectors.
+/// Coordinates with respect to the vertices, or to one of them and the edges from there: an origin and unit
+/// vectors.
 template <class R>
 Source<R> source(const PatchMap& map, bool vertices, const TupleLists<R>& arguments, const Limits& limits) {
     PointArray polar = std::visit([](const auto& one) -> PointArray { return polar_of(one); }, map);
@@ -41,7 +41,7 @@ Source<R> source(const PatchMap& map, bool vertices, const TupleLists<R>& argume
     return {sheared(shape_of(map), polar, sign, limits), sheared(arguments, -sign)};
 }
 
-/// The points, each multiplied by the weight of its index in every factor, summed up.
+/// The sum of the points, each multiplied by the weight of its index in every factor.
 template <class R>
 std::vector<R> weighted_sum(const PointArray& points, const std::vector<std::vector<R>>& weights) {
     std::vector<R> sums;

@@ -13,7 +13,7 @@
 
 namespace blossom {
 
-/// Coefficients, one row a coordinate, over one denominator.
+/// Coefficients over one denominator, one row per coordinate.
 struct Form {
     NetShape shape;
     std::vector<std::vector<Integer>> rows;
@@ -29,7 +29,7 @@ Form form_rows(const Map& patch) {
     return form;
 }
 
-/// The inverse.
+/// The patch of a homogeneous polynomial.
 template <PatchRepresentation Map>
 Map patch_of(const Form& form) {
     PointArray points = canonical_points(form.rows, form.denominator);
@@ -37,10 +37,10 @@ Map patch_of(const Form& form) {
     return {form.shape, std::move(points)};
 }
 
-/// Where the product of two coefficients belongs, for two shapes of the same factors.
+/// The positions in the product of the products of two coefficients, for two shapes with the same factors.
 ///
-/// Cost: one number for each pair of coefficients. Errors: `limit_exceeded` when there are more than
-/// `limits.numbers` of them or the degrees are too high.
+/// Cost: one number per pair of coefficients. Errors: `limit_exceeded` if there are more than
+/// `limits.numbers` pairs or the degrees are too high.
 class ProductTable {
 public:
     ProductTable(const NetShape& a, const NetShape& b, const Limits& limits);

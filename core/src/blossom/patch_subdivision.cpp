@@ -14,7 +14,7 @@ namespace blossom {
 
 namespace {
 
-/// The nets in which the argument, or its multiple, takes the place of each of the vertices.
+/// For each vertex, the net in which the argument, or a multiple of it, replaces this vertex.
 std::vector<BezierPatch> with_vertices_replaced(const BezierPatch& patch, std::size_t factor,
                                                 const Coordinates& argument,
                                                 std::span<const std::size_t> vertices, const Limits& limits) {
@@ -36,7 +36,7 @@ std::vector<BezierPatch> with_vertices_replaced(const BezierPatch& patch, std::s
     return patches;
 }
 
-/// The net with element order[k] of the frame in place k.
+/// The net with element order[k] of the frame in position k.
 BezierPatch permuted(const BezierPatch& patch, std::size_t factor, std::span<const std::size_t> order) {
     const NetShape& shape = patch.shape();
     const std::vector<MultiIndex> indices = multi_indices(shape[factor].dimension, shape[factor].degree);
@@ -71,8 +71,8 @@ BezierPatch permuted(const BezierPatch& patch, std::size_t factor, std::span<con
                 Part::elements / elements.back());
 }
 
-/// The coordinates of an argument when `element`, with coordinates that do not vanish at `place`, stands
-/// there.
+/// Changes the coordinates of an argument for a frame in which `element`, whose coordinate at `place` is not
+/// 0, replaces the element at `place`.
 void exchange(Coordinates& argument, const Coordinates& element, std::size_t place) {
     const Rational own = argument[place] / element[place];
     for (std::size_t k = 0; k < argument.size(); ++k) argument[k] -= own * element[k];
@@ -110,8 +110,8 @@ BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<c
     require_elements(patch.shape(), factor, elements);
     const std::size_t vertices = elements.size();
     std::vector<Coordinates> remaining(elements.begin(), elements.end());
-    std::vector<std::optional<std::size_t>> occupant(vertices);  // by place, the element that stands there
-    std::vector<std::size_t> order;                              // by element, its place
+    std::vector<std::optional<std::size_t>> occupant(vertices);  // the element at each place
+    std::vector<std::size_t> order;                              // the place of each element
     BezierPatch result = patch;
     for (std::size_t j = 0; j < vertices; ++j) {
         const Coordinates element = remaining[j];
@@ -163,8 +163,8 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
     return with_vertices_replaced(patch, factor, point, all, limits);
 }
 
-// The pieces are walks of s steps from (0, m) to (m, s): at each step one of the two vertices moves on to the
-// next, and the midpoint of the two is a vertex of the piece.
+// The pieces are walks of s steps from (0, m) to (m, s): in each step one of the two vertices advances by
+// one, and the midpoint of the two is a vertex of the piece.
 std::vector<std::vector<Coordinates>> midpoint_simplices(std::size_t dimension) {
     std::vector<std::vector<Coordinates>> simplices;
     for (std::size_t choice = 0; choice < std::size_t{1} << dimension; ++choice) {

@@ -63,15 +63,12 @@ void PatchValues::evaluate_any(const PatchPoint& point, std::span<Rational> valu
 }
 
 Coordinates PatchValues::operator()(const PatchPoint& point) const {
-    Coordinates value(dimension());
-    evaluate(point, value);
-    return value;
+    return written(dimension(), [&](std::span<Rational> value) { evaluate(point, value); });
 }
 
 std::vector<Rational> PatchValues::at(std::span<const PatchPoint> points, std::size_t jobs) const {
-    std::vector<Rational> results(points.size() * dimension());
-    at(points, results, jobs);
-    return results;
+    return written(points.size() * dimension(),
+                   [&](std::span<Rational> results) { at(points, results, jobs); });
 }
 
 void PatchValues::at(std::span<const PatchPoint> points, std::span<Rational> results,

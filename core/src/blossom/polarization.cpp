@@ -9,14 +9,14 @@ namespace blossom {
 
 namespace {
 
-/// Sums of fewer terms are evaluated at once; what the primes need first takes longer.
+/// Sums of fewer terms are evaluated directly, because the preparation of the primes takes longer.
 constexpr std::size_t fewest_terms_by_primes = 32;
 
 bool is_point_or_vector(const Argument& argument) {
     return argument.mass.is_zero() || argument.mass == Rational(1);
 }
 
-/// The arguments with masses of 0 and 1 alone.
+/// The arguments scaled to masses 0 and 1.
 std::vector<Argument> with_unit_masses(std::span<const Argument> arguments) {
     std::vector<Argument> result(arguments.begin(), arguments.end());
     for (Argument& argument : result)
@@ -24,7 +24,7 @@ std::vector<Argument> with_unit_masses(std::span<const Argument> arguments) {
     return result;
 }
 
-/// What the value at the arguments `with_unit_masses` is to be multiplied by.
+/// The factor by which the value at the arguments `with_unit_masses` is multiplied.
 Rational product_of_masses(std::span<const Argument> arguments) {
     Rational product = 1;
     for (const Argument& argument : arguments)
@@ -39,7 +39,7 @@ std::vector<SubsetGroup> groups_of(std::span<const HomogeneousPair<Integer>> pai
     return groups;
 }
 
-/// By residues, where they suffice.
+/// The value by residues, if they suffice.
 std::optional<Coordinates> value_by_primes(const PolynomialMap& map, const ClearedArguments& arguments,
                                            Construction construction) {
     const HomogeneousForm form(map);

@@ -1,4 +1,3 @@
-// The blossom as an object that is prepared once it has been asked for several values.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/rational/error.hpp>
@@ -21,7 +20,7 @@ namespace blossom {
 
 namespace {
 
-/// Normalised coefficients, or the control points.
+/// Sums over the normalised coefficients or the control points.
 BlossomSums prepared(const PolynomialMap& map, BlossomSums::Use use) {
     if (const auto* bezier = std::get_if<BezierCurve>(&map))
         return {bezier->control_points().numbers(), bezier->dimension(), use};
@@ -32,7 +31,7 @@ BlossomSums prepared(const PolynomialMap& map, BlossomSums::Use use) {
     return {std::move(numbers), coefficients.dimension(), use};
 }
 
-/// The most factors for which there is room on the stack.
+/// The most factors that fit in the arrays on the stack.
 constexpr std::size_t most_factors_in_place = 64;
 
 /// The bits of an argument whose numerator and denominator are words.
@@ -40,7 +39,7 @@ constexpr std::size_t word_argument_bits = 65;
 
 }  // namespace
 
-// An argument is two numbers, one behind the other.
+// An argument is two consecutive numbers.
 static_assert(std::is_standard_layout_v<Argument> && offsetof(Argument, u) == 0 &&
               offsetof(Argument, mass) == sizeof(Rational) && sizeof(Argument) == 2 * sizeof(Rational));
 
@@ -65,7 +64,8 @@ struct Blossom::Kernel {
             evaluate_any(arguments, first_row, coordinates);
     }
 
-    /// Arguments of any size and number; kept apart from the above, which needs no memory.
+    /// Takes arguments of any size and number. It is not inlined, because the fast path above needs no
+    /// memory.
     [[gnu::noinline]] void evaluate_any(std::span<const Argument> arguments, std::size_t first_row,
                                         std::span<Rational> coordinates) const {
         WordFactor in_place[most_factors_in_place];
@@ -79,7 +79,7 @@ struct Blossom::Kernel {
         }
     }
 
-    /// The values at eight tuples, one after the other, as far as words hold all that is needed.
+    /// The values at eight tuples, one after the other; returns false if words do not suffice.
     bool evaluate_eight(std::span<const std::vector<Argument>, 8> tuples, std::span<Rational> values) const {
         if (!reads_eight) return false;
         const Rational* pairs[8];
@@ -107,28 +107,28 @@ struct Blossom::Kernel {
 
     Limits limits;
     BlossomSums sums;
-    std::size_t bits;  ///< bounds those of a value, but for the arguments
+    std::size_t bits;  ///< a bound on the bits of a value without those of the arguments
     std::optional<ClearedInterval> interval;
     WordFrame frame;
     bool words_are_within_limits;
-    bool reads_eight;  ///< arguments are factors as they are, or over another line, see evaluate_eight
-    bool reads_pairs;  ///< arguments are factors as they are, see evaluate_pairs
+    bool reads_eight;  ///< arguments are factors, perhaps over another line; see evaluate_eight
+    bool reads_pairs;  ///< arguments are factors; see evaluate_pairs
 };
 
-/// The map, and its prepared form as soon as that pays.
+/// The map, and its prepared form once that pays.
 struct Blossom::Shared {
     Shared(PolynomialMap of, const Limits& given) : map(std::move(of)), limits(given) {}
 
-    /// The prepared form, or nullptr while `count` more values are as cheap without it.
+    /// The prepared form, or nullptr if `count` more values are as cheap without it.
     const Kernel* kernel_for(std::size_t count) const {
-        constexpr std::size_t values_without = 2;  // preparing costs about as much as one to four of them
+        constexpr std::size_t values_without = 2;  // preparation costs as much as one to four of them
         const Kernel* known = kernel.if_made();
         if (known || asked.fetch_add(count, std::memory_order_relaxed) + count <= values_without)
             return known;
         return &kernel.value([&] { return Kernel(map, limits, BlossomSums::Use::many); });
     }
 
-    /// One value without the prepared form, its coordinates from row `first` on.
+    /// One value without the prepared form; its coordinates start at row `first`.
     void evaluate_once(std::span<const Argument> arguments, std::size_t first,
                        std::span<Rational> coordinates) const {
         const auto in_words = [&](const auto& curve) { return value_in_words(curve, arguments, limits); };
@@ -175,9 +175,8 @@ Rational Blossom::coordinate(std::size_t j, std::span<const Argument> arguments)
 }
 
 std::vector<Rational> Blossom::values(std::span<const std::vector<Argument>> tuples, std::size_t jobs) const {
-    std::vector<Rational> results(tuples.size() * dimension_);
-    values(tuples, results, jobs);
-    return results;
+    return written(tuples.size() * dimension_,
+                   [&](std::span<Rational> results) { values(tuples, results, jobs); });
 }
 
 void Blossom::values(std::span<const std::vector<Argument>> tuples, std::span<Rational> results,

@@ -1,7 +1,7 @@
 #pragma once
 
-// One construction run on a curve over the integers: each takes the map from its own source. Over a symbolic
-// ring a curve is a patch on one segment.
+// Each construction on a curve over the integers, from its own data. Over a symbolic ring, a curve is treated
+// as a patch on one segment.
 
 #include <blossom/core/blossom/blossom.hpp>
 #include <blossom/core/blossom/change_of_basis.hpp>
@@ -11,12 +11,11 @@
 
 namespace blossom {
 
-/// The homogeneous polynomial F(u, v) = v^n P(u/v) of a map as something to evaluate: all that polarization
-/// may know.
+/// The homogeneous polynomial F(u, v) = v^n P(u/v) of a map, which polarization only evaluates.
 ///
-/// It is kept as sum_k c_k x^k y^(n-k), with (x, y) = (u, v) for monomial coefficients and (q u - a v, (b -
-/// a) v) for a control polygon over [a/q, b/q]. The sums of points have few masses, so that c_k y^(n-k) is
-/// kept for those met first.
+/// It is stored as sum_k c_k x^k y^(n-k), with (x, y) = (u, v) for monomial coefficients and (q u - a v, (b -
+/// a) v) for a control polygon over [a/q, b/q]. The sums of points have few distinct masses, so that c_k
+/// y^(n-k) is kept for the first ones.
 class HomogeneousForm {
 public:
     using Row = std::vector<Integer>;
@@ -96,7 +95,7 @@ private:
 };
 
 /// Bounds on the bits of a blossom value: those of the numbers of the map, of each argument, and of the frame
-/// once an argument.
+/// for each argument.
 inline std::size_t numerator_bits(const PolynomialMap& map) {
     return greatest_bit_length(points_of(map).numbers().numerators());
 }
@@ -106,7 +105,7 @@ inline std::size_t frame_bits(const PolynomialMap& map) {
     return bezier ? cleared(bezier->interval()).bits() : 0;
 }
 
-/// By one of the polarizations, or by de Casteljau's algorithm over [0, 1] unless the map has an interval.
+/// Runs one of the polarizations, or de Casteljau's algorithm, over [0, 1] if the map has no interval.
 inline Quotients<Integer> run_construction(const PolynomialMap& map, Construction construction,
                                            std::span<const HomogeneousPair<Integer>> pairs,
                                            const Limits& limits) {
@@ -126,7 +125,7 @@ inline Quotients<Integer> run_construction(const PolynomialMap& map, Constructio
     return value;
 }
 
-/// Errors: `wrong_arity` unless there are as many arguments as the formal degree.
+/// Errors: `wrong_arity` unless the number of arguments is the formal degree.
 [[noreturn]] void throw_wrong_arity(std::size_t degree, std::size_t arguments);
 inline void require_arity(std::size_t degree, std::size_t arguments) {
     if (arguments != degree) throw_wrong_arity(degree, arguments);

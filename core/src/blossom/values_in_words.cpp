@@ -14,10 +14,10 @@ namespace {
 /// The greatest degree for which this pays; the binomials and their least common multiple are words.
 constexpr std::size_t most_factors = 40;
 
-/// A bound on the bits of any numerator and of the denominator of a value computed here, far above both.
+/// A bound on the bits of every numerator and denominator computed here, far above the actual sizes.
 constexpr std::size_t most_bits = 64 * (most_factors + 4);
 
-/// lcm_k C(n, k) / C(n, k), and the least common multiple behind them.
+/// lcm_k C(n, k) / C(n, k) for all k, followed by the least common multiple.
 using Weights = std::array<std::int64_t, most_factors + 2>;
 
 std::span<const std::int64_t> binomial_weights(std::size_t n) {
@@ -35,7 +35,7 @@ std::span<const std::int64_t> binomial_weights(std::size_t n) {
     return std::span(table[n]).first(n + 2);
 }
 
-// What is not read stays as it is.
+// Elements that are not read stay uninitialized.
 // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 struct Factors {
     WordFactor words[most_factors];
@@ -50,7 +50,7 @@ bool read(const WordFrame& frame, std::span<const Argument> arguments, const Lim
     return frame.read(arguments, factors.words);
 }
 
-/// The numerators of one coordinate, multiplied by the weights if there are any.
+/// Reads the numerators of one coordinate into `row`, multiplied by the weights if there are any.
 bool read(std::span<const Integer> numbers, std::span<const std::int64_t> weights, std::int64_t* row) {
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         const auto word = numbers[k].to_int64();
@@ -60,7 +60,7 @@ bool read(std::span<const Integer> numbers, std::span<const std::int64_t> weight
     return true;
 }
 
-/// `value` is BlossomSums::sum_in_words or its apex_in_words.
+/// `value` is BlossomSums::sum_in_words or BlossomSums::apex_in_words.
 template <class Value>
 std::optional<Coordinates> values(const PointArray& numbers, std::span<const std::int64_t> weights,
                                   const Factors& factors, const Value& value) {

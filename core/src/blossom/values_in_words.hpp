@@ -6,11 +6,11 @@
 
 namespace blossom {
 
-/// The value by symmetric functions, if words and sums of 128 bits hold all numbers on the way: no memory is
-/// taken but for the result.
+/// The value by symmetric functions, if words and 128-bit sums hold all intermediate numbers; only the result
+/// is allocated.
 std::optional<Coordinates> value_in_words(const PolynomialCurve& curve, std::span<const Argument> arguments,
                                           const Limits& limits);
-/// The value by de Casteljau's algorithm, likewise.
+/// The value by de Casteljau's algorithm under the same conditions.
 std::optional<Coordinates> value_in_words(const BezierCurve& curve, std::span<const Argument> arguments,
                                           const Limits& limits);
 

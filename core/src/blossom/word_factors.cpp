@@ -4,7 +4,8 @@
 
 namespace blossom {
 
-// For b < a all three of a, b and q change sign: the factor and its denominator b - a then do as well.
+// If b < a, the signs of a, b and q are changed, which changes the signs of the factor and of its denominator
+// b - a.
 WordFrame::WordFrame(const ClearedInterval& interval) : kind_(Kind::beyond_words) {
     const Integer length = interval.b - interval.a;
     const Integer sign = length.sign();

@@ -1,6 +1,6 @@
 #pragma once
 
-// Arguments of a blossom as linear factors in machine words, read without a common multiple or a reduction.
+// Reads arguments of a blossom as linear factors in machine words, without a common multiple or a reduction.
 
 #include <blossom/core/maps/argument.hpp>
 #include <blossom/rational/blossom_sums.hpp>
@@ -12,21 +12,21 @@
 
 namespace blossom {
 
-/// What the factors of arguments are taken over: monomial coefficients, for which (u, v) gives v + u X, or
-/// control points over [a/q, b/q], for which it gives (b v - q u) + (q u - a v) X over b - a.
+/// The frame of the factors: monomial coefficients, where (u, v) gives v + u X, or control points over [a/q,
+/// b/q], where it gives (b v - q u) + (q u - a v) X over b - a.
 class WordFrame {
 public:
-    /// Monomial coefficients.
+    /// The frame of monomial coefficients.
     WordFrame() = default;
     explicit WordFrame(const ClearedInterval& interval);
 
     bool is_monomial() const { return kind_ == Kind::monomial; }
     bool is_beyond_words() const { return kind_ == Kind::beyond_words; }
-    /// What factors over monomial coefficients are moved to; null if they stay as they are.
+    /// The line to which factors over monomial coefficients are moved; null if they are not moved.
     const WordLine* line() const { return kind_ == Kind::interval ? &line_ : nullptr; }
 
-    /// The factors of arguments of mass 0 or 1, as many as there are arguments, if words hold them all;
-    /// otherwise the factors are left in between.
+    /// Reads the factors of arguments of mass 0 or 1, one per argument. Returns whether words hold all of
+    /// them; otherwise the factors are unspecified.
     bool read(std::span<const Argument> arguments, WordFactor* factors) const {
         if (kind_ == Kind::beyond_words) return false;
         for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -37,13 +37,13 @@ public:
 private:
     enum class Kind { monomial, interval, beyond_words };
 
-    /// From factors over monomial coefficients.
+    /// Moves factors over monomial coefficients to the interval.
     bool move_to_interval(std::span<WordFactor> factors) const;
 
     static constexpr std::int64_t least_word = std::numeric_limits<std::int64_t>::min();
 
     Kind kind_ = Kind::monomial;
-    WordLine line_{};  ///< with the signs that make b - a positive
+    WordLine line_{};  ///< with signs for which b - a is positive
 };
 
 }  // namespace blossom

@@ -12,14 +12,14 @@ namespace blossom {
 
 namespace {
 
-/// C(degree + dimension, dimension) of a net that is in memory.
+/// C(degree + dimension, dimension) for a net in memory.
 std::size_t count_of(std::size_t dimension, std::size_t degree) {
     std::size_t count = 1;
     for (std::size_t i = 1; i <= dimension; ++i) count = count * (degree + i) / i;
     return count;
 }
 
-/// Whether there is an index behind, which `index` then becomes.
+/// Replaces `index` by the next index, and returns whether there is one.
 bool advance(MultiIndex& index) {
     const std::size_t last = index.size() - 1;
     std::size_t i = last;
@@ -35,7 +35,7 @@ bool advance(MultiIndex& index) {
 }  // namespace
 
 std::size_t multi_index_count(std::size_t dimension, std::size_t degree, const Limits& limits) {
-    // The partial products are binomials that grow, so that the first one too large is reason enough; below
+    // The partial products are increasing binomials, so that the first one beyond the limit decides. Below
     // 2^32 the next product fits in a word.
     const std::size_t limit =
         std::min<std::size_t>(limits.numbers, std::numeric_limits<std::uint32_t>::max());
@@ -62,8 +62,8 @@ std::vector<MultiIndex> multi_indices(std::size_t dimension, std::size_t degree)
     return all;
 }
 
-// Before an index stand, for every k, those that agree with it before k and have a greater entry there: with
-// m the sum of the entries behind k they leave a sum of at most m - 1 to the s - k entries behind.
+// Before an index come, for every k, the indices that agree with it before k and have a greater entry at k:
+// with m the sum of the entries behind k, the s - k entries behind have a sum of at most m - 1.
 std::size_t position(std::span<const std::size_t> index) {
     std::size_t place = 0;
     std::size_t behind = 0;
@@ -146,7 +146,8 @@ std::vector<Integer> multinomials(const NetShape& shape) {
     return products;
 }
 
-// Adding e_i adds 1 to the sums behind every k < i, and so C(m + s - k - 1, s - k - 1) to the place.
+// Adding e_i adds 1 to the sums behind every k < i, and therefore C(m + s - k - 1, s - k - 1) to the
+// position.
 std::vector<std::vector<MultiIndex>> net_indices(const NetShape& shape) {
     std::vector<std::vector<MultiIndex>> all{{}};
     for (std::size_t f = 0; f < shape.factors(); ++f) {

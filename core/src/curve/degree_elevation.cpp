@@ -64,7 +64,7 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
     require_within(raised.size(), limits.numbers / patch.dimension(), "numbers",
                    "the number of points of the raised net", Part::by);
     if (r == 0) return patch;
-    // A binomial coefficient of a multi-index of sum n is below (s + 1)^n, above and below the line.
+    // A multinomial coefficient of an index of sum n is below (s + 1)^n, in numerators and denominators.
     const auto bits_per_degree = static_cast<std::size_t>(std::bit_width(dimension + 1));
     require_result_bits(bits_of(patch.control_net()) + 2 * (degree + r) * bits_per_degree, limits,
                         raised.size() * patch.dimension());
@@ -82,7 +82,7 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
         "the number of points, each of which enters " + std::to_string(steps) + " points of the raised net,",
         Part::by);
 
-    // On a segment the place of a sum of indices is the sum of their places.
+    // On a segment the position of a sum of indices is the sum of their positions.
     const bool segment = dimension == 1;
     const auto indices = segment ? std::vector<MultiIndex>() : multi_indices(dimension, degree);
     const auto added = segment ? std::vector<MultiIndex>() : multi_indices(dimension, r);

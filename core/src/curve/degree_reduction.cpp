@@ -28,14 +28,14 @@ BezierCurve over(const Interval& interval, const std::vector<Polynomial>& local,
     return {control_points(PolynomialCurve(local, degree), Interval(), limits).control_points(), interval};
 }
 
-/// What the polarization formula of degree m gives for s^j with j = m + 1, m + 2, ...:
-/// sum_r (-1)^(m-r) S(j, r) (r - 1)! / m! h_(j-m-1)(1/r, ..., 1/m) s^r, r = 1..m, with the Stirling numbers
-/// of the second kind and the complete symmetric functions.
+/// The image of s^j under the polarization formula of degree m, for j = m + 1, m + 2, ...:
+/// sum_r (-1)^(m-r) S(j, r) (r - 1)! / m! h_(j-m-1)(1/r, ..., 1/m) s^r, r = 1..m, with the Stirling numbers S
+/// of the second kind and the complete symmetric functions h.
 ///
-/// In the falling powers of the index, sum_I C(i, I) C(m - i, N - I) I^j is the sum over r of S(j, r)
-/// C(m - r, N - r) i (i - 1) ... (i - r + 1), and these are m! / (m - r)! times the control points of s^r.
-/// What remains, sum_N (-1)^(m-N) C(m - r, N - r) / N^(j-m), is a difference of order m - r, and that of 1 /
-/// (N - y) is (-1)^(m-r) (m - r)! / prod_N (N - y).
+/// In falling powers of the index, sum_I C(i, I) C(m - i, N - I) I^j is the sum over r of S(j, r) C(m - r, N
+/// - r) i (i - 1) ... (i - r + 1), and the falling powers are m! / (m - r)! times the control points of s^r.
+/// The remaining factor, sum_N (-1)^(m-N) C(m - r, N - r) / N^(j-m), is a difference of order m - r, and that
+/// of 1 / (N - y) is (-1)^(m-r) (m - r)! / prod_N (N - y).
 class PolarizedPower {
 public:
     explicit PolarizedPower(std::size_t m)
@@ -44,7 +44,7 @@ public:
         while (j_ <= m) next_partitions();
     }
 
-    /// Goes on to s^(j+1), and the denominator is multiplied by `common`.
+    /// Advances to s^(j+1), and multiplies the denominator by `common`.
     void advance() {
         next_partitions();
         denominator_ *= common_;
@@ -81,7 +81,7 @@ private:
     std::vector<Integer> functions_;   ///< common^(j-m-1) h_(j-m-1)(1/r, ..., 1/m)
 };
 
-/// The polarization formula of degree m for each of the polynomials. It keeps s^j for j <= m.
+/// Applies the polarization formula of degree m to each of the polynomials. It keeps s^j for j <= m.
 std::vector<Polynomial> by_inverse_formula(std::vector<Polynomial> polynomials, std::size_t m,
                                            const Limits& limits) {
     const std::size_t n = std::ranges::max(polynomials, {}, &Polynomial::degree).degree();
@@ -120,7 +120,8 @@ std::vector<Polynomial> by_inverse_formula(std::vector<Polynomial> polynomials, 
     return polynomials;
 }
 
-/// The line through the ends plus s (1 - s) times the projection of the rest with the weight (s (1 - s))^2.
+/// The line through the ends, plus s (1 - s) times the projection of the remainder with the weight (s (1 -
+/// s))^2.
 Polynomial project_between_ends(const Polynomial& polynomial, std::size_t m) {
     const Polynomial s = Polynomial::monomial(1);
     const Polynomial bubble = s - s * s;
@@ -129,7 +130,7 @@ Polynomial project_between_ends(const Polynomial& polynomial, std::size_t m) {
     return m < 2 ? line : line + bubble * project(rest, m - 2, 2);
 }
 
-/// Takes the leading term off with the multiple of T_n that has the same one.
+/// Subtracts the multiple of T_n with the same leading term.
 Polynomial economised(const Polynomial& polynomial, std::size_t n) {
     if (n == 0) return polynomial;
     const Polynomial chebyshev = chebyshev_on_unit_interval(n);

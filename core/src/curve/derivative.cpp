@@ -31,8 +31,8 @@ PolynomialCurve derivative_of(const PolynomialCurve& curve, std::size_t order) {
     return PolynomialCurve(std::move(coefficients));
 }
 
-/// n!/(n-k)! (Delta / (b - a))^k of the control points: each level of de Casteljau at delta = ((b) - (a)) /
-/// (b - a).
+/// n!/(n-k)! (Delta / (b - a))^k of the control points: each level is one of de Casteljau's algorithm at
+/// delta = ((b) - (a)) / (b - a).
 BezierCurve derivative_of(const BezierCurve& curve, std::size_t order) {
     const std::size_t n = curve.degree();
     if (order > n) return {zero(curve.dimension()), curve.interval()};

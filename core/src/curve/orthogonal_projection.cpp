@@ -7,7 +7,7 @@ namespace blossom {
 
 namespace {
 
-/// The integral of s^i (s (1 - s))^k over [0, 1]: the beta value (i + k)! k! / (i + 2k + 1)!.
+/// The integrals of s^i (s (1 - s))^k over [0, 1], which are the beta values (i + k)! k! / (i + 2k + 1)!.
 std::vector<Rational> moments(std::size_t count, std::size_t k) {
     std::vector<Rational> values;
     values.reserve(count);
@@ -24,8 +24,8 @@ Rational inner_product(const Polynomial& a, const Polynomial& b, const RationalV
             coefficients.denominator() * moments.denominator()};
 }
 
-/// Of degree j for the weight (s (1 - s))^k: (-1)^i C(j + k, j - i) C(j + 2k + i, i), the coefficients of
-/// s^i.
+/// The coefficients (-1)^i C(j + k, j - i) C(j + 2k + i, i) of s^i in the orthogonal polynomial of degree j
+/// for the weight (s (1 - s))^k.
 std::vector<Integer> orthogonal_polynomial(std::size_t j, std::size_t k) {
     std::vector<Integer> coefficients{binomial(j + k, j)};
     for (std::size_t i = 0; i < j; ++i) {
@@ -37,7 +37,7 @@ std::vector<Integer> orthogonal_polynomial(std::size_t j, std::size_t k) {
 
 }  // namespace
 
-// The nearest polynomial of degree j - 1 is also the one nearest to that of degree j.
+// The nearest polynomial of degree j - 1 is also the nearest one to that of degree j.
 Polynomial project(const Polynomial& polynomial, std::size_t m, std::size_t k) {
     if (polynomial.degree() <= m) return polynomial;
     std::vector<Integer> row = polynomial.coefficients().numerators();

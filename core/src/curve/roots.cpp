@@ -29,15 +29,15 @@ std::size_t sign_changes(const Polygon& polygon) {
     return changes;
 }
 
-/// The sign of the polynomial at p / q with q > 0.
+/// The sign of the polynomial at t = p / q, q > 0.
 int sign_at(const Polynomial& polynomial, const Rational& t) {
     return constructions::form_value(std::span<const Integer>(polynomial.coefficients().numerators()),
                                      t.numerator(), t.denominator())
         .sign();
 }
 
-/// The intervals of a grid whose cells are halved: cell i of level m is the i-th of 2^m equal parts of an
-/// interval.
+/// A grid on an interval with repeatedly halved cells: cell i of level m is the i-th of 2^m equal parts of
+/// the interval.
 class Grid {
 public:
     Grid(const Rational& lower, const Rational& upper) : lower_(lower), length_(upper - lower) {}
@@ -45,7 +45,7 @@ public:
     Rational point(std::size_t level, const Integer& index) const {
         return lower_ + length_ * Rational(index, Integer(1) << level);
     }
-    /// The first level whose cells are shorter than `bound`, or as long where that is enough.
+    /// The first level whose cells are shorter than `bound`, or equally long if `or_equal`.
     std::size_t level_below(const Rational& bound, bool or_equal) const {
         const Rational ratio = length_ / bound;
         const std::size_t above = ratio.numerator().bit_length();
@@ -64,7 +64,7 @@ private:
     Rational length_;
 };
 
-/// Isolates and refines the roots of a squarefree polynomial that has no rational ones.
+/// Isolates and refines the roots of a squarefree polynomial without rational roots.
 class Isolation {
 public:
     Isolation(std::shared_ptr<const Polynomial> factor, std::size_t multiplicity, const Rational& width,
@@ -77,8 +77,8 @@ public:
           limits_(limits),
           found_(found) {}
 
-    /// The roots between `lower` and `upper`. The pending halves stand on a stack of their own: close roots
-    /// would nest calls deeply.
+    /// Isolates the roots between `lower` and `upper`. Pending halves are kept on an explicit stack, because
+    /// close roots would nest calls deeply.
     void run(const Rational& lower, const Rational& upper) {
         std::vector<Piece> pending;
         pending.push_back({RoundedPolygon(polygon_over(lower, upper)), lower, upper});
@@ -146,16 +146,17 @@ private:
         RoundedPolygon polygon;
         Rational lower;
         Rational upper;
-        std::size_t changes_before = 0;  ///< at least, of what it was cut out of; 0 at the beginning
-        std::size_t stalls = 0;          ///< how often in a row halving has not lowered them
-        std::size_t speed = 2;           ///< how many bits `around_cluster` tries to gain
+        /// a lower bound for the piece from which this one was cut; 0 at the beginning
+        std::size_t changes_before = 0;
+        std::size_t stalls = 0;  ///< the number of consecutive halvings that did not lower them
+        std::size_t speed = 2;   ///< the number of bits that `around_cluster` tries to gain
     };
 
-    /// A much smaller part of the piece, by 3 / 2^(speed + 2), that has all its sign changes and so all its
-    /// roots: sign changes of disjoint parts add up to at most the sign changes of the whole, so that there
-    /// are none elsewhere. Newton's step for a root of as great a multiplicity from the middle says where to
-    /// look; it comes near a cluster of roots, and the next step may be smaller by the square. None if it
-    /// fails.
+    /// A part of the piece, smaller by the factor 3 / 2^(speed + 2), that has all of its sign changes and
+    /// therefore all of its roots. (The sign changes of disjoint parts add up to at most those of the whole,
+    /// so that no others exist.) A Newton step from the middle, for a root of this multiplicity, gives the
+    /// position. It comes close to a cluster of roots, and the next part can be smaller by the square.
+    /// Returns nullopt if it fails.
     std::optional<Piece> around_cluster(const Piece& piece) const {
         const std::size_t changes = sign_changes(polygon_over(piece.lower, piece.upper));
         const Rational middle = (piece.lower + piece.upper) / 2;
@@ -185,7 +186,7 @@ private:
 
     std::span<const Integer> coefficients() const { return factor_.coefficients().numerators(); }
 
-    /// The value at a point p / q of the grid, times the same positive number for all points of a level.
+    /// The value at a grid point p / q, times a positive number that is the same for all points of a level.
     Integer value_at(const Rational& t, const Integer& denominator) const {
         return constructions::form_value(
             coefficients(), t.numerator() * divide_exactly(denominator, t.denominator()), denominator);
@@ -202,8 +203,8 @@ private:
         return part >> gain == Integer(1) ? part - 1 : part;
     }
 
-    /// Intervals are shorter than 1 / |leading coefficient| or 2^-32, as they would be to tell short rational
-    /// roots apart, and no longer than the width that is wanted.
+    /// Intervals become shorter than 1 / |leading coefficient| or 2^-32, short enough to distinguish roots
+    /// with short numerators and denominators, and not longer than the requested width.
     std::size_t last_level(const Grid& grid) const {
         constexpr std::size_t usual_bits = 32;
         const Rational usual(1, std::min(abs(coefficients().back()), Integer(1) << usual_bits));
@@ -213,7 +214,7 @@ private:
 
     std::shared_ptr<const Polynomial> shared_;
     const Polynomial& factor_;
-    Polynomial slope_;  ///< its derivative
+    Polynomial slope_;  ///< the derivative
     std::size_t multiplicity_;
     const Rational& width_;
     const Limits& limits_;
@@ -240,7 +241,7 @@ struct IrrationalFactor {
     std::size_t multiplicity;
 };
 
-/// Divides by the factors of rational roots, of which those in the interval are added to `found`.
+/// Divides by the linear factors of rational roots, and adds those roots that lie in the interval to `found`.
 IrrationalFactor without_rational_roots(const Polynomial& factor, std::size_t multiplicity,
                                         const ParameterRange& range, std::vector<Root>& found) {
     IntegerPolynomial rest = factor.coefficients().numerators();
@@ -253,8 +254,8 @@ IrrationalFactor without_rational_roots(const Polynomial& factor, std::size_t mu
     return {std::make_shared<const Polynomial>(RationalVector(std::move(rest), 1)), multiplicity};
 }
 
-/// Whether two roots of coprime factors are still not told apart: their intervals overlap, or one root is an
-/// end of the interval of the other.
+/// Whether two roots of coprime factors are not yet separated: their intervals overlap, or one root is an end
+/// of the other's interval.
 bool overlap(const Root& a, const Root& b) {
     if (a.is_rational() != b.is_rational()) return a.lower <= b.upper && b.lower <= a.upper;
     return a.lower < b.upper && b.lower < a.upper;

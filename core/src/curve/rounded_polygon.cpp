@@ -21,8 +21,8 @@ RoundedPolygon::RoundedPolygon(std::span<const Integer> polygon) {
     }
 }
 
-// Points whose sign is not known count as it makes fewer or more changes: between two known ones, a run of
-// them adds none, or one or two for each.
+// Points of unknown sign are counted with the least and with the greatest possible number of changes: a run
+// of them between two known points adds none, or one or two per point.
 SignChanges RoundedPolygon::sign_changes() const {
     SignChanges changes;
     int last = 0;
@@ -36,7 +36,7 @@ SignChanges RoundedPolygon::sign_changes() const {
         const int sign = point > 0 ? 1 : -1;
         const bool change = last != 0 && sign != last;
         changes.least += change ? 1 : 0;
-        // Of the u + 1 steps over u unknown points all may be changes, as far as the parity allows.
+        // All u + 1 steps over u unknown points may be changes, as far as the parity permits.
         const std::size_t steps = last == 0 ? unknown : unknown + 1;
         changes.most += last == 0 || (steps % 2 == 1) == change ? steps : steps - 1;
         last = sign;
@@ -55,7 +55,7 @@ std::pair<RoundedPolygon, RoundedPolygon> RoundedPolygon::halves() && {
         left[r] = points[0];
         for (std::size_t i = 0; i + r < n; ++i) points[i] = (points[i] + points[i + 1]) >> 1;
     }
-    // What remains at place i is the point of level n - i: the right half.
+    // Position i finally holds the last point of level n - i: the right half.
     const std::size_t error = error_ + n / 2 + 1;
     return {RoundedPolygon(std::move(left), error), RoundedPolygon(std::move(points_), error)};
 }

@@ -14,7 +14,7 @@ namespace blossom {
 
 namespace {
 
-/// One level on integers: point i becomes left * point i + right * point i + 1, coordinate by coordinate.
+/// One level in integers: point i becomes left * point i + right * point i + 1, in each coordinate.
 std::vector<std::vector<Integer>> next_level(const std::vector<std::vector<Integer>>& rows,
                                              const Integer& left, const Integer& right) {
     std::vector<std::vector<Integer>> next;
@@ -61,7 +61,7 @@ Pyramid casteljau_pyramid(const BezierCurve& curve, std::span<const Argument> ar
 
 namespace {
 
-/// By measurement: from this degree on two changes of the interval are faster than a triangle.
+/// From this degree on, two changes of the interval are faster than a triangle (by measurement).
 constexpr std::size_t least_degree_of_changes = 1000;
 
 }  // namespace
@@ -74,7 +74,7 @@ std::pair<BezierCurve, BezierCurve> subdivide(const BezierCurve& curve, const Pa
     if (n >= least_degree_of_changes)
         return {control_points(curve, before, limits), control_points(curve, behind, limits)};
 
-    // In the local coordinate t is p / q.
+    // In the local coordinate, t is p / q.
     const Rational local = (t.value - before.a()) / (behind.b() - before.a());
     const Integer& p = local.numerator();
     const Integer& q = local.denominator();

@@ -34,7 +34,7 @@ void require_one_dimension(const std::vector<Coordinates>& vertices) {
     }
 }
 
-/// (mass, u).
+/// The tuple (mass, u).
 Coordinates homogeneous(std::span<const Rational> u, const Rational& mass) {
     Coordinates tuple{mass};
     tuple.insert(tuple.end(), u.begin(), u.end());
@@ -47,8 +47,8 @@ Rational product_sum(const Coordinates& row, const Coordinates& tuple) {
     return sum;
 }
 
-/// Rows that take the homogeneous vertices to the unit vectors, by Gauss and Jordan: row k is the coordinate
-/// of vertex k.
+/// The rows that map the homogeneous vertices to the unit vectors, by Gauss-Jordan elimination: row k gives
+/// the coordinate of vertex k.
 std::vector<Coordinates> inverse_of(const std::vector<Coordinates>& vertices) {
     const std::size_t size = vertices.front().size() + 1;
     std::vector<Coordinates> rows(size, Coordinates(size));

@@ -8,14 +8,13 @@
 
 namespace blossom {
 
-/// What turns monomial coefficients of formal degree n into normalised ones, c_k / C(n, k), over one
-/// denominator.
+/// The factors 1 / C(n, k) that normalise monomial coefficients c_k of formal degree n, over one denominator.
 struct BinomialWeights {
     std::vector<Integer> numerators;  ///< denominator / C(n, k)
     Integer denominator;              ///< the least common multiple of the C(n, k)
 };
 
-/// Those of the degrees met last are kept, for all threads.
+/// The weights of the most recent degrees are kept, for all threads.
 std::shared_ptr<const BinomialWeights> binomial_weights(std::size_t n);
 
 }  // namespace blossom

@@ -16,7 +16,7 @@ std::string listed(const Items& items, const Text& text) {
     return result;
 }
 
-/// "(1, 1/2)", or the number alone.
+/// "(1, 1/2)", or a single number without parentheses.
 inline std::string bracketed(const Coordinates& point) {
     if (point.size() == 1) return to_string(point.front());
     return "(" + listed(point, [](const Rational& coordinate) { return to_string(coordinate); }) + ")";

@@ -44,24 +44,24 @@ void divide_by_powers(Row& row, const Integer& base) {
     }
 }
 
-/// m_k q^n with m_k from below without its factor q^k; center = p/q.
+/// m_k q^n, where the m_k below lack the factor q^k; center = p/q.
 Row unscaled_taylor_coefficients(std::span<const Integer> coefficients, const Rational& center) {
     const Integer& p = center.numerator();
     if (p.is_one() && center.denominator().is_one()) return shifted_by_one(coefficients);
     Row row(coefficients.begin(), coefficients.end());
     scale_by_falling_powers(row, center.denominator());
     if (p.is_zero()) return row;
-    // With t = p/q s, t - p/q = p/q (s - 1).
+    // With t = (p/q) s, t - p/q = (p/q) (s - 1).
     scale_by_powers(row, p);
     row = shifted_by_one(row);
     divide_by_powers(row, p);
     return row;
 }
 
-/// By measurement: below, digits are faster than residues.
+/// For fewer coefficients, digits are faster than residues (by measurement).
 constexpr std::size_t least_coefficients_of_form = 64;
 
-/// A quotient whose parts are below 2^48 in magnitude.
+/// A quotient whose numerator and denominator are below 2^48 in magnitude.
 std::optional<WordQuotient> as_words(const Rational& value) {
     const auto numerator = value.numerator().to_int64();
     const auto denominator = value.denominator().to_int64();
@@ -71,7 +71,7 @@ std::optional<WordQuotient> as_words(const Rational& value) {
     return WordQuotient{*numerator, *denominator};
 }
 
-/// The numerators of the Bernstein coefficients from the form on the line through the ends p/q and r/s, where
+/// The numerators of the Bernstein coefficients from the form on the line through the ends p/q and r/s;
 /// coefficient k has the denominator q^(n-k) s^k.
 std::optional<Row> numerators_by_form(std::span<const Integer> coefficients, const WordQuotient& a,
                                       const WordQuotient& b, std::span<const Integer> weights) {
@@ -117,7 +117,7 @@ Quotients<Integer> bernstein_from_monomial(std::span<const Integer> coefficients
     if (auto quotients = bernstein_between_words(coefficients, interval)) return std::move(*quotients);
     const std::size_t n = coefficients.size() - 1;
     Row row = unscaled_taylor_coefficients(coefficients, interval.a());
-    // t - a = length s; what the denominators of a and of the length share cancels.
+    // t - a = length * s; common factors of the denominators of a and of the length cancel.
     const Rational length = interval.b() - interval.a();
     const Integer& q = interval.a().denominator();
     const Integer common = gcd(q, length.denominator());

@@ -33,14 +33,15 @@ PointArray at_both_ends(std::span<const Coordinates> left, std::span<const Coord
     return PointArray(all);
 }
 
-/// What connects the derivatives at one end with the control points that begin there, for both ends over one
-/// denominator. `step` leads from this end to the other one, and there are at most m derivatives.
+/// The relation between the derivatives at one end and the control points that begin there, for both ends
+/// over one denominator. `step` is the vector from this end to the other, and there are at most m
+/// derivatives.
 struct End {
     std::size_t n = 0;
     std::size_t m = 0;
     Rational step;
 
-    /// The numerators of the control points over n!/(n-m+1)! q^(m-1), q the denominator of the step.
+    /// The numerators of the control points over n!/(n-m+1)! q^(m-1), where q is the denominator of the step.
     std::vector<Integer> points(std::span<const Integer> derivatives) const {
         const Integer factor = falling_factorial(n, m - 1);
         std::vector<Integer> row;
@@ -55,7 +56,7 @@ struct End {
         return row;
     }
 
-    /// The numerators of the derivatives over |p|^(m-1), p the numerator of the step.
+    /// The numerators of the derivatives over |p|^(m-1), where p is the numerator of the step.
     std::vector<Integer> derivatives(std::vector<Integer> points) const {
         for (std::size_t level = 1; level < points.size(); ++level) {
             for (std::size_t k = points.size() - 1; k >= level; --k) points[k] -= points[k - 1];
@@ -69,7 +70,7 @@ struct End {
     }
 };
 
-/// Bounds the bits of all numbers at the ends.
+/// Checks a bound on the bits of all numbers at the ends.
 void require_size(const PointArray& points, std::size_t m, const Rational& length, const Limits& limits) {
     const std::size_t bits = length.numerator().bit_length() + length.denominator().bit_length() +
                              Integer(points.size()).bit_length() + 1;

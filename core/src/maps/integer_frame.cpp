@@ -29,7 +29,7 @@ ClearedArguments cleared_one_by_one(std::span<const Argument> arguments) {
     cleared.pairs.reserve(arguments.size());
     cleared.scales.reserve(arguments.size());
     for (const Argument& argument : arguments) {
-        // Parameters and vectors have masses 1 and 0.
+        // Parameters have mass 1, vectors mass 0.
         if (argument.mass.is_integer()) {
             const Integer& scale = argument.u.denominator();
             cleared.pairs.push_back({argument.u.numerator(), argument.mass.numerator() * scale});

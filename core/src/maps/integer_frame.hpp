@@ -1,6 +1,6 @@
 #pragma once
 
-// What the kernels need of arguments and intervals: integers, with the denominators that were cleared.
+// Arguments and intervals as the kernels need them: integers, with the denominators that were cleared.
 
 #include <blossom/core/constructions/constructions.hpp>
 #include <blossom/core/maps/argument.hpp>
@@ -10,18 +10,18 @@
 
 namespace blossom {
 
-/// Arguments (u, v) as integer pairs: the value of a blossom at `pairs` is `denominator()` times that at the
-/// arguments.
+/// Arguments (u, v) as integer pairs: the value of a blossom at `pairs` is `denominator()` times the value at
+/// the arguments.
 struct ClearedArguments {
     std::vector<HomogeneousPair<Integer>> pairs;
-    std::vector<Integer> scales;  ///< what each argument was multiplied by
-    std::size_t bits = 0;         ///< bounds the bits of prod (|u_i| + |v_i|)
+    std::vector<Integer> scales;  ///< the factors by which the arguments were multiplied
+    std::size_t bits = 0;         ///< a bound on the bits of prod (|u_i| + |v_i|)
 
-    /// The product of the scales, large: asked for once `bits` has been found to be within the limits.
+    /// The product of the scales. It can be large; callers first check that `bits` is within the limits.
     Integer denominator() const;
 };
 
-/// Each argument over its own denominator, as few bits as possible.
+/// Clears each argument by its own denominator, which gives the fewest bits.
 ClearedArguments cleared_one_by_one(std::span<const Argument> arguments);
 
 /// The interval [a/q, b/q].
@@ -33,11 +33,11 @@ struct ClearedInterval {
 };
 ClearedInterval cleared(const Interval& interval);
 
-/// numerators / denominator in lowest terms.
+/// Coordinates numerators / denominator in lowest terms.
 Coordinates reduced(const Quotients<Integer>& value, const Integer& denominator);
 
-/// Rows of integers over one denominator as points, one row a coordinate; each is scaled to the common
-/// denominator.
+/// Points from rows of integers, one row per coordinate, each over its own factor of the common denominator,
+/// to which they are scaled.
 PointArray point_array(std::vector<Quotients<Integer>> rows, const Integer& denominator);
 
 }  // namespace blossom

@@ -36,7 +36,8 @@ std::size_t IntegerTuple::bits() const {
     return std::max(greatest_bit_length(entries) + std::bit_width(entries.size()), scale.bit_length());
 }
 
-// The longest denominator is mostly a multiple of all: barycentric coordinates have the sum 1.
+// The longest denominator is usually a multiple of all others, because the sum of barycentric coordinates is
+// 1.
 IntegerTuple cleared(const Coordinates& tuple) {
     Integer scale = std::ranges::max(tuple, {}, [](const Rational& entry) {
                         return entry.denominator().bit_length();

@@ -12,7 +12,7 @@ namespace blossom {
 
 constexpr std::size_t least_piece_of_a_thread = 8;
 
-/// See `on_threads`; kept apart from the work of one thread, which needs none of this.
+/// See `on_threads`. Not inlined, because the work of a single thread needs none of this.
 template <class Run>
 [[gnu::noinline]] void on_several_threads(std::size_t count, std::size_t threads, const Run& run) {
     constexpr std::size_t pieces_a_thread = 8;
@@ -31,16 +31,16 @@ template <class Run>
         }
     };
     {
-        std::vector<std::jthread> helpers;
-        helpers.reserve(threads - 1);
-        for (std::size_t i = 1; i < threads; ++i) helpers.emplace_back(work);
+        std::vector<std::jthread> workers;
+        workers.reserve(threads - 1);
+        for (std::size_t i = 1; i < threads; ++i) workers.emplace_back(work);
         work();
     }
     if (error) std::rethrow_exception(error);
 }
 
-/// Calls run(begin, end) for pieces of 0..count that cover it, on at most `jobs` threads, this one among
-/// them. Pieces are handed out as threads become free; the first error ends the work and is thrown here.
+/// Calls run(begin, end) for pieces that together cover 0..count, on at most `jobs` threads, including this
+/// one. Pieces are assigned as threads become free; the first error stops the work and is thrown here.
 template <class Run>
 [[gnu::always_inline]] inline void on_threads(std::size_t count, std::size_t jobs, const Run& run) {
     const std::size_t threads = std::min(jobs, count / least_piece_of_a_thread);

@@ -35,7 +35,8 @@ NetSums net_sums(const NetShape& shape, const PointArray& net, const Integer& gr
 }
 
 bool words_are_within(const NetSums& sums, const Limits& limits) {
-    // The sum of the entries of a tuple has a few bits more than a word; a decimal digit has more than three.
+    // The sum of the entries of a tuple has a few bits more than a word. A decimal digit has more than three
+    // bits.
     constexpr std::size_t tuple_bits = 72;
     return sums.sum_bits(tuple_bits) / 3 < limits.digits;
 }
@@ -147,7 +148,7 @@ void require_point(std::span<const SimplexFactor> shape, const PatchPoint& point
 
 namespace {
 
-/// One list per factor, of tuples of its length; `what` is one of these.
+/// Requires one list per factor, of tuples with the right length; `what` names an element of a list.
 void require_lists(const NetShape& shape, const PatchArguments& lists, Part part, const std::string& what) {
     within(part, [&] {
         require_length(lists.size(), shape.factors(), ErrorCode::wrong_arity,

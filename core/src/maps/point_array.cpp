@@ -11,7 +11,7 @@ void require_points(std::size_t count) {
     if (count == 0) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
 }
 
-/// coordinate(i, j) of `count` points, row by row.
+/// The numbers coordinate(i, j) of `count` points, row by row.
 template <class Coordinate>
 RationalVector row_by_row(std::size_t count, std::size_t dimension, const Coordinate& coordinate) {
     std::vector<Rational> numbers;

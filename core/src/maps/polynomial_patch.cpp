@@ -19,7 +19,8 @@ void require_complete(const NetShape& shape, std::size_t given) {
                 Part::coefficients);
 }
 
-/// One multi-index a factor of the term with these exponents of all variables. Errors: `degree_too_low`.
+/// The multi-indices, one per factor, of the term with these exponents of all variables. Errors:
+/// `degree_too_low`.
 std::vector<MultiIndex> indices_of(const NetShape& shape, std::span<const std::size_t> exponents) {
     std::vector<MultiIndex> indices;
     std::size_t variable = 0;
@@ -66,7 +67,7 @@ PointArray coefficients_of(const NetShape& shape, std::span<const SparsePolynomi
     return {coordinates.size(), RationalVector(numbers)};
 }
 
-/// The exponents of all variables for every coefficient, in order.
+/// For every coefficient, in order, the exponents of all variables.
 std::vector<std::vector<std::size_t>> exponents_of(const NetShape& shape) {
     std::vector<std::vector<std::size_t>> all{{}};
     for (std::size_t f = 0; f < shape.factors(); ++f) {

@@ -20,7 +20,7 @@ void require_weight(const Rational& weight) {
     }
 }
 
-/// n (k + 1).
+/// Requires that the degree n (k + 1) is within the limits.
 std::size_t require_degree(std::size_t n, std::size_t order, const Limits& limits) {
     std::size_t degree = 0;
     if (__builtin_mul_overflow(n, order + 1, &degree)) degree = limits.degree + 1;
@@ -51,7 +51,7 @@ Coordinates homogeneous_point(const Coordinates& point, const Rational& weight) 
 
 Coordinates quotient_rule(std::span<const std::size_t> orders,
                           const std::function<Coordinates(std::span<const std::size_t>)>& derivative) {
-    // The place of m - k is the place of m less that of k.
+    // The position of m - k is that of m minus that of k.
     std::vector<std::vector<std::size_t>> indices{{}};
     for (const std::size_t order : orders) {
         std::vector<std::vector<std::size_t>> longer;

@@ -13,7 +13,7 @@ namespace blossom {
 
 namespace {
 
-/// The derivative in a direction of the whole domain, with the degrees of the map.
+/// The derivative in a direction of the whole domain, raised to the degrees of the map.
 template <class Map>
 Form full_derivative(const Map& map, const PatchPoint& direction, const Limits& limits) {
     std::vector<std::size_t> degrees;
@@ -23,7 +23,7 @@ Form full_derivative(const Map& map, const PatchPoint& direction, const Limits& 
         elevated_to(directional_derivative_patch(map, std::span(&direction, 1), limits), degrees, limits));
 }
 
-/// N w' - k N' w over the common denominator of both, for k the number of derivatives.
+/// N w' - k N' w over the common denominator of both terms, where k is the number of derivatives.
 Form quotient_step(const Form& numerator, const Form& derived, const Form& weight, const Form& derived_weight,
                    std::size_t k, const Limits& limits) {
     const ProductTable table(numerator.shape, weight.shape, limits);
@@ -39,8 +39,8 @@ Form quotient_step(const Form& numerator, const Form& derived, const Form& weigh
     return step;
 }
 
-/// Errors: `limit_exceeded` unless the products of all steps are within `expansion_work`; those of step k
-/// count k times, since their numbers have k times the digits.
+/// Errors: `limit_exceeded` unless the products of all steps are within `expansion_work`. The products of
+/// step k count k times, because their numbers have k times as many digits.
 void require_work(const NetShape& shape, std::size_t dimension, std::size_t steps, const Limits& limits) {
     std::size_t work = 0;
     for (std::size_t k = 1; k <= steps && work <= limits.expansion_work; ++k) {
@@ -99,7 +99,7 @@ Map rational_derivative_patch(const Map& map, std::span<const PatchPoint> direct
                  {table.product(power.rows.front(), weight.rows.front())},
                  power.denominator * weight.denominator};
     }
-    // Both over one denominator.
+    // Both are over the same denominator.
     Form result{numerator.shape, {}, numerator.denominator * power.denominator};
     for (auto& row : numerator.rows) {
         for (Integer& entry : row) entry *= power.denominator;

@@ -43,7 +43,7 @@ PatchArguments vertices_at(std::span<const BarycentricFrame> frames, const std::
     return arguments;
 }
 
-/// How many of the vertices, with multiplicities as exponents, are off the face.
+/// The number of vertices off the face, where exponents are multiplicities.
 std::size_t distance_from(const std::vector<MultiIndex>& indices, const Face& face) {
     std::size_t off = 0;
     for (std::size_t f = 0; f < indices.size(); ++f) {
@@ -53,8 +53,8 @@ std::size_t distance_from(const std::vector<MultiIndex>& indices, const Face& fa
     return off;
 }
 
-/// Errors: `mismatched_dimensions`, `wrong_arity` unless both patches and the face are of one product of
-/// simplices, and the points of one dimension.
+/// Errors: `mismatched_dimensions`, `wrong_arity` unless the patches and the face have the same product of
+/// simplices, and the points the same dimension.
 void require_comparable(const PlacedPatch& left, const PlacedPatch& right, const Face& face) {
     require_same_factors(left.frames, right.frames);
     if (left.patch.dimension() != right.patch.dimension()) {

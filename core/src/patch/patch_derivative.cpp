@@ -11,7 +11,7 @@ namespace {
 
 bool is_zero(const Coordinates& tuple) { return std::ranges::all_of(tuple, &Rational::is_zero); }
 
-/// Directions of single factors, with how often each list of them occurs.
+/// Lists of directions in single factors, with the number of their occurrences.
 using FactorTerms = std::map<PatchArguments, Integer>;
 
 FactorTerms factor_terms(const NetShape& shape, std::span<const PatchPoint> directions,
@@ -19,7 +19,7 @@ FactorTerms factor_terms(const NetShape& shape, std::span<const PatchPoint> dire
     FactorTerms terms{{PatchArguments(shape.factors()), 1}};
     for (const PatchPoint& direction : directions) {
         FactorTerms longer;
-        // A direction that is 0 in all factors counts in the first.
+        // A direction that is 0 in all factors is assigned to the first factor.
         const bool zero = std::ranges::all_of(direction, is_zero);
         for (const auto& [lists, times] : terms) {
             for (std::size_t f = 0; f < shape.factors(); ++f) {

@@ -21,7 +21,7 @@ void require_directions(const TensorBSpline& spline, std::size_t given, Part par
                 part);
 }
 
-/// The control points of the box of spans alone.
+/// The control points of the box of spans only.
 PointGrid cropped(const TensorBSpline& spline, std::span<const std::size_t> spans) {
     require_directions(spline, spans.size(), Part::segment);
     std::vector<std::size_t> places{0};

@@ -11,13 +11,13 @@ namespace {
 using Compare = PatchContact (*)(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
                                  const Limits& limits);
 
-/// The least of the contacts at the boxes along the parameter, the first of that order.
+/// The contact of least order at the boxes along the parameter; the first one if there are several.
 PatchContact least_contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
                            const Limits& limits, Compare compare) {
     const auto [before, behind] = sides(spline.knots(direction), parameter);
     PatchContact least;
     if (before == behind) return least;
-    // The left end of the box behind is the right end of the one before.
+    // The left end of the box behind is the right end of the box before.
     Face face(spline.directions(), {0, 1});
     face[direction] = {1};
     for (auto& spans : boxes_of(spline, limits)) {

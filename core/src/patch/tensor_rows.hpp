@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-/// Control points in a box, row by row.
+/// Rows of control points in a box.
 
 namespace blossom {
 
-/// Points in a box, the last direction fastest.
+/// Points in a box; the index of the last direction changes fastest.
 struct PointGrid {
     std::vector<std::size_t> counts;
     std::vector<Coordinates> points;
@@ -23,7 +23,8 @@ inline PointGrid grid_of(const TensorBSpline& spline) {
     return grid;
 }
 
-/// The grid with the points of every row in one direction replaced by those of `row`, of any number.
+/// The grid in which the points of every row in one direction are replaced by those of `row`, which may be
+/// more or fewer.
 template <class Row>
 PointGrid along_rows(const PointGrid& grid, std::size_t direction, const Row& row) {
     std::size_t behind = 1;
@@ -46,8 +47,8 @@ PointGrid along_rows(const PointGrid& grid, std::size_t direction, const Row& ro
     return result;
 }
 
-/// Every row in one direction, a spline curve, replaced by change(row), whose knots depend on those of the
-/// row alone.
+/// Replaces every row in one direction, which is a spline curve, by change(row). The knots of the result
+/// depend only on the knots of the row.
 template <class Change>
 TensorBSpline with_rows(const TensorBSpline& spline, std::size_t direction, const Change& change) {
     std::vector<KnotVector> knots = spline.knots();

@@ -14,8 +14,8 @@ namespace blossom {
 
 namespace {
 
-/// The n + 2 knots of a basis function. Its window has one more at each end in the textbook convention; in
-/// the polar one the first and the last function lack one, which no span of the domain depends on.
+/// The n + 2 knots of a basis function: the window and one more knot at each end. In the polar convention,
+/// the first and the last function lack one of these; no span of the domain depends on it.
 std::vector<Rational> knots_of(const KnotVector& knots, std::size_t point) {
     const auto window = knots.window(point);
     const std::size_t begin = knots.window_index(point);
@@ -28,17 +28,17 @@ std::vector<Rational> knots_of(const KnotVector& knots, std::size_t point) {
     return result;
 }
 
-/// What the basis function over `knots` loses where t passes the knot k = knots[last], the last of its
-/// multiplicity m, as a polynomial in t.
+/// The polynomial in t by which the basis function over `knots` decreases where t passes the knot k =
+/// knots[last], the last of its m copies.
 ///
-/// N(t) = (t_(n+1) - t_0) [t_0, ..., t_(n+1)] (y - t)_+^n, a divided difference in y, in which k has the part
-/// sum_v A_v C(n, v) (k - t)^(n-v), v = 0..m-1, where sum_v A_v / z^(v+1) is the singular part of
+/// N(t) = (t_(n+1) - t_0) [t_0, ..., t_(n+1)] (y - t)_+^n is a divided difference in y. The knot k
+/// contributes sum_v A_v C(n, v) (k - t)^(n-v), v = 0..m-1, where sum_v A_v / z^(v+1) is the singular part of
 /// 1 / prod_i (k + z - t_i).
 Polynomial jump(const RationalVector& knots, std::size_t last, std::size_t multiplicity,
                 const std::vector<Integer>& binomials) {
     const std::vector<Integer>& all = knots.numerators();
     const std::size_t n = all.size() - 2;
-    Integer product = 1;  // of the differences to the other knots
+    Integer product = 1;  // of the differences from the other knots
     Integer common = 1;   // a multiple of each of them
     std::vector<Integer> differences;
     for (const Integer& knot : all) {

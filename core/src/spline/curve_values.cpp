@@ -13,7 +13,7 @@
 
 namespace blossom {
 
-/// Forms, and whether their values at all parameters in words are within the limits.
+/// The prepared polynomials, and whether their values at all parameters in words are within the limits.
 class CurveValues::Forms {
 public:
     Forms(const PointArray& coefficients, const Limits& limits)
@@ -30,7 +30,7 @@ public:
             return evaluate(t.numerator().word(), t.denominator().word(), values);
         evaluate_any(t, values);
     }
-    /// At numerator / denominator in lowest terms.
+    /// The values at numerator / denominator in lowest terms.
     void evaluate(std::int64_t numerator, std::int64_t denominator, std::span<Rational> values) const {
         if (words_are_within_ && numerator != std::numeric_limits<std::int64_t>::min())
             return forms_.evaluate(numerator, denominator, values);
@@ -51,7 +51,7 @@ private:
 
 namespace {
 
-/// `evaluate(t, results)` for every parameter.
+/// Calls evaluate(t, results) for every parameter.
 template <class Evaluate>
 void set_values(std::span<const Rational> parameters, std::size_t dimension, std::span<Rational> results,
                 std::size_t jobs, const Evaluate& evaluate) {
@@ -79,15 +79,12 @@ CurveValues::CurveValues(const BezierCurve& curve, const Limits& limits)
 std::size_t CurveValues::dimension() const { return forms_->dimension(); }
 
 Coordinates CurveValues::operator()(const Parameter& t) const {
-    Coordinates value(dimension());
-    forms_->evaluate(t.value, value);
-    return value;
+    return written(dimension(), [&](std::span<Rational> value) { forms_->evaluate(t.value, value); });
 }
 
 std::vector<Rational> CurveValues::at(std::span<const Rational> parameters, std::size_t jobs) const {
-    std::vector<Rational> results(parameters.size() * dimension());
-    at(parameters, results, jobs);
-    return results;
+    return written(parameters.size() * dimension(),
+                   [&](std::span<Rational> results) { at(parameters, results, jobs); });
 }
 
 void CurveValues::at(std::span<const Rational> parameters, std::span<Rational> results,
@@ -96,7 +93,7 @@ void CurveValues::at(std::span<const Rational> parameters, std::span<Rational> r
                [&](const Rational& t, std::span<Rational> result) { forms_->evaluate(t, result); });
 }
 
-/// What all copies share: the curve and its segments, each prepared once.
+/// The data that all copies share: the curve and its segments, each prepared once.
 class SplineValues::Segments {
 public:
     Segments(const BSplineCurve& curve, const Limits& limits)
@@ -115,7 +112,7 @@ public:
         const std::int64_t numerator = t.numerator().word();
         const std::int64_t denominator = t.denominator().word();
         const Segment& segment = prepared(span_of(t, numerator, denominator));
-        // t less an integer is in lowest terms too.
+        // t minus an integer is also in lowest terms.
         std::int64_t moved = 0;
         if (__builtin_mul_overflow(segment.word_origin, denominator, &moved) ||
             __builtin_sub_overflow(numerator, moved, &moved))
@@ -126,7 +123,7 @@ public:
 private:
     struct Segment {
         Integer origin;
-        std::int64_t word_origin;  ///< the same where knots are words
+        std::int64_t word_origin;  ///< the same if knots are words
         CurveValues::Forms forms;
     };
 
@@ -156,7 +153,8 @@ private:
         list_spans();
     }
 
-    /// The spans of all integers from the first knot of the domain up to the last, if they are not too many.
+    /// Lists the spans of all integers from the first to the last knot of the domain, unless they are too
+    /// many.
     void list_spans() {
         constexpr std::uint64_t most = 1024;
         const std::size_t begin = curve_.knots().begin_index();
@@ -171,8 +169,8 @@ private:
         }
     }
 
-    /// As KnotVector::span_at for t = numerator / denominator: no knot lies between t and its floor, once
-    /// both are multiplied by the denominator of the knots.
+    /// The span of KnotVector::span_at for t = numerator / denominator: no knot lies between t and its floor
+    /// after both are multiplied by the denominator of the knots.
     std::size_t span_of(const Rational& t, std::int64_t numerator, std::int64_t denominator) const {
         std::int64_t place = 0;
         if (__builtin_mul_overflow(numerator, denominator_, &place)) return curve_.knots().span_at(t);
@@ -190,10 +188,10 @@ private:
     std::unique_ptr<MadeOnce<Segment>[]> segments_;
     RationalVector knots_;
     std::vector<std::int64_t> words_;  ///< the knots over `denominator_`
-    std::int64_t denominator_ = 0;     ///< 0 unless all are words
-    std::int64_t first_ = 0;           ///< the ends of the domain over it
+    std::int64_t denominator_ = 0;     ///< 0 unless all knots are words
+    std::int64_t first_ = 0;           ///< the ends of the domain over `denominator_`
     std::int64_t last_ = 0;
-    std::vector<std::uint32_t> spans_;  ///< of first_, first_ + 1, ..., last_ - 1; or empty
+    std::vector<std::uint32_t> spans_;  ///< of first_, first_ + 1, ..., last_ - 1; may be empty
 };
 
 SplineValues::SplineValues(const BSplineCurve& curve, const Limits& limits)
@@ -202,15 +200,12 @@ SplineValues::SplineValues(const BSplineCurve& curve, const Limits& limits)
 std::size_t SplineValues::dimension() const { return segments_->dimension(); }
 
 Coordinates SplineValues::operator()(const Parameter& t) const {
-    Coordinates value(dimension());
-    segments_->evaluate(t.value, value);
-    return value;
+    return written(dimension(), [&](std::span<Rational> value) { segments_->evaluate(t.value, value); });
 }
 
 std::vector<Rational> SplineValues::at(std::span<const Rational> parameters, std::size_t jobs) const {
-    std::vector<Rational> results(parameters.size() * dimension());
-    at(parameters, results, jobs);
-    return results;
+    return written(parameters.size() * dimension(),
+                   [&](std::span<Rational> results) { at(parameters, results, jobs); });
 }
 
 void SplineValues::at(std::span<const Rational> parameters, std::span<Rational> results,

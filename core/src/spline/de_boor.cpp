@@ -26,8 +26,8 @@ BSplineCurve zero_of_degree_zero(const BSplineCurve& curve) {
             std::vector<Coordinates>(curve.control_points().size(), Coordinates(curve.dimension()))};
 }
 
-// In the polar convention of degree 1 all knots lie in the domain, which makes them the textbook knots of
-// degree 0.
+// In the polar convention of degree 1, all knots lie in the domain, and they are the textbook knots of degree
+// 0.
 BSplineCurve first_derivative(const BSplineCurve& curve) {
     const std::size_t n = curve.degree();
     const KnotVector& knots = curve.knots();

@@ -9,11 +9,11 @@
 
 namespace blossom {
 
-/// Divides entry i of every row by divisors[i], which is not 0, and multiplies all by the least positive
-/// integer that makes the quotients integers: what is returned, the factor of the denominator that the
-/// entries need beyond the one they have.
+/// Divides entry i of every row by divisors[i], which is not 0, and multiplies all entries by the least
+/// positive integer that makes the quotients integers. Returns this integer, by which the common denominator
+/// grows.
 ///
-/// Cost: a gcd and up to two divisions of an entry and its divisor.
+/// Cost: a gcd and up to two divisions per entry.
 Integer divide_entries(std::span<std::vector<Integer>> rows, std::span<const Integer> divisors);
 
 }  // namespace blossom

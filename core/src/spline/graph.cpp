@@ -26,7 +26,7 @@ std::vector<Coordinates> with_first(const std::vector<Rational>& first,
     return result;
 }
 
-/// (t, P) with the first coordinate made of the weight: t w.
+/// (t, P) whose first coordinate is t times the weight w.
 PolynomialCurve weighted_graph(const PolynomialCurve& curve) {
     std::vector<Polynomial> coordinates{Polynomial::monomial(1) * curve.coordinate(curve.dimension() - 1)};
     for (std::size_t j = 0; j < curve.dimension(); ++j) coordinates.push_back(curve.coordinate(j));

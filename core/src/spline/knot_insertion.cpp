@@ -56,8 +56,7 @@ void require_size(const BSplineCurve& curve, std::size_t inserted, const Limits&
                    Part::knots);
 }
 
-/// A curve whose knots and points before a moving place are refined already, and behind it still those of
-/// `curve`.
+/// A curve that is refined up to a moving position, and is still `curve` behind it.
 class Refinement {
 public:
     Refinement(const BSplineCurve& curve, std::size_t inserted, const Limits& limits)
@@ -66,8 +65,8 @@ public:
         points_.reserve(curve.control_points().size() + inserted);
     }
 
-    /// Boehm's step; the knots come in order. At the end of the domain they are put before their equals
-    /// there, so that the span to the left of them is the last.
+    /// One step of Boehm's algorithm; knots must come in order. A knot at the end of the domain is put before
+    /// its equals, so that the span to its left is the last one.
     void insert(const Rational& knot) {
         const KnotVector& old = curve_.knots();
         const bool at_end = knot == old[old.end_index()];
@@ -106,15 +105,16 @@ private:
     const Limits& limits_;
     std::vector<Rational> knots_;
     std::vector<Coordinates> points_;
-    std::size_t old_knots_ = 0;   ///< how many knots of the curve are in `knots_`
-    std::size_t old_points_ = 0;  ///< how many points of the curve have come to `points_`
-    std::size_t at_end_ = 0;      ///< knots inserted at the end of the domain
+    std::size_t old_knots_ = 0;   ///< the number of knots of the curve in `knots_`
+    std::size_t old_points_ = 0;  ///< the number of points of the curve in `points_`
+    std::size_t at_end_ = 0;      ///< the number of knots inserted at the end of the domain
 };
 
-/// The knots with those to insert among them, behind their equals and at the end of the domain before them.
+/// The old and the inserted knots in order. An inserted knot stands behind its equals, at the end of the
+/// domain before them.
 struct MergedKnots {
     std::vector<Rational> knots;
-    std::vector<bool> inserted;  ///< which of them
+    std::vector<bool> inserted;  ///< whether the knot is an inserted one
 };
 
 MergedKnots merged(const KnotVector& knots, std::span<const Rational> inserted) {
@@ -138,8 +138,8 @@ MergedKnots merged(const KnotVector& knots, std::span<const Rational> inserted) 
 }  // namespace
 
 BSplineCurve insert_knots(const BSplineCurve& curve, std::span<const Rational> knots, const Limits& limits) {
-    // By measurement, at degrees 3 and 10: Boehm's algorithm reduces every point as often as a knot is
-    // inserted among those that it depends on.
+    // By measurement at degrees 3 and 10: Boehm's algorithm reduces each point once per inserted knot that it
+    // depends on.
     constexpr std::size_t least_per_segment = 6;
     const std::size_t segments = curve.control_points().size() - curve.degree();
     const bool many = knots.size() / segments >= least_per_segment;

@@ -23,7 +23,7 @@ KnotVector without(const KnotVector& knots, const Rational& knot) {
     return {knots.degree(), std::move(remaining), knots.points() - 1};
 }
 
-/// x from combined = (1 - weight) known + weight x.
+/// Solves combined = (1 - weight) known + weight x for x.
 Coordinates solved(const Coordinates& combined, const Coordinates& known, const Rational& weight) {
     Coordinates x;
     x.reserve(combined.size());

@@ -1,6 +1,6 @@
 #pragma once
 
-// One step of Boehm's algorithm on points over their own denominators.
+// A step of Boehm's algorithm on points with their own denominators.
 
 #include <blossom/rational/limits.hpp>
 #include <blossom/rational/rational.hpp>
@@ -9,7 +9,7 @@
 
 namespace blossom {
 
-/// The coordinates (end - x) / (end - begin) and (x - begin) / (end - begin) of a parameter with respect to
+/// The coordinates (end - x) / (end - begin) and (x - begin) / (end - begin) of a parameter x with respect to
 /// two knots, as integers over one length.
 class KnotWeights {
 public:

@@ -8,10 +8,12 @@ namespace blossom {
 
 namespace {
 
-/// A level multiplies by a common denominator of so few bits; otherwise each entry is divided by its own.
+/// Common denominators of at most this many bits multiply a whole level; with longer ones each entry is
+/// divided by its own.
 constexpr std::size_t bits_of_small_denominator = 16;
 
-/// Entries of the rows of a triangle as it goes down, one a level, over one denominator.
+/// An edge of a triangle, which has one entry per level: the entries over one denominator, one row per
+/// coordinate.
 class Edge {
 public:
     explicit Edge(std::size_t coordinates) : rows_(coordinates) {}
@@ -20,7 +22,7 @@ public:
         for (std::size_t j = 0; j < rows_.size(); ++j) rows_[j].push_back(triangle.rows()[j][entry]);
         denominators_.push_back(triangle.denominator());
     }
-    /// Each denominator divides the next one, and the last is the common one.
+    /// Each denominator divides the next one, so that the last is a common denominator.
     std::vector<std::vector<Integer>> rows() && {
         for (std::size_t k = 0; k < denominators_.size(); ++k) {
             const Integer scale = divide_exactly(denominators_.back(), denominators_[k]);

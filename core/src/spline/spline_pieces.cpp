@@ -9,8 +9,8 @@ namespace blossom {
 
 namespace {
 
-/// Where the influence of a control point within the domain begins: its spans reach from the knot before its
-/// window to the one behind. An end of the domain if it has none.
+/// The beginning of the influence of a control point within the domain: its spans reach from the knot before
+/// its window to the knot behind it. An end of the domain if there is no such knot.
 const Rational& beginning_of_influence(const KnotVector& knots, std::size_t point) {
     const std::size_t window = knots.window_index(point);
     return knots[std::clamp(window - std::min<std::size_t>(window, 1), knots.begin_index(),

@@ -11,9 +11,9 @@
 
 namespace blossom {
 
-/// The spline over `knots` whose polynomials are `pieces`: of the degree of the knots, over adjacent
-/// intervals in increasing order that make up the domain. Control point j is the blossom value at its window,
-/// of any piece on which it has influence; the caller guarantees that they agree.
+/// The spline over `knots` whose polynomials are `pieces`, which have the degree of the knots and are over
+/// adjacent increasing intervals that make up the domain. Control point j is the blossom value at its window
+/// of any piece on which it has influence; the caller guarantees that these values agree.
 BSplineCurve spline_of_pieces(KnotVector knots, std::span<const BezierCurve> pieces, const Limits& limits);
 
 }  // namespace blossom

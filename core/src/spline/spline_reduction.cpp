@@ -10,15 +10,15 @@ namespace blossom {
 
 namespace {
 
-/// What is known of the reduced knots before they are made.
+/// The properties of the reduced knot vector that are known in advance.
 struct Target {
     std::size_t degree;
-    std::size_t lost;       ///< by how much the degree falls
-    std::size_t end_knots;  ///< how many knots stand up to the beginning of the domain, at least
+    std::size_t lost;       ///< the difference of the degrees
+    std::size_t end_knots;  ///< the least number of knots up to the beginning of the domain
 };
 
-/// The knots on one side of the domain with the end itself last, `outside` in order away from the middle when
-/// read backwards.
+/// The knots on one side of the domain, the end itself last; `outside` lists those outside, ordered away from
+/// the domain when read backwards.
 std::vector<Rational> end_knots(const Target& target, std::vector<Rational> outside, const Rational& end,
                                 std::size_t multiplicity) {
     const bool kept = multiplicity > target.lost && outside.size() < target.end_knots;
@@ -27,7 +27,7 @@ std::vector<Rational> end_knots(const Target& target, std::vector<Rational> outs
     return outside;
 }
 
-/// How often the knot between two pieces has to be there.
+/// The multiplicity that the knot between two pieces needs.
 std::size_t needed_multiplicity(const BezierCurve& left, const BezierCurve& right, std::size_t m,
                                 const Limits& limits) {
     const Contact joined = contact(left, right, right.interval().a(), limits);

@@ -20,7 +20,7 @@ Integer coprime_part(Integer number, const Integer& other) {
 
 }  // namespace
 
-/// u^(2^i), and the powers of v by which the lower halves are multiplied.
+/// The powers u^(2^i), and the powers of v by which the sums of the lower halves are multiplied.
 struct EvaluationByHalves::Powers {
     Powers(const Integer& u, const Integer& v, std::size_t count) {
         std::size_t size = 1;
@@ -50,7 +50,7 @@ EvaluationByHalves::EvaluationByHalves(std::span<const Integer> coefficients, co
                                        bool prepared) {
     std::vector<Rational> reduced;
     reduced.reserve(coefficients.size());
-    // Without preparation every part stands over the one denominator there is.
+    // Without preparation every node keeps the common denominator.
     for (const Integer& coefficient : coefficients)
         reduced.push_back(prepared ? Rational(coefficient, denominator) : Rational(coefficient));
     leaves_.reserve(reduced.size());
@@ -77,7 +77,7 @@ std::size_t EvaluationByHalves::add_node(std::span<const Rational> coefficients,
                                          std::size_t end, Integer& denominator) {
     if (end - begin == 1) {
         denominator = coefficients[begin].denominator();
-        return begin;  // a leaf; never asked for as a node
+        return begin;  // a leaf, which is not a node
     }
     const std::size_t index = nodes_.size();
     nodes_.emplace_back();
@@ -96,8 +96,8 @@ std::size_t EvaluationByHalves::add_node(std::span<const Rational> coefficients,
     return index;
 }
 
-/// Each prime of D leaves some coefficients whole: those that it does not divide. It is known if there is
-/// one.
+/// Each prime of D fails to divide at least one coefficient. `known_` collects the primes for which there is
+/// exactly one such coefficient.
 void EvaluationByHalves::separate_denominator(std::span<const Integer> coefficients) {
     Integer once = 1;
     Integer often = 1;
@@ -138,7 +138,7 @@ Rational EvaluationByHalves::value(const Integer& u, const Integer& v) const {
     divide(gcd(numerator, unknown_));
     if (!known_.is_one()) {
         const Integer parameters = u * v;
-        // Of `known_` the primes that divide u or v.
+        // The part of `known_` whose primes divide u or v.
         const Integer suspected = divide_exactly(known_, coprime_part(known_, gcd(known_, parameters)));
         if (!suspected.is_one()) divide(gcd(numerator, suspected));
     }

@@ -1,6 +1,7 @@
 #pragma once
 
-// Homogeneous polynomials at pairs of integers of any size, by halves.
+// Homogeneous polynomials at pairs of integers of any size, evaluated recursively by halves of the
+// coefficients.
 
 #include <blossom/rational/rational.hpp>
 
@@ -9,23 +10,23 @@
 
 namespace blossom {
 
-/// sum_k C_k u^k v^(n-k) / (D v^n). Halves of the coefficients stand over their own denominators, so that
-/// what is multiplied is small for long; and what the sum shares with D is known but for a few primes.
+/// sum_k C_k u^k v^(n-k) / (D v^n). Each half of the coefficients has its own denominator, so that most
+/// products are of small numbers. The common factors of the sum and D are known except for a few primes.
 class EvaluationByHalves {
 public:
-    /// `prepared` spends gcds of numbers of the size of D, n of them.
+    /// If `prepared`, the constructor computes n gcds of numbers of the size of D.
     EvaluationByHalves(std::span<const Integer> coefficients, const Integer& denominator, bool prepared);
 
     Rational value(const Integer& u, const Integer& v) const;
 
 private:
-    /// Coefficients begin to end; the lower half has a power of two of them.
+    /// The coefficients from begin to end, of which the lower half is a power of two in number.
     struct Node {
         std::size_t begin = 0;
         std::size_t end = 0;
-        std::size_t lower = 0;  ///< its node; the other half is node `upper`
+        std::size_t lower = 0;  ///< the node of the lower half; `upper` is that of the other half
         std::size_t upper = 0;
-        Integer lower_factor;  ///< the denominator of the whole by that of the half
+        Integer lower_factor;  ///< the denominator of the whole divided by that of the half
         Integer upper_factor;
     };
     struct Powers;
@@ -38,9 +39,9 @@ private:
     std::vector<Integer> leaves_;  ///< numerators of single coefficients over their own denominators
     std::vector<Node> nodes_;
     Integer greatest_;     ///< C_n, over `denominator_`
-    Integer denominator_;  ///< the least common one
-    Integer known_ = 1;    ///< a divisor of it whose primes divide all coefficients but one
-    Integer unknown_ = 1;  ///< the rest
+    Integer denominator_;  ///< the least common denominator
+    Integer known_ = 1;    ///< the part of `denominator_` whose primes divide all coefficients but one
+    Integer unknown_ = 1;  ///< the other part
 };
 
 }  // namespace blossom

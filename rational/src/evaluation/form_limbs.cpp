@@ -14,7 +14,7 @@ namespace blossom {
 
 namespace {
 
-/// to += from * factor or to -= from * factor, in two's complement of the length of `to`.
+/// to += from * factor or to -= from * factor, in two's complement with the length of `to`.
 void add_multiple(std::span<std::uint64_t> to, std::span<const std::uint64_t> from, std::uint64_t factor,
                   bool subtract) {
     const std::size_t size = std::min(from.size(), to.size());
@@ -56,7 +56,7 @@ void multiply(std::span<std::uint64_t> number, std::uint64_t factor) {
 constexpr unsigned part_bits = 62;
 constexpr std::uint64_t part_mask = (std::uint64_t{1} << part_bits) - 1;
 constexpr std::size_t most_parts = 64 * FormLimbs::most_coefficient_words / part_bits + 1;
-/// The bits of the products of powers that are summed up, and how many of them.
+/// The most bits of the products of powers, and the most products that are summed.
 constexpr std::size_t most_weight_bits = 58;
 constexpr std::size_t most_block = 16;
 
@@ -77,12 +77,12 @@ void add_parts(const std::int64_t* parts, std::span<const std::int64_t> weights,
     std::copy_n(here, width, sums);
 }
 
-/// For each width from 1.
+/// One instance per width, from 1.
 constexpr auto add_parts_of_width = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array{&add_parts<i + 1>...};
 }(std::make_index_sequence<most_parts>());
 
-/// The two's complement of a sum of parts, which it has room for.
+/// Writes the sum of the parts in two's complement to `words`, which has room for it.
 void gather(std::span<const Int128> parts, std::span<std::uint64_t> words) {
     Int128 carry = 0;
     UInt128 gathered = 0;
@@ -136,9 +136,9 @@ bool FormLimbs::evaluate(std::int64_t u, std::int64_t v, std::span<std::uint64_t
     std::uint64_t power_words[most_words];
     power_words[0] = 1;
     std::size_t power_size = 1;
-    std::size_t used = 0;  // words of the value so far
+    std::size_t used = 0;  // the words in use so far
     for (std::size_t end = count; end > 0;) {
-        // The blocks end at the lowest coefficient, and the first may be shorter.
+        // The first block may be shorter than the others; the last one ends at the lowest coefficient.
         const std::size_t size = end % block == 0 ? block : end % block;
         const std::size_t begin = end - size;
         std::int64_t weights[most_block];

@@ -1,6 +1,6 @@
 #pragma once
 
-// What PreparedPolynomial keeps of its rows.
+// The data that PreparedPolynomial keeps about its rows.
 
 #include <blossom/rational/made_once.hpp>
 #include <blossom/rational/prepared_polynomial.hpp>
@@ -16,13 +16,13 @@
 
 namespace blossom {
 
-/// The odd primes of a number from the table, and the part of it that has others; 0 for 0.
+/// The odd primes of the table that divide a number, and its cofactor with the other primes; 0 for 0.
 struct PrimeParts {
     explicit PrimeParts(const Integer& value);
 
     small_primes::Set primes = 0;
     Integer rest = 1;
-    std::uint64_t rest_word = 1;  ///< 0 if it is none
+    std::uint64_t rest_word = 1;  ///< `rest` as a word; 0 if it is not one
 
     /// Whether the rest and a word v > 0 have a prime in common.
     bool shares_prime_with(std::uint64_t v) const {
@@ -32,14 +32,14 @@ struct PrimeParts {
     }
 };
 
-/// One row of coefficients over the denominator of all.
+/// One row of coefficients over the common denominator.
 class FormRow {
 public:
     FormRow(std::span<const Integer> coefficients, std::span<const std::int64_t> words,
             const Integer& denominator);
 
     const std::span<const std::int64_t> words;  ///< empty unless all numbers are words
-    const PrimeParts greatest;                  ///< of the greatest coefficient
+    const PrimeParts greatest;                  ///< of the largest coefficient
     const FormLimbs limbs;
 
     Rational value_by_halves(const Integer& u, const Integer& v) const;
@@ -47,8 +47,8 @@ public:
 private:
     const std::span<const Integer> coefficients_;
     const Integer& denominator_;
-    // As much is spent on what pays when many values follow as has been spent without.
-    mutable std::atomic<std::size_t> asked_ = 0;
+    // The number of evaluations so far: preparation begins when it would have paid for itself.
+    mutable std::atomic<std::size_t> evaluations_ = 0;
     MadeOnce<EvaluationByHalves> plain_;
     MadeOnce<EvaluationByHalves> prepared_;
 };
@@ -60,8 +60,8 @@ struct PreparedPolynomial::Forms {
     std::size_t degree;
     std::size_t sum_bits;  ///< of (n + 1) max |C_k|
     std::vector<std::int64_t> words;
-    std::uint64_t word_denominator = 0;       ///< if the denominator is a word, otherwise 0
-    std::vector<std::uint64_t> denominators;  ///< factors of it, unless they are not all words
+    std::uint64_t word_denominator = 0;       ///< the denominator if it is a word, otherwise 0
+    std::vector<std::uint64_t> denominators;  ///< its factors if all of them are words, otherwise empty
     small_primes::Set denominator_primes = 0;
     std::deque<FormRow> rows;
 };

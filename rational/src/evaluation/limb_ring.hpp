@@ -1,6 +1,6 @@
 #pragma once
 
-// Integers in two's complement of a width that is known to suffice and grows with their bound.
+// Integers in two's complement of a width that provably suffices and grows with their bound.
 
 #include <blossom/rational/integer.hpp>
 
@@ -17,7 +17,7 @@
 
 namespace blossom {
 
-/// Rows of numbers, `stride` words each, of which the first `width` are in use. See net_rings.hpp.
+/// Rows of numbers of `stride` words each, of which the first `width` are in use. See net_rings.hpp.
 class LimbRing {
 public:
     using Number = std::uint64_t;
@@ -28,13 +28,13 @@ public:
     struct Factor {
         std::uint64_t word;
         bool negative;
-        std::vector<std::uint64_t> further;  ///< words, mostly none
+        std::vector<std::uint64_t> further;  ///< the higher words, usually none
     };
 
     explicit LimbRing(std::size_t stride) : stride_(stride), operands_(stride), width_(stride) {}
 
     std::size_t stride() const { return stride_; }
-    /// For the results of what follows, whose operands have had the width `operands`.
+    /// Sets the width of the following results and of their operands.
     void set_width(std::size_t operands, std::size_t width) {
         operands_ = operands;
         width_ = width;
@@ -85,41 +85,33 @@ public:
     }
 
 private:
-    /// number += from * factor or number -= from * factor.
-    void add(std::span<Number> number, const Number* from, std::uint64_t factor, bool negative) const {
-        negative ? subtract(number, from, factor) : add(number, from, factor);
-    }
-    // Words of `from` beyond its width repeat its sign.
+    // The word that repeats the sign of `from` beyond its width.
     std::uint64_t sign_of(const Number* from) const {
         return static_cast<std::uint64_t>(static_cast<std::int64_t>(from[operands_ - 1]) >> 63);
     }
-    void add(std::span<Number> to, const Number* from, std::uint64_t factor) const {
+    /// to += from * factor, or to -= from * factor.
+    template <bool subtracts>
+    void accumulate(std::span<Number> to, const Number* from, std::uint64_t factor) const {
         const std::size_t size = std::min(operands_, to.size());
         const UInt128 repeated = UInt128{sign_of(from)} * factor;
-        UInt128 carry = limbs::add_multiple(to.data(), from, size, factor);
+        UInt128 carry = subtracts ? limbs::subtract_multiple(to.data(), from, size, factor)
+                                  : limbs::add_multiple(to.data(), from, size, factor);
         for (Number& word : to.subspan(size)) {
             carry += repeated;
             const auto low = static_cast<std::uint64_t>(carry);
-            word += low;
-            carry = (carry >> 64) + static_cast<std::uint64_t>(word < low);
+            const Number result = subtracts ? word - low : word + low;
+            carry = (carry >> 64) + static_cast<std::uint64_t>(subtracts ? word < low : result < low);
+            word = result;
         }
     }
-    void subtract(std::span<Number> to, const Number* from, std::uint64_t factor) const {
-        const std::size_t size = std::min(operands_, to.size());
-        const UInt128 repeated = UInt128{sign_of(from)} * factor;
-        UInt128 borrow = limbs::subtract_multiple(to.data(), from, size, factor);
-        for (Number& word : to.subspan(size)) {
-            borrow += repeated;
-            const auto low = static_cast<std::uint64_t>(borrow);
-            borrow = (borrow >> 64) + static_cast<std::uint64_t>(word < low);
-            word -= low;
-        }
+    void add(std::span<Number> to, const Number* from, std::uint64_t factor, bool negative) const {
+        negative ? accumulate<true>(to, from, factor) : accumulate<false>(to, from, factor);
     }
 
     std::size_t stride_;
     std::size_t operands_;
     std::size_t width_;
-    std::vector<std::uint64_t> magnitude_;  ///< room of product()
+    std::vector<std::uint64_t> magnitude_;  ///< scratch memory of product()
     std::vector<std::uint64_t> power_;
     std::vector<std::uint64_t> product_;
 };

@@ -1,10 +1,10 @@
 #pragma once
 
-// The rings in which sums over nets are computed, see net_weights.hpp. Each has as well multiply_each(to, a,
-// b, count), read(integers, to) and Room, memory for numbers that are written before they are read. Those
-// that net_steps.cpp uses have stride(), the places that a number takes; integer(number); and factor(integer)
-// and power(integer), what rows and single numbers are multiplied by, with product(number, power) as an
-// integer.
+// The rings in which sums over nets are computed. Besides the functions that net_weights.hpp needs, each has
+// multiply_each(to, a, b, count), read(integers, to) and Room, memory for numbers that are written before
+// they are read. The rings of net_steps.cpp also have stride(), the number of elements per number;
+// integer(number); factor(integer), by which rows are multiplied; power(integer), by which single numbers are
+// multiplied; and product(number, power) as an integer.
 
 #include <blossom/rational/integer.hpp>
 
@@ -21,7 +21,7 @@
 
 namespace blossom {
 
-/// On the stack while they are few.
+/// Memory for numbers, on the stack if they are few.
 template <class Number, std::size_t in_place>
 class Room {
 public:
@@ -167,7 +167,7 @@ public:
         return sum;
     }
     void read(std::span<const std::int64_t> integers, Number* to) const {
-        // The magnitude in digits of as many bits as the primes have, of which 2^bits is congruent to delta.
+        // The magnitude in digits of as many bits as the primes have; 2^bits is congruent to delta.
         const std::size_t bits = residues::operations().prime_bits;
         const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
         Number step;

@@ -14,8 +14,8 @@ namespace {
 
 using net_weights::count_of;
 
-/// raised += the net of degree `degree` with its degree raised: block b is (degree + 1 - b) times the old
-/// one, and the block before with its degree raised in the other variables.
+/// raised += the net of degree `degree`, raised by one: block b is (degree + 1 - b) times the old block, plus
+/// the previous block raised in the other variables.
 template <class Ring>
 void add_raised(const Ring& ring, std::size_t dimension, std::size_t degree, std::size_t behind,
                 const typename Ring::Number* net, typename Ring::Number* raised) {
@@ -40,8 +40,8 @@ void add_raised(const Ring& ring, std::size_t dimension, std::size_t degree, std
     }
 }
 
-/// folded += what the coordinates of the argument after the first contribute to a step of de Casteljau's
-/// algorithm from degree `degree`: block b of the result has it from block b + 1.
+/// folded += the contribution of all coordinates of the argument but the first to a step of de Casteljau's
+/// algorithm from degree `degree`: block b of the result receives it from block b + 1.
 template <class Ring>
 void add_folded(const Ring& ring, std::size_t dimension, std::size_t degree, std::size_t behind,
                 const typename Ring::Number* net, const typename Ring::Factor* argument,
@@ -58,8 +58,8 @@ void add_folded(const Ring& ring, std::size_t dimension, std::size_t degree, std
     }
 }
 
-/// Calls visit(from, to, count) for the entries of a net of degree `degree` whose index is 0 at the vertex,
-/// and the places in a net of degree `degree` + r of the indices with r there.
+/// Calls visit(from, to, count) for the entries of a net of degree `degree` whose index at the vertex is 0;
+/// `to` is the position, in a net of degree `degree` + r, of the index with r at the vertex.
 template <class Visit>
 void each_opposite(std::size_t dimension, std::size_t degree, std::size_t vertex, std::size_t r,
                    std::size_t from, std::size_t to, const Visit& visit) {
@@ -101,7 +101,7 @@ std::vector<Integer> raised_in(const Ring& ring, const FactorNets& nets) {
     return numbers;
 }
 
-/// Bounds in bits on what takes part in replacing vertices.
+/// Bounds in bits on the numbers that take part in replacing vertices.
 struct StepBits {
     StepBits(const FactorNets& nets, std::span<const Integer> entries, const Integer& scale)
         : net(greatest_bit_length(nets.numbers)), degree(nets.factor.degree) {

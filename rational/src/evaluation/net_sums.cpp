@@ -20,9 +20,9 @@ namespace {
 /// The numbers of a net modulo the first groups of primes.
 using NetResidues = std::shared_ptr<const std::vector<residues::ResidueVector>>;
 
-/// Nets with fewer numbers are summed up in integers where words do not suffice: by measurement.
+/// Smaller nets are summed in integers if words do not suffice (by measurement).
 constexpr std::size_t least_residue_numbers = 24;
-/// Residues that would take more bytes are not used.
+/// The most memory that residues may take, in bytes.
 constexpr std::size_t most_residue_bytes = std::size_t{64} << 20;
 
 }  // namespace
@@ -46,7 +46,7 @@ struct NetSums::Prepared {
     const UInt128* of(WordRing<UInt128> ring) const { return read_once(ring, wide); }
     const Integer* of(IntegerRing) const { return numbers.numerators().data(); }
 
-    /// Those of all rows, one group after the other, kept for the next call.
+    /// The residues of all rows, one group after the other, kept for the next call.
     NetResidues residues_for(std::size_t groups) const {
         {
             const std::lock_guard lock(mutex);
@@ -65,9 +65,9 @@ struct NetSums::Prepared {
     std::size_t rows;
     std::size_t size;  ///< of a row
     std::vector<SimplexFactor> shape;
-    std::vector<std::size_t> counts;  ///< of the weights of each factor
-    std::size_t weights = 0;          ///< of all factors
-    std::size_t longest = 0;          ///< the greatest count
+    std::vector<std::size_t> counts;  ///< of the weights per factor
+    std::size_t weights = 0;          ///< the number of all weights
+    std::size_t longest = 0;          ///< the largest count
     Integer greatest;
     std::size_t bits;  ///< of the numbers
 
@@ -105,7 +105,7 @@ struct Tuples {
     const NetArguments<R>& given;
     Weights weights;
 
-    /// Calls visit(entries, scale, times) for each.
+    /// Calls visit(entries, scale, times) for each tuple.
     template <class Visit>
     void each(const Visit& visit) const {
         const R* entries = given.entries.data();
@@ -140,7 +140,7 @@ std::size_t sum_bits(const Tuples<Integer>& tuples) {
     return bits;
 }
 
-/// The tuple that occurs most often in a list.
+/// The most frequent tuple of a list.
 template <class R>
 struct MostFrequent {
     MostFrequent(const R* list, std::size_t size, std::size_t count) : tuple(list, size) {
@@ -160,8 +160,8 @@ struct MostFrequent {
     std::size_t times = 0;
 };
 
-/// The coefficients of the product of linear forms `given`, which are `forms` in the ring: the power of the
-/// most frequent one by the multinomial theorem, then one after the other.
+/// The coefficients of the product of the linear forms `given`, whose images in the ring are `forms`: the
+/// power of the most frequent form by the multinomial theorem, multiplied by the others one after the other.
 template <class Ring, class R>
 void set_products(const Ring& ring, const SimplexFactor& factor, const R* given,
                   const typename Ring::Number* forms, typename Ring::Number* weights,
@@ -266,7 +266,7 @@ void evaluate_beyond_words(const Tuples<R>& tuples, std::size_t bits, std::span<
              [&](const Integer& sum) { *value++ = denominator.quotient(sum); });
 }
 
-/// The denominator of all sums as one word below 2^63; 0 if it is none.
+/// The denominator of all sums as one word below 2^63; 0 if it is larger.
 word_sums::WordDenominator word_denominator(const Tuples<std::int64_t>& tuples) {
     const Integer& own = tuples.net.numbers.denominator();
     if (!own.is_word()) return {};
@@ -280,14 +280,14 @@ word_sums::WordDenominator word_denominator(const Tuples<std::int64_t>& tuples) 
     return overflow ? word_sums::WordDenominator{} : word_sums::WordDenominator{product, primes.set()};
 }
 
-/// The same in several words; nothing if they are too many.
+/// The same in several words; nullopt if there are too many.
 std::optional<DenominatorWords> denominator_words(const Tuples<std::int64_t>& tuples) {
     const Integer& own = tuples.net.numbers.denominator();
     std::size_t bits = own.bit_length();
     tuples.each([&](std::span<const std::int64_t>, std::int64_t scale, std::size_t times) {
         bits += times * static_cast<std::size_t>(std::bit_width(magnitude(scale)));
     });
-    // Neighbouring words have products beyond a word.
+    // Adjacent words in the list have a product beyond one word.
     if (!own.is_word() || bits / 32 >= DenominatorWords::most_words) return std::nullopt;
     std::optional<DenominatorWords> words(std::in_place);
     const auto multiply = [&](std::int64_t factor, std::size_t times) {
@@ -360,7 +360,7 @@ void NetSums::multilinear_values(const NetArguments<Integer>& tuples, std::span<
     evaluate(Tuples<Integer>{*prepared_, tuples, Weights::products}, sums);
 }
 
-// The indices with i_0 = n - b are C(n, b) times those of degree b of the other variables.
+// The coefficients with i_0 = n - b are C(n, b) times those of degree b in the other variables.
 std::vector<Integer> multinomial_row(const SimplexFactor& factor) {
     const auto [dimension, degree] = factor;
     if (dimension == 0) return {1};

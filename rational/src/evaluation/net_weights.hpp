@@ -1,8 +1,8 @@
 #pragma once
 
-// The weights of a net and its sums, written once for what calls itself a ring: Number, zero by default;
-// one(); add(to, number); and on rows of numbers scale(to, from, factor, count), add_multiple(to, from,
-// factor, count) and dot(a, b, count).
+// The weights of a net and its sums, as templates over a ring with the type Number, zero by default; one();
+// add(to, number); and on rows of numbers scale(to, from, factor, count), add_multiple(to, from, factor,
+// count) and dot(a, b, count).
 
 #include <blossom/rational/net_sums.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace blossom::net_weights {
 
-/// C(degree + dimension, dimension), the number of indices of a net that is in memory.
+/// C(degree + dimension, dimension), the number of indices of a net in memory.
 inline std::size_t count_of(std::size_t dimension, std::size_t degree) {
     std::size_t count = 1;
     for (std::size_t i = 1; i <= dimension; ++i) {
@@ -26,9 +26,9 @@ inline std::size_t block_size(const SimplexFactor& factor, std::size_t b) {
     return count_of(factor.dimension - 1, b);
 }
 
-/// x^i for the indices i of a factor, those with i_0 = n - b in block b. Without the power of x_0 they are
-/// the monomials of degree b in the other variables, and these are x_1 times all of degree b - 1, then x_2
-/// times those without x_1, and so on, each time the end of the block before.
+/// x^i for the indices i of a factor; block b holds those with i_0 = n - b. Without the power of x_0, block b
+/// contains the monomials of degree b in the other variables: x_1 times all monomials of degree b - 1, then
+/// x_2 times those without x_1, and so on; each time these are the end of the previous block.
 template <class Ring>
 void set_blocks(const Ring& ring, const SimplexFactor& factor, const typename Ring::Number* x,
                 typename Ring::Number* monomials) {
@@ -43,7 +43,7 @@ void set_blocks(const Ring& ring, const SimplexFactor& factor, const typename Ri
         }
     }
 }
-/// With the power of x_0.
+/// The same with the power of x_0.
 template <class Ring>
 void set_monomials(const Ring& ring, const SimplexFactor& factor, const typename Ring::Number* x,
                    typename Ring::Number* monomials) {
@@ -74,8 +74,9 @@ typename Ring::Number sum_of_blocks(const Ring& ring, const SimplexFactor& facto
     return sum;
 }
 
-/// product += form * polynomial, where `polynomial` has a degree in dimension + 1 variables: the coefficients
-/// stay in their places with the first variable, and each block moves on to the next with the others.
+/// product += form * polynomial for a homogeneous polynomial of this degree in dimension + 1 variables: a
+/// factor of the first variable leaves the positions of the coefficients unchanged, any other moves each
+/// block to the next.
 template <class Ring>
 void add_product(const Ring& ring, std::size_t dimension, std::size_t degree,
                  const typename Ring::Number* form, const typename Ring::Number* polynomial,
@@ -91,7 +92,8 @@ void add_product(const Ring& ring, std::size_t dimension, std::size_t degree,
     }
 }
 
-/// The coefficients of `weights`, of a degree, times a linear form; `room` has as many places as there were.
+/// Multiplies the polynomial with the coefficients `weights` by a linear form; `room` is as long as the old
+/// `weights`.
 template <class Ring>
 void multiply_by_form(const Ring& ring, std::size_t dimension, std::size_t degree,
                       const typename Ring::Number* form, typename Ring::Number* weights,
@@ -102,8 +104,8 @@ void multiply_by_form(const Ring& ring, std::size_t dimension, std::size_t degre
     add_product(ring, dimension, degree, form, room, weights);
 }
 
-/// The net of the first factor that remains when the numbers of a net are summed up with the weights of all
-/// others, which end at `weights_end`; it lies in `room` unless there are no others.
+/// The net of the first factor that remains when a net is summed with the weights of all other factors, which
+/// end at `weights_end`; it is in `room` unless there are no other factors.
 template <class Ring>
 const typename Ring::Number* contracted_to_first(const Ring& ring, std::span<const std::size_t> counts,
                                                  const typename Ring::Number* net, std::size_t size,

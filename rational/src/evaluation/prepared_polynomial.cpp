@@ -12,7 +12,7 @@ namespace blossom {
 
 namespace {
 
-/// t = u/v in words.
+/// The parameter t = u/v in words.
 struct WordParameter {
     WordParameter(std::int64_t top, std::uint64_t bottom)
         : u(top), v(bottom), bits(static_cast<std::size_t>(std::bit_width(magnitude(top) | bottom))) {}
@@ -22,7 +22,7 @@ struct WordParameter {
     std::size_t bits;
 };
 
-/// sum_k C_k u^k v^(n-k); all arithmetic wraps, so that only the sum itself has to fit. `power` becomes v^n.
+/// sum_k C_k u^k v^(n-k); all arithmetic wraps, so that only the sum itself has to fit. Sets `power` to v^n.
 template <class Word>
 Word form_in(std::span<const std::int64_t> coefficients, const WordParameter& t, Word& power) {
     const auto u = static_cast<Word>(t.u);
@@ -51,7 +51,7 @@ bool set_in_word(const Forms& form, const FormRow& row, const WordParameter& t, 
     return true;
 }
 
-/// The part of v whose primes may divide N: those of the greatest coefficient.
+/// The part of v whose primes may divide N: the primes of the largest coefficient.
 std::uint64_t suspected_part(std::uint64_t v, const PrimeParts& greatest) {
     if (greatest.primes == small_primes::any_primes || greatest.shares_prime_with(v)) return v;
     std::uint64_t rest = v >> std::countr_zero(v);
@@ -61,7 +61,8 @@ std::uint64_t suspected_part(std::uint64_t v, const PrimeParts& greatest) {
     return v / rest;
 }
 
-/// The denominators of a value that may share primes with its numerator; the other part of v^n comes back.
+/// Sets the factors of the denominator that may share primes with the numerator, and returns the part of v
+/// whose power remains.
 std::uint64_t set_denominators(const Forms& form, const FormRow& row, const WordParameter& t,
                                DenominatorWords& denominators) {
     for (const std::uint64_t factor : form.denominators)
@@ -80,7 +81,7 @@ std::uint64_t set_denominators(const Forms& form, const FormRow& row, const Word
     return t.v / suspected;
 }
 
-/// Words of denominators beyond which the general way is taken.
+/// Whether the denominators fit in the words that the fast path provides.
 bool has_room(const Forms& form, const WordParameter& t) {
     const std::size_t words_of_power = form.degree * static_cast<std::size_t>(std::bit_width(t.v)) / 32 + 1;
     return form.denominators.size() + words_of_power <= DenominatorWords::most_words;
@@ -116,7 +117,7 @@ bool set_in_limbs(const Forms& form, const FormRow& row, const WordParameter& t,
     return true;
 }
 
-/// Kept apart from what few words need.
+/// Not inlined, so that values of few words do not pay for its registers and memory.
 [[gnu::noinline]] void set_beyond_words(const Forms& form, const FormRow& row, const WordParameter& t,
                                         Rational& value) {
     if (!set_in_limbs(form, row, t, value)) value = row.value_by_halves(t.u, t.v);
@@ -151,7 +152,7 @@ FormRow::FormRow(std::span<const Integer> coefficients, std::span<const std::int
       denominator_(denominator) {}
 
 Rational FormRow::value_by_halves(const Integer& u, const Integer& v) const {
-    const bool prepared = asked_.fetch_add(1, std::memory_order_relaxed) >= coefficients_.size();
+    const bool prepared = evaluations_.fetch_add(1, std::memory_order_relaxed) >= coefficients_.size();
     const auto make = [&] { return EvaluationByHalves(coefficients_, denominator_, prepared); };
     return (prepared ? prepared_ : plain_).value(make).value(u, v);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Numbers >= 0 as limbs, least significant first, in memory of the caller.
+// Numbers >= 0 as limbs, least significant first, in memory that the caller owns.
 
 #include <algorithm>
 #include <bit>
@@ -17,7 +17,7 @@ namespace blossom::limbs {
 
 using Limb = std::uint64_t;
 
-/// Without the zeros at the top.
+/// The size without zero limbs at the top.
 inline std::size_t used(const Limb* number, std::size_t size) {
     while (size > 0 && number[size - 1] == 0) --size;
     return size;
@@ -25,31 +25,31 @@ inline std::size_t used(const Limb* number, std::size_t size) {
 
 #if defined(BLOSSOM_NUMBERS_GMP)
 
-/// Whether `multiply` takes fewer than m n products of limbs where m and n are large.
+/// Whether `multiply` takes fewer than m n products of limbs for large m and n.
 inline constexpr bool multiplies_long_numbers_fast = true;
 
 static_assert(GMP_NUMB_BITS == 64 && sizeof(mp_limb_t) == sizeof(Limb));
 
-/// The carry or borrow of a + b and a - b; the result may lie where a or b does.
+/// sum = a + b or a - b, and the carry or borrow; the result may overlap a or b exactly.
 inline Limb add(Limb* sum, const Limb* a, const Limb* b, std::size_t size) {
     return mpn_add_n(sum, a, b, static_cast<mp_size_t>(size));
 }
 inline Limb subtract(Limb* difference, const Limb* a, const Limb* b, std::size_t size) {
     return mpn_sub_n(difference, a, b, static_cast<mp_size_t>(size));
 }
-/// product[0..m + n) = a b for m >= n >= 1; the product lies apart.
+/// product[0..m + n) = a b for m >= n >= 1; the product does not overlap the factors.
 inline void multiply(Limb* product, const Limb* a, std::size_t m, const Limb* b, std::size_t n) {
     mpn_mul(product, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n));
 }
-/// The carry or borrow of to += a b and to -= a b.
+/// to += a b or to -= a b, and the carry or borrow.
 inline Limb add_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
     return mpn_addmul_1(to, a, static_cast<mp_size_t>(size), b);
 }
 inline Limb subtract_multiple(Limb* to, const Limb* a, std::size_t size, Limb b) {
     return mpn_submul_1(to, a, static_cast<mp_size_t>(size), b);
 }
-/// quotient[0..m - n] and remainder[0..n) of a / b for m >= n >= 1, the top of b not 0; the remainder may
-/// lie where a does.
+/// quotient[0..m - n] and remainder[0..n) of a / b for m >= n >= 1, where the top limb of b is not 0; the
+/// remainder may be stored in a.
 inline void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t m, const Limb* b,
                    std::size_t n) {
     mpn_tdiv_qr(quotient, remainder, 0, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n));
@@ -57,7 +57,8 @@ inline void divide(Limb* quotient, Limb* remainder, const Limb* a, std::size_t m
 inline Limb remainder(const Limb* a, std::size_t size, Limb divisor) {
     return mpn_mod_1(a, static_cast<mp_size_t>(size), divisor);
 }
-/// The size of gcd(a, b) for numbers whose tops are not 0, b odd and not longer than a; both are destroyed.
+/// Writes gcd(a, b) and returns its size, for numbers whose top limbs are not 0, b odd and not longer than a;
+/// both are destroyed.
 inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, std::size_t n) {
     return static_cast<std::size_t>(
         mpn_gcd(result, a, static_cast<mp_size_t>(m), b, static_cast<mp_size_t>(n)));
@@ -144,20 +145,20 @@ inline std::size_t gcd_with_odd(Limb* result, Limb* a, std::size_t m, Limb* b, s
 
 #endif
 
-/// The 64 bits of a number from `bit` on; beyond its limbs there are zeros.
+/// The 64 bits of a number from `bit` on; bits beyond its limbs are 0.
 inline Limb bits_from(std::span<const Limb> number, std::size_t bit) {
     const auto limb = [&](std::size_t i) { return i < number.size() ? number[i] : 0; };
     const UInt128 pair = UInt128{limb(bit / 64 + 1)} << 64 | limb(bit / 64);
     return static_cast<Limb>(pair >> (bit % 64));
 }
 
-/// product[0..m + n) = a b for factors of any sizes other than 0; the product lies apart.
+/// product[0..m + n) = a b for factors of any nonzero sizes; the product does not overlap the factors.
 inline void multiply_any(Limb* product, std::span<const Limb> a, std::span<const Limb> b) {
     if (a.size() < b.size()) std::swap(a, b);
     multiply(product, a.data(), a.size(), b.data(), b.size());
 }
 
-/// number[0..size) *= factor, where a size of 0 stands for 1; the size grows with the number.
+/// number[0..size) *= factor, where size 0 stands for the number 1; updates the size.
 inline void multiply_by_word(Limb* number, std::size_t& size, Limb factor) {
     UInt128 carry = size == 0 ? UInt128{factor} : UInt128{0};
     for (std::size_t i = 0; i < size; ++i) {
@@ -173,7 +174,7 @@ inline std::size_t size_of(const Integer& value) {
     return value.bit_length() / 64 + (value.bit_length() % 64 != 0 || value.is_zero() ? 1 : 0);
 }
 
-/// |value| in `size` limbs, which must be enough.
+/// Writes |value| to `size` limbs, which suffice.
 inline void write_magnitude(const Integer& value, Limb* to, std::size_t size) {
     std::fill(to, to + size, Limb{0});
     IntegerAccess::visit(value, [&](const auto& number) {
@@ -185,14 +186,14 @@ inline void write_magnitude(const Integer& value, Limb* to, std::size_t size) {
     });
 }
 
-/// Of a number > 0.
+/// The number of trailing zero bits of a number > 0.
 inline std::size_t trailing_zeros(const Limb* number) {
     std::size_t zeros = 0;
     for (; *number == 0; ++number) zeros += 64;
     return zeros + static_cast<std::size_t>(std::countr_zero(*number));
 }
 
-/// a = a / 2^bits for bits < 64 size.
+/// a = floor(a / 2^bits) for bits < 64 size.
 inline void shift_right(Limb* a, std::size_t size, std::size_t bits) {
     const std::size_t limbs = bits / 64;
     const std::size_t rest = bits % 64;
@@ -212,7 +213,7 @@ inline void negate(Limb* number, std::size_t size) {
     }
 }
 
-/// Makes a number in two's complement its magnitude; whether it was negative.
+/// Replaces a number in two's complement by its magnitude, and returns whether it was negative.
 inline bool take_magnitude(std::span<Limb> number) {
     const bool negative = number.back() >> 63 != 0;
     if (negative) negate(number.data(), number.size());

@@ -15,7 +15,7 @@ void load(const std::uint64_t* from, std::size_t width, std::uint64_t (&to)[Widt
     for (std::size_t i = 0; i < Width; ++i) to[i] = i < width ? from[i] : sign;
 }
 
-/// Modulo 2^(64 Width) the product of the sign-extended words is that of the numbers.
+/// Modulo 2^(64 Width), the product of the sign-extended words is the product of the numbers.
 template <std::size_t Width>
 void dot(LimbView a, LimbView b, std::size_t count, std::uint64_t* result) {
     std::uint64_t sum[Width] = {};

@@ -8,17 +8,18 @@
 
 namespace blossom {
 
-/// The widest sums for which there is code of a fixed width, in words with their sign.
+/// The widest sums with code for a fixed width, in words, sign included.
 inline constexpr std::size_t most_sum_limbs = 8;
 
-/// Integers in two's complement, `width` words each, `stride` words apart.
+/// Integers in two's complement of `width` words each, at a distance of `stride` words.
 struct LimbView {
     const std::uint64_t* words;
     std::size_t width;
     std::size_t stride;
 };
 
-/// sum_k a_k b_k for k < count in two's complement, modulo 2^64 to the power of sum.size() <= most_sum_limbs.
+/// sum_k a_k b_k for k < count in two's complement, modulo 2^(64 sum.size()), with sum.size() <=
+/// most_sum_limbs.
 void limb_dot(LimbView a, LimbView b, std::size_t count, std::span<std::uint64_t> sum);
 
 }  // namespace blossom

@@ -1,5 +1,5 @@
-// Kronecker's substitution: both polynomials are written into one integer each, every coefficient in slots of
-// the same number of words, in which each coefficient of the product has room.
+// Kronecker's substitution: each polynomial is written into one integer, with every coefficient in a slot of
+// the same number of words, large enough for each coefficient of the product.
 
 #include <blossom/rational/integer_polynomials.hpp>
 #include <blossom/rational/rational_vector.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using WordList = std::vector<std::uint64_t>;
 
-/// The magnitude of a polynomial at 2^(64 slot).
+/// The magnitude of a polynomial's value at 2^(64 slot).
 struct Packed {
     WordList words;
     bool negative;
@@ -37,7 +37,7 @@ Packed packed(std::span<const Integer> polynomial, std::size_t slot) {
     return value;
 }
 
-/// The coefficients, each with its sign in its slot, from the value.
+/// Reads the coefficients, each with its sign, from the slots of the value.
 void unpack(Packed value, std::size_t slot, std::span<Integer> polynomial) {
     if (value.negative) limbs::negate(value.words.data(), value.words.size());
     bool carry = false;

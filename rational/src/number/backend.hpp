@@ -1,6 +1,6 @@
 #pragma once
 
-// The number backend: the only header that names the library which holds the large integers.
+// The number backend: the only header that names the library of large integers.
 
 #include <blossom/rational/integer.hpp>
 
@@ -32,8 +32,8 @@ namespace backend {
 
 using Number = boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
-/// Before it allocates for a product, GMP gives back the memory that `product` has: an allocation that fails
-/// would leave a number without memory. So the room is made here. `product` may be a or b.
+/// Before GMP allocates memory for a product, it frees that of `product`; if the allocation failed, the
+/// number would be left without memory. Therefore the memory is reserved here. `product` may be a or b.
 inline void multiply(Number& product, const Number& a, const Number& b) {
     const std::size_t words = mpz_size(a.backend().data()) + mpz_size(b.backend().data());
     const mpz_ptr data = product.backend().data();
@@ -57,7 +57,7 @@ inline void add_product(Number& sum, const Number& a, std::int64_t b) {
     }
 }
 
-/// Of a that b divides.
+/// a / b for b that divides a.
 inline void set_exact_quotient(Number& quotient, const Number& a, const Number& b) {
     mpz_divexact(quotient.backend().data(), a.backend().data(), b.backend().data());
 }
@@ -79,22 +79,22 @@ inline std::uint64_t remainder(const Number& a, std::uint64_t b) {
 
 inline void negate(Number& value) { mpz_neg(value.backend().data(), value.backend().data()); }
 
-/// The value, if it is below 2^63 in magnitude or -2^63.
+/// The value if it is from -2^63 to 2^63 - 1.
 inline std::optional<std::int64_t> to_word(const Number& value) {
     const mpz_srcptr data = value.backend().data();
     if (mpz_size(data) > 1 || mpz_fits_slong_p(data) == 0) return std::nullopt;
     return mpz_get_si(data);
 }
 
-/// The words of memory that belong to a number, whatever its value is.
+/// The allocated words of a number, whatever its value is.
 inline std::size_t words_held(const Number& value) {
     return static_cast<std::size_t>(value.backend().data()->_mp_alloc);
 }
 
-/// The words of the magnitude.
+/// The length of the magnitude in words.
 inline std::size_t words_used(const Number& value) { return mpz_size(value.backend().data()); }
 
-/// Has numbers take and give back their memory with operator new and delete.
+/// Makes numbers allocate their memory with operator new and delete.
 inline void allocate_with_new() {
     mp_set_memory_functions([](std::size_t size) { return ::operator new(size); },
                             [](void* old, std::size_t old_size, std::size_t size) {
@@ -106,8 +106,8 @@ inline void allocate_with_new() {
                             [](void* block, std::size_t size) { ::operator delete(block, size); });
 }
 
-/// Sets `value` to the number with this sign whose binary digits are `words`, least significant first, of
-/// which the last is not 0.
+/// Sets `value` to the number with this sign and the binary digits `words`, least significant first, the last
+/// of them not 0.
 inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
     static_assert(GMP_NUMB_BITS == 64 && sizeof(long) == sizeof(std::int64_t));
     const auto size = static_cast<mp_size_t>(words.size());
@@ -132,14 +132,14 @@ inline void set_twos_complement(Number& value, std::span<const std::uint64_t> wo
     data->_mp_size = static_cast<int>(sign != 0 ? -size : size);
 }
 
-/// Of the magnitude.
+/// The bit length of the magnitude.
 inline std::size_t bit_length(const Number& value) {
     const mpz_srcptr data = value.backend().data();
     const std::size_t size = mpz_size(data);
     return size == 0 ? 1 : 64 * size - static_cast<std::size_t>(std::countl_zero(data->_mp_d[size - 1]));
 }
 
-/// The binary digits of the magnitude at the front of `words`; the words beyond keep what they hold.
+/// Writes the binary digits of the magnitude to the front of `words` and leaves the other words unchanged.
 inline void to_words(const Number& value, std::span<std::uint64_t> words) {
     const mpz_srcptr data = value.backend().data();
     std::copy_n(mpz_limbs_read(data), mpz_size(data), words.begin());
@@ -179,7 +179,7 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
 inline std::size_t words_held(const Number& value) { return value.backend().size(); }
 inline std::size_t words_used(const Number& value) { return value.backend().size(); }
 
-/// They do.
+/// Boost's numbers use operator new anyway.
 inline void allocate_with_new() {}
 
 inline void set_words(Number& value, std::span<const std::uint64_t> words, bool negative) {
@@ -207,13 +207,13 @@ inline void to_words(const Number& value, std::span<std::uint64_t> words) {
 
 struct Integer::Large {
     backend::Number value;
-    Large* next = nullptr;  ///< among numbers that are not in use
+    Large* next = nullptr;  ///< the next one in the list of unused numbers
 };
 
-/// The private door of Integer for the sources of this layer.
+/// Access to the representation of Integer for the sources of this layer.
 struct IntegerAccess {
     static Integer from_number(backend::Number&& value);
-    /// What `compute(number)` sets its argument to, whose value before is any.
+    /// The integer to which `compute(number)` sets its argument, whose initial value is arbitrary.
     template <class Compute>
     static Integer computed(const Compute& compute);
     static backend::Number to_number(const Integer& value) {
@@ -225,15 +225,15 @@ struct IntegerAccess {
         value.small_ = word;
     }
 
-    /// Two words: the value if it fits in one, otherwise 0, and the address of what is larger, or null.
+    /// Two words: the value if it fits in one, otherwise 0; and the address of the large number, or null.
     static constexpr bool is_word_and_address =
         offsetof(Integer, small_) == 0 && offsetof(Integer, large_) == 8 && sizeof(Integer) == 16;
 
-    /// Of a value beyond 64 bits.
+    /// The backend number of a value beyond 64 bits.
     static const backend::Number& large(const Integer& value) { return value.large_->value; }
 
     /// Calls operation(n) with the backend number or the 64-bit value, whichever holds `value`. The least
-    /// 64-bit value comes as a backend number: Boost negates 64-bit operands.
+    /// 64-bit value is passed as a backend number, because Boost negates 64-bit operands.
     template <class Operation>
     static decltype(auto) visit(const Integer& value, Operation&& operation) {
         if (value.large_) return operation(std::as_const(value.large_->value));
@@ -242,16 +242,17 @@ struct IntegerAccess {
         return operation(value.small_);
     }
 
-    /// The integer with these binary digits, least significant first, at least one word, and this sign.
+    /// Sets `value` to the integer with this sign and these binary digits, least significant first, at least
+    /// one word.
     static void set_magnitude(Integer& value, std::span<const std::uint64_t> words, bool negative);
     static Integer from_magnitude(std::span<const std::uint64_t> words, bool negative) {
         Integer value;
         set_magnitude(value, words, negative);
         return value;
     }
-    /// The integer whose two's complement is `words`, least significant first, at least one.
+    /// The integer with this two's complement of at least one word, least significant first.
     static Integer from_twos_complement(std::span<const std::uint64_t> words);
-    /// The two's complement of `value` in `words`, which must be enough for it and its sign.
+    /// Writes the two's complement of `value` to `words`, which has room for it and its sign.
     static void to_twos_complement(const Integer& value, std::span<std::uint64_t> words);
 };
 

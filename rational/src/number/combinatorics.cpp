@@ -6,7 +6,7 @@ namespace blossom {
 
 namespace {
 
-/// first (first + 1) ... last, by halves so that the factors stay balanced.
+/// first (first + 1) ... last, recursively by halves so that the factors stay balanced.
 Integer product_of_range(std::size_t first, std::size_t last) {
     if (first > last) return 1;
     if (last - first < 8) {

@@ -26,8 +26,9 @@ Integer shifted(const Integer& value, std::ptrdiff_t bits) {
                     " is beyond the range of a double");
 }
 
-/// The exponent e of the unit 2^e of the doubles around `value`, which is not 0: 2^(e + 52) <= |value| < 2^(e
-/// + 53), and only the second where e is the least. Errors: `overflow` for |value| >= 2^1024.
+/// The exponent e of the distance 2^e between doubles at `value`, which is not 0: 2^(e + 52) <= |value| <
+/// 2^(e + 53), of which only the second inequality holds if e is the least exponent. Errors: `overflow` for
+/// |value| >= 2^1024.
 std::ptrdiff_t unit_exponent(const Rational& value) {
     const Integer numerator = abs(value.numerator());
     const Integer& denominator = value.denominator();

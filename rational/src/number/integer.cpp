@@ -15,19 +15,19 @@ using backend::Number;
 
 namespace {
 
-/// The numbers that this thread gave back last, with the memory that they hold: what is computed next needs
-/// about as much. Nothing here has a destructor, so that integers of any lifetime may give back.
+/// The numbers that this thread released last, with their memory, for the next results, which are usually of
+/// similar size. Nothing here has a destructor, so that integers of any lifetime can be released.
 struct FreeList {
     Integer::Large* first;
-    std::size_t words;  ///< that all of them hold
+    std::size_t words;  ///< the words that all of them hold
 };
-/// What one of them may hold, and all of a thread.
+/// The most words of one number in the list, and of all numbers of a thread.
 constexpr std::size_t most_words_of_number = 32;
 constexpr std::size_t most_words_of_free_list = std::size_t{1} << 17;
 thread_local FreeList free_list{};
-thread_local bool free_list_is_closed = false;  ///< when the thread ends
+thread_local bool free_list_is_closed = false;  ///< true once the thread ends
 
-/// Deletes them when the thread ends.
+/// Deletes the list when the thread ends.
 struct FreeListOfThread {
     FreeListOfThread() = default;
     FreeListOfThread(const FreeListOfThread&) = delete;
@@ -42,7 +42,7 @@ struct FreeListOfThread {
 };
 thread_local const FreeListOfThread free_list_of_thread;
 
-/// A number of any value.
+/// A number whose value is arbitrary.
 Integer::Large* take_large() {
     constexpr std::uint64_t words_of_taking = 8;
     spend_work(words_of_taking);
@@ -72,8 +72,6 @@ void require_divisor(const Integer& divisor) {
 }
 
 }  // namespace
-
-// ---- the two representations
 
 Integer::Large& Integer::promote() {
     if (!large_) {
@@ -127,8 +125,6 @@ Integer IntegerAccess::computed(const Compute& compute) {
     compute(result.large_->value);
     return std::move(result.settle());
 }
-
-// ---- arithmetic beyond 64 bits
 
 int Integer::large_sign() const { return large_->value.sign(); }
 
@@ -237,7 +233,7 @@ Integer& Integer::operator>>=(std::size_t bits) {
         small_ >>= std::min<std::size_t>(bits, 63);
         return *this;
     }
-    // Backends differ on negative values: -(((-x) - 1) >> k) - 1 is the floor for all of them.
+    // Backends differ on negative values: -(((-x) - 1) >> k) - 1 is the floor on all of them.
     Number& value = large_->value;
     const bool negative = value.sign() < 0;
     if (negative) value = -value - 1;
@@ -245,8 +241,6 @@ Integer& Integer::operator>>=(std::size_t bits) {
     if (negative) value = -value - 1;
     return settle();
 }
-
-// ---- number theory
 
 Integer abs(Integer value) {
     if (value.sign() < 0) value.negate();
@@ -258,7 +252,7 @@ Integer gcd(const Integer& a, const Integer& b) {
     const auto y = b.to_int64();
     if (x && y) return *y == 0 ? magnitude(*x) : gcd_of_words(magnitude(*x), magnitude(*y));
     if (!x && !y) {
-        // A gcd takes about as many products as its numbers have words, down to the length of products.
+        // The gcd of numbers of n words takes about n products by words, as long as products are quadratic.
         spend_work(2 * words_of_product(words(IntegerAccess::large(a)), words(IntegerAccess::large(b))));
         return IntegerAccess::computed([&](Number& common) {
             backend::set_gcd(common, IntegerAccess::large(a), IntegerAccess::large(b));
@@ -305,8 +299,6 @@ Integer dot(std::span<const Integer> a, std::span<const Integer> b) {
     return sum;
 }
 
-// ---- words
-
 void IntegerAccess::set_magnitude(Integer& value, std::span<const std::uint64_t> words, bool negative) {
     std::size_t used = words.size();
     while (used > 1 && words[used - 1] == 0) --used;
@@ -317,12 +309,12 @@ void IntegerAccess::set_magnitude(Integer& value, std::span<const std::uint64_t>
     if (!value.large_) value.large_ = take_large();
     value.small_ = 0;
     backend::set_words(value.large_->value, words.first(used), negative);
-    // The least value of 64 bits is a word.
+    // The least 64-bit value is a word.
     if (used == 1) value.settle();
 }
 
 Integer IntegerAccess::from_twos_complement(std::span<const std::uint64_t> words) {
-    // Words that only repeat the sign.
+    // Words at the top that only repeat the sign are dropped.
     std::size_t used = words.size();
     const auto sign = static_cast<std::uint64_t>(static_cast<std::int64_t>(words.back()) >> 63);
     while (used > 1 && words[used - 1] == sign && (words[used - 2] ^ sign) >> 63 == 0) --used;

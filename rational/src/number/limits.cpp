@@ -18,7 +18,7 @@ void require_within(std::size_t value, std::size_t limit, std::string_view name,
 }
 
 void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count) {
-    // A bound from above, up to the last digit: log10(2) < 0.30103.
+    // An upper bound, because log10(2) < 0.30103.
     const std::size_t digits = bits / 100'000 * 30'103 + bits % 100'000 * 30'103 / 100'000;
     require_within(digits, limits.digits, "digits", "the size of the result in decimal digits, at most");
     if (digits != 0 && count > limits.output_digits / digits) {

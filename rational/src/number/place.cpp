@@ -19,7 +19,7 @@ std::string_view part_name(Part part) {
 
 namespace {
 
-/// Empty for an index.
+/// The name of a step; empty for an index.
 std::string_view name_of(const Place::Step& step) {
     if (const Part* part = std::get_if<Part>(&step)) return part_name(*part);
     const std::string* member = std::get_if<std::string>(&step);

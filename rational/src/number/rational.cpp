@@ -27,8 +27,8 @@ Rational::Rational(Integer numerator, Integer denominator)
     denominator_ = divide_exactly(denominator_, common);
 }
 
-// a/b + c/d with g = gcd(b, d): the sum (a (d/g) + c (b/g)) / (b (d/g)) can only share factors of g
-// (Knuth, 4.5.1).
+// With g = gcd(b, d), the sum a/b + c/d = (a (d/g) + c (b/g)) / (b (d/g)), and its terms can share only
+// factors of g (Knuth, 4.5.1).
 Rational& Rational::add(const Rational& other, bool subtract) {
     const Integer common = gcd(denominator_, other.denominator_);
     const Integer cofactor = divide_exactly(other.denominator_, common);
@@ -76,9 +76,9 @@ Rational pow(const Rational& base, std::size_t exponent) {
     return {pow(base.numerator(), exponent), pow(base.denominator(), exponent)};
 }
 
-// Over the least common multiple g a' b' of the denominators g a' and g b'. When a factor f of the
-// denominator and the numerator N are divided by gcd(N, f), they have nothing in common, nor has f with what
-// N becomes.
+// The sum over the least common multiple g a' b' of the denominators g a' and g b'. After a factor f of the
+// denominator and the numerator N are divided by gcd(N, f), f has no factor in common with N, nor with what
+// later steps leave of N.
 Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
                      const Integer& divisor) {
     const Integer common = gcd(a.denominator(), b.denominator());

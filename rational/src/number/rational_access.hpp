@@ -7,14 +7,14 @@
 
 namespace blossom {
 
-/// The private door of Rational for the sources of this layer.
+/// Access to the representation of Rational for the sources of this layer.
 struct RationalAccess {
-    /// Two integers, each a word and an address.
+    /// Two integers, each of which is a word and an address.
     static constexpr bool is_four_words = IntegerAccess::is_word_and_address &&
                                           offsetof(Rational, numerator_) == 0 &&
                                           offsetof(Rational, denominator_) == 16 && sizeof(Rational) == 32;
 
-    /// numerator / denominator as they are: in lowest terms, with a positive denominator.
+    /// numerator / denominator without reduction: in lowest terms, with a positive denominator.
     static Rational from_lowest_terms(Integer numerator, Integer denominator) {
         return {std::move(numerator), std::move(denominator), Rational::Reduced{}};
     }
@@ -31,7 +31,7 @@ struct RationalAccess {
         IntegerAccess::set_magnitude(value.numerator_, numerator, negative);
         IntegerAccess::set_magnitude(value.denominator_, denominator, false);
     }
-    /// By a factor > 0 that has no prime in common with the numerator, which is not 0.
+    /// Multiplies by a factor > 0 that has no prime in common with the numerator, which is not 0.
     static void multiply_denominator(Rational& value, const Integer& factor) { value.denominator_ *= factor; }
     [[gnu::always_inline]] static void set_words(Rational& value, std::int64_t numerator,
                                                  std::int64_t denominator) {

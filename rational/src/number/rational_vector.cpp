@@ -62,8 +62,9 @@ RationalVector RationalVector::weighted(std::span<const Integer> weights, const 
 
 void RationalVector::make_canonical() {
     Integer common = denominator_;
-    // Neighbours often share much, like control points over an interval, whose ends have powers of their own
-    // denominators alone: from both ends, and then from the middle on.
+    // Neighbours often share much: the control points over an interval have powers of the denominator of one
+    // end point only at the ends. Therefore the gcd is taken from both ends, and then outwards from the
+    // middle.
     const std::size_t size = numerators_.size();
     for (std::size_t i = 0; i < size; ++i) {
         if (common.is_one()) return;
@@ -91,7 +92,7 @@ bool operator==(const RationalVector& a, const RationalVector& b) {
 
 std::size_t greatest_bit_length(std::span<const Integer> values) {
     std::size_t greatest = 0;
-    std::uint64_t words = 0;  // of all magnitudes, a bit that one of them has
+    std::uint64_t words = 0;  // bits that are set if one of the magnitudes has them
     for (const Integer& value : values) {
         if (value.is_word()) {
             words |= magnitude(value.word());

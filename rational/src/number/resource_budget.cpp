@@ -8,13 +8,13 @@ namespace blossom {
 
 namespace {
 
-/// The time is looked at after so many word operations, about a tenth of a millisecond.
+/// The word operations between two readings of the time, about a tenth of a millisecond.
 constexpr std::int64_t words_between_checks = 1 << 18;
 
 constexpr std::int64_t nanoseconds_per_second = 1'000'000'000;
 constexpr std::int64_t most_seconds = ThreadResources::unlimited / nanoseconds_per_second / 2;
 
-/// Of this thread.
+/// The processor time of this thread, in nanoseconds.
 std::int64_t processor_time() {
     std::timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
@@ -30,7 +30,7 @@ std::int64_t words_left(const ThreadResources& resources) {
     return resources.words_until_check + resources.words_after_check;
 }
 
-/// Divides the work that is left into what may be done until the next check and the rest.
+/// Divides the remaining work into what is allowed until the next check and the rest.
 void set_words(ThreadResources& resources, std::int64_t words) {
     resources.words_until_check = std::min(words, words_between_checks);
     resources.words_after_check = words - resources.words_until_check;
@@ -40,7 +40,7 @@ void set_words(ThreadResources& resources, std::int64_t words) {
 
 constinit thread_local ThreadResources thread_resources;
 
-// The time is first read at the first check, so that a short request never reads it.
+// The time is first read at the first check, so that short requests never read it.
 ResourceBudget::ResourceBudget(const Limits& limits) : outer_(thread_resources) {
     set_words(start_, std::min(words_left(outer_), limited(limits.work)));
     start_.bytes = std::min(outer_.bytes, limited(limits.memory));
@@ -70,7 +70,7 @@ using Resource = ResourcesExceeded::Resource;
 
 constexpr std::int64_t words_of_message = 1 << 14;
 
-/// What is used up, if anything. The checks that follow say the same, but leave room for a message.
+/// The error if something is used up. Later checks give the same error, but leave room for a message.
 std::optional<ResourcesExceeded> checked() {
     ThreadResources& resources = thread_resources;
     if (!resources.limits) {

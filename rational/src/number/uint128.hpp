@@ -21,15 +21,15 @@ inline UInt128 magnitude(Int128 value) {
     return value < 0 ? 0 - bits : bits;
 }
 
-/// 1/x modulo 2^64 for an odd x: each step of Newton's doubles the correct digits.
+/// 1/x modulo 2^64 for an odd x; each step of Newton's method doubles the number of correct digits.
 constexpr std::uint64_t inverse_of_odd(std::uint64_t x) {
     std::uint64_t inverse = 3 * x ^ 2;
     for (int digits = 5; digits < 64; digits *= 2) inverse *= 2 - x * inverse;
     return inverse;
 }
 
-/// The greatest common divisor of a and an odd b > 0, by Stein's algorithm: a subtraction, a shift and no
-/// branch but the loop's for every two binary digits or so.
+/// The greatest common divisor of a and an odd b > 0, by Stein's algorithm: one subtraction, one shift and no
+/// branch except the loop's for about two binary digits.
 inline std::uint64_t gcd_with_odd(std::uint64_t a, std::uint64_t b) {
     if (a == 0) return b;
     a >>= std::countr_zero(a);

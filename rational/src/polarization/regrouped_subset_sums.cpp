@@ -6,7 +6,7 @@ namespace blossom::subset_sums {
 
 namespace {
 
-/// Beyond, arithmetic on large integers is faster.
+/// For larger results, arithmetic on large integers is faster.
 constexpr std::size_t most_regrouped_bits = 1'000'000;
 
 /// a_Nk = sum (-1)^(n-|S|) (sum of S)^k / k! over the sub-multisets S with N points, modulo eight primes.
@@ -23,9 +23,10 @@ public:
         }
     }
 
-    /// One more argument: sets without it change sign, and e^((u + x) t) = e^(u t) e^(x t) for those with it.
+    /// Appends an argument: the sets without it change sign, and e^((u + x) t) = e^(u t) e^(x t) gives those
+    /// with it.
     void append(const ResidueVector& parameter, bool point) {
-        // x^j / j! behind all others, highest j first, times the radix.
+        // x^j / j! in reverse order, highest j first, times the radix.
         ResidueVector factor{};
         powers_[size_ - 1] = moduli_.radix;
         for (std::size_t j = 1; j < size_; ++j) {
@@ -69,7 +70,7 @@ private:
     const Moduli& moduli_;
     std::size_t size_;
     std::size_t points_ = 0;
-    std::vector<ResidueVector> sums_;  ///< row after row, one for each number of points
+    std::vector<ResidueVector> sums_;  ///< one row per number of points
     std::vector<ResidueVector> powers_;
     std::vector<ResidueVector> inverse_;  ///< 1/j times the square of the radix
 };

@@ -6,10 +6,10 @@ namespace blossom::subset_sums {
 
 namespace {
 
-/// The sub-multisets of some groups as a list: each is an earlier one with one argument more.
+/// The sub-multisets of some groups as a list: each is an earlier one and one more argument.
 struct SubsetList {
     struct Entry {
-        std::size_t smaller;  ///< its index; the first entry is the empty set
+        std::size_t smaller;  ///< the index of that earlier one; the first entry is the empty set
         std::size_t group;
         std::size_t points;
         Integer weight;  ///< prod (-1)^(m_i - j_i) C(m_i, j_i)
@@ -36,11 +36,10 @@ struct SubsetList {
     }
 };
 
-/// How many sub-multisets at most are lined up for the lanes; those of the other groups are taken
-/// in turn.
+/// The most sub-multisets that are laid out in lanes; those of the other groups are enumerated.
 constexpr std::size_t most_lined_up = 512;
 
-/// What is the same for all primes: the groups in front, taken in turn, and those behind, lined up.
+/// The part that does not depend on the primes: the enumerated groups, and the sets laid out in lanes.
 struct StrictPlan {
     explicit StrictPlan(Groups given) : groups(given), in_front(given.size()) {
         std::size_t size = 1;
@@ -48,7 +47,7 @@ struct StrictPlan {
             size *= groups[--in_front].multiplicity + 1;
         front.emplace(groups.first(in_front));
         behind.emplace(groups.subspan(in_front));
-        // In vectors of entries with the same number of points; a place for none has the last index and one.
+        // Each vector holds sets with the same number of points; empty lanes have an index past the end.
         std::size_t most_points = 0;
         for (const auto& entry : behind->entries) most_points = std::max(most_points, entry.points);
         for (std::size_t points = 0; points <= most_points; ++points) {
@@ -69,7 +68,7 @@ struct StrictPlan {
     std::vector<std::size_t> points_of_vector;
 };
 
-/// One lane of a group of primes, in all lanes.
+/// One lane of a group of primes, repeated in all lanes.
 Moduli broadcast(const Moduli& group, std::size_t lane) {
     Moduli result = group;
     for (ResidueVector Moduli::* vector :
@@ -84,7 +83,7 @@ public:
     StrictResidue(const StrictPlan& plan, const Moduli& group, std::size_t lane)
         : plan_(plan), moduli_(broadcast(group, lane)), field_(group.prime.lane[lane]) {}
 
-    /// Nothing if the prime divides the mass of a point.
+    /// Returns nullopt if the prime divides the mass of a point.
     std::optional<std::vector<std::uint64_t>> sums(Rows rows) {
         std::vector<std::uint64_t> parameters;
         std::uint64_t masses = 1;
@@ -169,12 +168,11 @@ private:
     PrimeField field_;
 };
 
-/// Beyond, the residues of the arguments and the integer from its own residues take longer than arithmetic on
-/// large integers.
+/// For larger results, the conversions to and from residues take longer than arithmetic on large integers.
 constexpr std::size_t most_strict_bits = 100'000;
 
-/// Integers by more and more residues. Primes come one by one, as each costs all terms once more, and where
-/// one divides a mass the next is taken.
+/// Integers from an increasing number of residues. Primes are taken one at a time, because each of them costs
+/// all terms again; a prime that divides a mass is skipped.
 class GrowingResidues {
 public:
     explicit GrowingResidues(std::size_t count) : values_(count) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-// What both polarizations by residues share.
+// The code that both polarizations by residues share.
 
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/subset_sums.hpp>
@@ -42,7 +42,7 @@ struct GroupResidue {
     std::uint64_t mass;  ///< 1 for a vector
 };
 
-/// Nothing if the prime divides the mass of a point.
+/// Returns nullopt if the prime divides the mass of a point.
 inline std::optional<GroupResidue> group_residue(const PrimeField& field, const SubsetGroup& group) {
     const std::uint64_t u = field.of(group.u);
     if (group.mass.is_zero()) return GroupResidue{u, 1};

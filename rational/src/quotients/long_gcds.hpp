@@ -1,6 +1,6 @@
 #pragma once
 
-// Greatest common divisors of one long number and many of a few limbs.
+// Greatest common divisors of one long number and several numbers of a few limbs.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace blossom {
 
-/// Taken together in vector lanes.
+/// Several gcds at once, one per vector lane.
 class LongGcds {
 public:
     static constexpr std::size_t most_limbs = 5;
     static constexpr std::size_t most_factors = gcd_lanes::factor_count;
 
-    /// Whether this processor has the lanes; otherwise there is nothing to construct.
+    /// Whether this processor has the instructions; an object can be constructed only then.
     static bool are_quick() { return vectors::table().gcds != nullptr; }
 
-    /// gcd(number, factors[i]) for a number > 0 and at most 8 factors > 0 of at most 5 limbs, all without
-    /// zeros at the top.
+    /// gcd(number, factors[i]) for a number > 0 and at most 8 factors > 0 of at most 5 limbs each; the top
+    /// limbs are not 0.
     LongGcds(std::span<const std::uint64_t> number, std::span<const std::span<const std::uint64_t>> factors);
 
-    /// Calls visit(gcd) for each.
+    /// Calls visit(gcd) for each factor, in order.
     template <class Visit>
     void visit(const Visit& visit) const {
         std::uint64_t room[most_limbs];

@@ -12,8 +12,8 @@ void PowerDenominator::multiply(const Integer& base, std::size_t exponent) {
     product_ *= pow(base, exponent);
 }
 
-// With g = gcd(N, base), N / g and base / g have nothing in common, so that each factor `base` is done with
-// by one gcd, and all others once it is 1.
+// With g = gcd(N, base), N / g and base / g are coprime, so that one gcd settles each factor `base`; once it
+// is 1, it settles all remaining ones.
 Rational PowerDenominator::quotient(Integer numerator) const {
     if (numerator.is_zero()) return {};
     Integer shared = 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Denominators with powers of numbers that have few primes in common with numerators.
+// Denominators that contain powers of numbers with few prime factors in common with the numerators.
 
 #include <blossom/rational/rational.hpp>
 
@@ -10,11 +10,11 @@
 
 namespace blossom {
 
-/// A product > 0 of powers. Only the gcds of a numerator and each base are taken, mostly 1, and not those of
-/// the numerator and whole powers.
+/// A product > 0 of powers. A reduction takes the gcd, usually 1, of the numerator and each base, not of the
+/// numerator and the whole power.
 class PowerDenominator {
 public:
-    /// By base^exponent for a base > 0.
+    /// Multiplies by base^exponent for a base > 0.
     void multiply(const Integer& base, std::size_t exponent);
     /// numerator / product in lowest terms.
     Rational quotient(Integer numerator) const;

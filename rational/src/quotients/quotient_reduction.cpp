@@ -16,7 +16,7 @@ namespace {
 
 using limbs::Limb;
 
-/// A number > 0 in limbs, none of which is 0 at the top; 1 to begin with, which needs no memory.
+/// A number > 0 in limbs, the top one not 0. The initial value is 1, which takes no memory.
 class Natural {
 public:
     Natural() = default;
@@ -27,7 +27,7 @@ public:
     }
 
     bool is_one() const { return limbs_.empty(); }
-    /// Of a number other than 1.
+    /// The limbs of a number other than 1.
     std::span<const Limb> span() const { return limbs_; }
     void multiply(std::span<const Limb> factor) {
         if (is_one()) {
@@ -44,7 +44,7 @@ private:
     std::vector<Limb> limbs_;
 };
 
-/// gcd(a, b) for a >= 0 and b > 0 without zeros at the top.
+/// gcd(a, b) for a >= 0 and b > 0 whose top limbs are not 0.
 Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
     const std::size_t a_size = limbs::used(a.data(), a.size());
     if (a_size == 0) return Natural(b);
@@ -74,8 +74,8 @@ Natural gcd(std::span<const Limb> a, std::span<const Limb> b) {
     return common;
 }
 
-/// The factors of a denominator at the leaves, words and numbers of a few limbs in groups, and above them the
-/// products of neighbours.
+/// A tree of the factors of a denominator: words and numbers of a few limbs in groups at the leaves, and in
+/// each inner node the product of its two children.
 class FactorTree {
 public:
     FactorTree(std::span<const std::uint64_t> words, std::span<const Integer> longer) {
@@ -126,12 +126,12 @@ private:
 
     struct Node {
         Factor product;
-        std::span<const std::uint64_t> words;  ///< of a leaf that has words
-        std::span<const Factor> factors;       ///< of a leaf that has longer factors
-        std::optional<std::size_t> below;      ///< the first of two nodes, unless this is a leaf
+        std::span<const std::uint64_t> words;  ///< the factors of a leaf of words
+        std::span<const Factor> factors;       ///< the factors of a leaf of longer numbers
+        std::optional<std::size_t> below;      ///< the first of the two children, unless this is a leaf
     };
 
-    /// Fewer limbs than this are not worth a division on the way down.
+    /// If a product is fewer limbs shorter than the remainder, no division is made on the way down.
     static constexpr std::size_t least_taken_off = 4;
     static constexpr std::size_t most_words = 16;
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Divisibility by the odd primes up to 137, which are all that denominators of a few digits usually have.
+// Divisibility by the odd primes up to 137, usually the only ones in denominators of a few digits.
 
 #include <bit>
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace blossom::small_primes {
 
-/// Bit i stands for prime i. All bits together stand for a number that may have any prime factors.
+/// Bit i stands for prime i. All bits together stand for numbers that may have any prime factors.
 using Set = std::uint32_t;
 inline constexpr Set any_primes = ~Set{0};
 
 inline constexpr std::size_t count = 32;
 inline constexpr std::uint64_t greatest_known = 4095;
 
-/// x * inverse modulo 2^64 is x / p if that is at most `most`, and otherwise p does not divide x.
+/// x * inverse modulo 2^64 is x / p if it is at most `most`; otherwise p does not divide x.
 struct Prime {
     std::uint64_t prime = 0;
     std::uint64_t inverse = 0;
@@ -56,17 +56,17 @@ struct Table {
 };
 inline constexpr Table table;
 
-/// The odd primes of a factor > 0 of a denominator, from the table.
+/// The odd primes of a factor > 0 of a denominator, by the table.
 inline Set primes_of(std::uint64_t factor) {
     return factor <= greatest_known ? table.of[factor] : any_primes;
 }
 
-/// The odd primes of a product.
+/// The odd primes of a product of factors.
 class SetOfFactors {
 public:
     explicit SetOfFactors(Set set) : set_(set) {}
 
-    /// A factor > 0. Whether all are in the table is asked in the end only.
+    /// Adds a factor > 0. Whether all factors are in the table is checked only at the end.
     void add(std::uint64_t factor) {
         set_ |= table.of[factor & greatest_known];
         all_ |= factor;

@@ -12,7 +12,7 @@ namespace {
 
 using gcd_lanes::word_pairs;
 
-/// The fewest for which lanes pay.
+/// The least number of words for which vector lanes pay.
 constexpr std::size_t least_words_for_lanes = 3;
 
 }  // namespace

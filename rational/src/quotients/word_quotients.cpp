@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_words = DenominatorWords::most_words + 1;
 
-/// A number >= 0 in the first `size` of the words that somebody else holds.
+/// A number >= 0 in the first `size` words of memory that the caller owns.
 struct Words {
     std::uint64_t* words;
     std::size_t size;
@@ -29,9 +29,9 @@ struct Words {
             rest %= divisor;
         }
     }
-    /// Divides by an odd divisor from the least word upwards, with 1/divisor modulo 2^64, and passes the
-    /// words of the quotient to `keep`. What is left over is congruent to the number times a power of 2^-64
-    /// modulo the divisor, and 0 if it divides the number.
+    /// Divides by an odd divisor from the least significant word upwards, with 1/divisor modulo 2^64, and
+    /// passes the words of the quotient to `keep`. The returned remainder is congruent to the number times a
+    /// power of 2^-64 modulo the divisor; it is 0 if the divisor divides the number.
     template <class Keep>
     std::uint64_t divide_from_below(std::uint64_t divisor, std::uint64_t inverse, const Keep& keep) const {
         std::uint64_t carry = 0;
@@ -44,7 +44,7 @@ struct Words {
         }
         return carry;
     }
-    /// Whether the prime divides the number, which it then is divided by.
+    /// Divides the number by the prime if possible, and returns whether it was.
     bool divide_by(const small_primes::Prime& prime) const {
         if (divide_from_below(prime.prime, prime.inverse, [](auto, auto) {}) != 0) return false;
         divide_from_below(prime.prime, prime.inverse,
@@ -53,7 +53,7 @@ struct Words {
     }
 };
 
-/// Neighbouring primes whose product is a word.
+/// Consecutive primes whose product is a word.
 struct PrimeGroup {
     small_primes::Set primes = 0;
     std::uint64_t product = 1;
@@ -87,7 +87,7 @@ small_primes::Set divisors(const Words& number, small_primes::Set set) {
     return result;
 }
 
-/// The product of the factors in `words`, which has room for it.
+/// The product of the factors, written to `words`, which has room for it.
 Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
     words[0] = 1;
     Words result{words, 1};
@@ -95,7 +95,8 @@ Words product(std::span<const std::uint64_t> factors, std::uint64_t* words) {
     return result;
 }
 
-/// For a numerator > 0, by dividing what is common out of both, the denominator factor by factor.
+/// The quotient of a numerator > 0: divides numerator and denominator by their common primes, one factor of
+/// the denominator after the other.
 void assign_quotient_by_primes(Rational& value, const Words& top, bool negative,
                                const DenominatorWords& denominator) {
     std::uint64_t left[most_words];
@@ -122,7 +123,7 @@ void assign_quotient_by_primes(Rational& value, const Words& top, bool negative,
     RationalAccess::set_lowest_terms(value, top.span(), negative, product(factors, words).span());
 }
 
-/// The same in general; false, and nothing is done, if what is common to both is longer than a word.
+/// The same for any factors; returns false and does nothing if the common factor is longer than a word.
 bool assign_quotient_in_place(Rational& value, const Words& top, bool negative,
                               std::span<const std::uint64_t> factors) {
     std::uint64_t common[most_words];

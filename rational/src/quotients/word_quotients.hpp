@@ -1,7 +1,7 @@
 #pragma once
 
-// Quotients of a few words in lowest terms. Denominators come as words, whose prime factors are mostly small:
-// each is then tried with one multiplication, and no greatest common divisor is taken.
+// Quotients of a few words in lowest terms. Denominators are given as words whose prime factors are mostly
+// small: one multiplication tests each prime, and no greatest common divisor is taken.
 
 #include <blossom/rational/rational.hpp>
 
@@ -13,11 +13,12 @@
 namespace blossom {
 
 /// Words whose product is a denominator, as few as greedy packing gives.
-// The unused part of the array is left uninitialized: clearing it would cost more than the work.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+/// The unused part of the array is left uninitialized, because clearing it would take longer than the
+/// computation.
+/// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class DenominatorWords {
 public:
-    /// `primes` are those of the factor.
+    /// Multiplies by a factor with these odd primes.
     void multiply(std::uint64_t factor, small_primes::Set primes) {
         primes_ |= primes;
         std::uint64_t product = 0;
@@ -38,7 +39,7 @@ private:
     std::uint64_t words_[most_words];
 };
 
-/// numerator / denominator in lowest terms, the denominator positive and below 2^63.
+/// Sets `value` to numerator / denominator in lowest terms, for a positive denominator below 2^63.
 void assign_quotient_by_gcd(Rational& value, std::int64_t numerator, std::uint64_t denominator);
 
 /// The same for a denominator with these odd primes.
@@ -64,8 +65,8 @@ void assign_quotient_by_gcd(Rational& value, std::int64_t numerator, std::uint64
     RationalAccess::set_words(value, numerator < 0 ? -top : top, static_cast<std::int64_t>(denominator));
 }
 
-/// sign * numerator / (denominator * prod further), where `numerator` is in words, least significant first,
-/// which are used up.
+/// Sets `value` to sign * numerator / (denominator * prod further) for a numerator in words, least
+/// significant first, which are overwritten.
 void assign_quotient(Rational& value, std::span<std::uint64_t> numerator, bool negative,
                      const DenominatorWords& denominator, std::span<const Integer> further);
 

@@ -18,17 +18,17 @@ namespace {
 using modular::power;
 using modular::product;
 
-/// What the Chinese remainder theorem needs for a number of groups.
+/// The tables of the Chinese remainder theorem for a number of groups.
 struct Tables {
     explicit Tables(std::size_t groups);
 
     Integer combined(std::span<const ResidueVector> residues) const;
 
-    /// sum over the primes p of one group of residue_p * (product of the group / p), which has
-    /// cofactor_words + 1 limbs.
+    /// The sum over the primes p of one group of residue_p * (product of the group / p), in cofactor_words +
+    /// 1 limbs.
     void group_sum(const ResidueVector& residues, std::size_t group, limbs::Limb* sum) const;
 
-    std::size_t cofactor_words;           ///< of a product of seven primes
+    std::size_t cofactor_words;           ///< the length of a product of seven primes
     std::vector<ResidueVector> inverses;  ///< of (product of all) / p, times the radix
     std::vector<std::uint64_t> cofactors;
     std::vector<std::vector<std::vector<limbs::Limb>>> levels;  ///< products of 1, 2, 4, ... groups
@@ -115,12 +115,12 @@ void Tables::group_sum(const ResidueVector& residues, std::size_t group, limbs::
     }
 }
 
-/// A sum has one limb more than the product of its groups: it is less than this product times twice the
-/// number of primes.
+/// A sum has one limb more than the product of its groups, because it is less than this product times twice
+/// the number of primes.
 Integer Tables::combined(std::span<const ResidueVector> residues) const {
     const std::vector<limbs::Limb>& all = levels.back()[0];
-    // Each sum lies where the first of its groups has its place; the places fill one half, products the
-    // other.
+    // Each sum is stored at the place of its first group, in one half of the memory; products are stored in
+    // the other half.
     const std::size_t place = levels[0][0].size() + 2;
     spend_work(4 * words_of_product(all.size(), all.size()));
     std::vector<limbs::Limb> room(3 * place * residues.size() + 8);

@@ -10,7 +10,7 @@ namespace blossom::residues {
 
 namespace {
 
-/// So many digits, those that the number does not have zero.
+/// The first `count` digits of a number, which has no others.
 std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
     constexpr std::size_t digit_bits = BatchTables::digit_bits;
     constexpr std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
@@ -26,7 +26,7 @@ std::vector<std::uint64_t> digits_of(const Integer& number, std::size_t count) {
 
 std::optional<ChineseRemainderBatch> ChineseRemainderBatch::for_bits(std::size_t bits) {
     constexpr std::size_t most_groups = BatchTables::most_primes / lanes;
-    // The Chinese remainder theorem takes a product twice as large as for one number.
+    // The Chinese remainder theorem for batches takes a product twice as large as for one number.
     if (vectors::table().integers_of_residues == nullptr || bits > most_groups * lanes * 50)
         return std::nullopt;
     const std::size_t groups = groups_for(bits + 1);

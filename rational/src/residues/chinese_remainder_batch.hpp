@@ -1,6 +1,6 @@
 #pragma once
 
-// Many integers from their residues at once, where the processor has vectors for it.
+// Many integers at once from their residues, on processors with the vector instructions.
 
 #include <blossom/rational/integer.hpp>
 
@@ -15,16 +15,16 @@ namespace blossom::residues {
 /// The Chinese remainder theorem for integers below a fourth of the product of the first groups of primes.
 class ChineseRemainderBatch {
 public:
-    /// As few groups as suffice for integers of at most `bits` bits; nothing where integers are better
-    /// combined one by one.
+    /// The least number of groups that suffices for integers of at most `bits` bits; nullopt if integers are
+    /// faster to combine one by one.
     static std::optional<ChineseRemainderBatch> for_bits(std::size_t bits);
 
     explicit ChineseRemainderBatch(std::size_t groups);
 
     std::size_t groups() const { return factors_.size(); }
 
-    /// Number k < count from residues[g * stride + k] for all groups g; destroys the residues. The stride is
-    /// a multiple of 8.
+    /// Combines number k < count from residues[g * stride + k] for all groups g, and destroys the residues.
+    /// The stride is a multiple of 8.
     std::vector<Integer> integers(ResidueVector* residues, std::size_t stride, std::size_t count) const;
 
 private:

@@ -12,7 +12,7 @@ namespace {
 
 using WordList = std::vector<std::uint64_t>;
 
-/// Whether a number above 37 is prime: these bases decide for all words.
+/// Whether a number above 37 is prime; these bases of the Miller-Rabin test decide for all 64-bit numbers.
 bool is_prime(std::uint64_t number) {
     const auto zeros = static_cast<unsigned>(__builtin_ctzll(number - 1));
     for (const unsigned base : {2U, 3U, 5U, 7U, 11U, 13U, 17U, 19U, 23U, 29U, 31U, 37U}) {
@@ -28,7 +28,7 @@ bool is_prime(std::uint64_t number) {
     return true;
 }
 
-/// The next smaller prime than an odd number.
+/// The greatest prime below an odd number.
 std::uint64_t prime_below(std::uint64_t number) {
     do number -= 2;
     while (!is_prime(number));
@@ -85,7 +85,7 @@ IntegerPolynomial primitive_part(IntegerPolynomial polynomial) {
     return polynomial;
 }
 
-/// Integers by their residues, each prime after the other.
+/// Integers from their residues, with one more prime per step.
 class Combination {
 public:
     void add(const WordList& words, const PrimeField& field) {
@@ -97,7 +97,7 @@ public:
         }
         modulus_ *= Integer(field.prime());
     }
-    /// Of least magnitude.
+    /// The integers of least magnitude with these residues.
     IntegerPolynomial values() const {
         IntegerPolynomial centred = values_;
         const Integer half = modulus_ >> 1;
@@ -136,7 +136,8 @@ std::optional<IntegerPolynomial> exact_quotient(std::span<const Integer> a, std:
 IntegerPolynomial primitive_gcd(std::span<const Integer> a, std::span<const Integer> b) {
     const IntegerPolynomial first = primitive_part({a.begin(), a.end()});
     const IntegerPolynomial second = primitive_part({b.begin(), b.end()});
-    // The images are multiples of the greatest common divisor by the same factor.
+    // Each monic image is multiplied by `leading`, so that all of them are images of the same multiple of the
+    // gcd.
     const Integer leading = gcd(first.back(), second.back());
     std::size_t least_size = std::min(first.size(), second.size()) + 1;
     Combination combination;
@@ -148,7 +149,7 @@ IntegerPolynomial primitive_gcd(std::span<const Integer> a, std::span<const Inte
         WordList image = gcd_in(field, words_of(first, field), words_of(second, field));
         if (image.size() == 1) return {1};
         if (image.size() > least_size) continue;  // an unlucky prime
-        if (image.size() < least_size) {          // all before were
+        if (image.size() < least_size) {          // all primes so far were unlucky
             least_size = image.size();
             combination = {};
             primes = 0;

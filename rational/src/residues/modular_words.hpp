@@ -1,6 +1,6 @@
 #pragma once
 
-// Words modulo a prime below 2^63, for tables: not for what is computed again and again.
+// Words modulo a prime below 2^63, for the computation of tables, where speed does not matter.
 
 #include <cstdint>
 

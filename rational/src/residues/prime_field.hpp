@@ -1,6 +1,6 @@
 #pragma once
 
-// Arithmetic modulo one prime below 2^63, number by number.
+// Arithmetic modulo one prime below 2^63, one number at a time.
 
 #include <blossom/rational/integer.hpp>
 
@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// Numbers below the prime.
+/// The field of the residues below the prime.
 class PrimeField {
 public:
     explicit PrimeField(std::uint64_t prime) : prime_(prime) {}

@@ -10,14 +10,14 @@ namespace blossom {
 
 namespace {
 
-/// The residue of a value modulo a positive number, from 0 on.
+/// The non-negative residue of a value modulo a positive number.
 Integer modulo(Integer value, const Integer& modulus) {
     value %= modulus;
     if (value.sign() < 0) value += modulus;
     return value;
 }
 
-/// The value of a polynomial and of its derivative, modulo a positive number.
+/// The values of a polynomial and of its derivative at t, modulo a positive number.
 std::pair<Integer, Integer> value_and_slope(std::span<const Integer> polynomial, const Integer& t,
                                             const Integer& modulus) {
     Integer value;
@@ -29,8 +29,8 @@ std::pair<Integer, Integer> value_and_slope(std::span<const Integer> polynomial,
     return {std::move(value), std::move(slope)};
 }
 
-/// A fraction with this residue whose numerator is at most `most`: unique if twice that times the denominator
-/// is below the modulus.
+/// A fraction with this residue whose numerator is at most `most`; it is unique if twice `most` times the
+/// denominator is below the modulus.
 Rational fraction_with(const Integer& residue, const Integer& modulus, const Integer& most) {
     Integer before = modulus;
     Integer now = residue;
@@ -56,8 +56,7 @@ public:
     }
 
     std::vector<Rational> run() {
-        // A root that is simple modulo none of the primes would be multiple modulo all of them, so that they
-        // would all divide the discriminant.
+        // The loop ends: if a root were simple modulo no prime, every prime would divide the discriminant.
         for (std::uint64_t prime = 4001; !is_complete_; prime = next_prime(prime)) {
             if (rest_.size() < 2) break;
             const PrimeField field(prime);
@@ -98,7 +97,7 @@ private:
         }
     }
 
-    /// Looks for the rational root with the residue `root`, which is a simple root modulo the prime.
+    /// Searches for the rational root with the residue `root`, a simple root modulo the prime.
     void lift(std::span<const Integer> polynomial, Integer root, const Integer& slope,
               const PrimeField& field) {
         const Integer numerator_bound = abs(polynomial.front());
@@ -110,7 +109,7 @@ private:
             const std::size_t half = modulus.bit_length() / 2;
             const Integer most = is_enough ? numerator_bound : Integer(1) << half;
             const Rational candidate = fraction_with(root, modulus, most);
-            // A fraction that is shorter than chance would have it is most likely the root.
+            // A fraction shorter by so many bits than one with a random residue is most likely the root.
             constexpr std::size_t spare_bits = 8;
             const std::size_t bits =
                 candidate.numerator().bit_length() + candidate.denominator().bit_length();
@@ -123,7 +122,7 @@ private:
         }
     }
 
-    /// Whether the number is a root; the polynomial is then divided by its factor.
+    /// Whether the number is a root; if so, the polynomial is divided by its linear factor.
     bool test(const Rational& candidate) {
         const Integer factor[] = {-candidate.numerator(), candidate.denominator()};
         auto quotient = exact_quotient(rest_, factor);
@@ -133,7 +132,7 @@ private:
         return true;
     }
 
-    IntegerPolynomial rest_;  ///< without the roots that were found
+    IntegerPolynomial rest_;  ///< the polynomial without the roots found so far
     std::vector<Rational> found_;
     bool is_complete_ = false;
 };

@@ -16,13 +16,14 @@ Digits digits_of(std::span<const Integer> numbers) {
     return digits;
 }
 
-/// The numbers at least as long as this many digits times groups are looked at for fractions: by measurement.
+/// Fractions are considered if the digits of a number times the groups are at least this many (by
+/// measurement).
 constexpr std::size_t least_saving = 2000;
-/// What a group costs more with fractions, in digits.
+/// The additional cost of a group with fractions, in digits.
 constexpr std::size_t digits_of_fraction = 40;
 
-/// 1/values[k] for values times the radix, which they keep; false if one is 0. Three products per value: each
-/// pair is inverted by its product. `scratch` has 3 count + 64 places.
+/// Replaces values, stored times the radix, by their inverses in the same form; returns false if one is 0.
+/// Three products per value: each pair is inverted by its product. `scratch` has 3 count + 64 elements.
 bool invert_each(const Moduli& moduli, ResidueVector* values, std::size_t count, ResidueVector* scratch) {
     const Operations& run = operations();
     if (count == 1) {
@@ -31,7 +32,7 @@ bool invert_each(const Moduli& moduli, ResidueVector* values, std::size_t count,
             if (values->lane[i] == 0) return false;
             values->lane[i] = PrimeField(moduli.prime.lane[i]).inverse(values->lane[i]);
         }
-        // 1/(value radix), times the radix twice
+        // 1/(value radix), times radix^2
         run.scale(moduli, values, moduli.square, 1, values);
         run.scale(moduli, values, moduli.square, 1, values);
         return true;
@@ -87,7 +88,7 @@ bool Numbers::residues_of_fractions(const Moduli& moduli, ResidueVector* residue
     if (!invert_each(moduli, inverses.data(), count, scratch.data())) return false;
     ResidueVector denominator{};
     denominator_.residues(moduli, powers.data(), &denominator);
-    // Without the radix, which the powers of the tops bring.
+    // Without the factor radix, which the powers of the numerators contribute.
     const ResidueVector one = [] {
         ResidueVector result{};
         std::ranges::fill(result.lane, 1);

@@ -9,11 +9,11 @@ namespace blossom::residues {
 
 namespace {
 
-/// The number of terms up to which products are taken term by term: by measurement.
+/// The most terms for which products are computed term by term (by measurement).
 constexpr std::size_t basecase = 64;
 static_assert(basecase <= most_product_terms);
 
-/// a[0..m) in pieces of n terms, for m > n.
+/// a[0..m) b[0..n) for m > n, in pieces of n terms of a.
 void multiply_in_pieces(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
                         std::size_t n, ResidueVector* product, ResidueVector* scratch) {
     std::fill(product, product + m + n - 1, ResidueVector{});

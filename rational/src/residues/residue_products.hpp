@@ -10,7 +10,7 @@
 
 namespace blossom::residues {
 
-/// Memory for residue vectors, which is not cleared.
+/// Memory for residue vectors, not cleared.
 class Buffer {
 public:
     explicit Buffer(std::size_t size) : vectors_(std::make_unique_for_overwrite<ResidueVector[]>(size)) {}
@@ -20,10 +20,10 @@ private:
     std::unique_ptr<ResidueVector[]> vectors_;  // NOLINT(modernize-avoid-c-arrays): a vector would clear it
 };
 
-/// The product of polynomials that lie one after the other, by a balanced tree.
+/// The product of polynomials that are stored one after the other, by a balanced tree.
 class ProductTree {
 public:
-    /// `sizes` are the numbers of coefficients, none of them 0.
+    /// `sizes` are the numbers of coefficients of the factors, none of them 0.
     explicit ProductTree(std::vector<std::size_t> sizes);
 
     /// The number of coefficients of the product.
@@ -32,17 +32,17 @@ public:
         return begins_[end] - begins_[begin] - (end - begin - 1);
     }
 
-    /// The coefficients of the product, where those of the factors and of the product stand for themselves
-    /// times the radix. Valid until the next call.
+    /// The coefficients of the product; they and those of the factors are stored times the radix. Valid until
+    /// the next call.
     const ResidueVector* product(const Moduli& moduli, const ResidueVector* polynomials);
-    /// Those of polynomials [begin, end) alone, to `to`.
+    /// Writes the product of the polynomials [begin, end) to `to`.
     void product(const Moduli& moduli, const ResidueVector* polynomials, std::size_t begin, std::size_t end,
                  ResidueVector* to) const {
         multiply(moduli, polynomials, begin, end, to, scratch_.data());
     }
 
 private:
-    /// Of polynomials [begin, end) to `to`.
+    /// Multiplies the polynomials [begin, end) to `to`.
     void multiply(const Moduli& moduli, const ResidueVector* polynomials, std::size_t begin, std::size_t end,
                   ResidueVector* to, ResidueVector* scratch) const;
     static std::vector<std::size_t> begins_of(std::vector<std::size_t> sizes);
@@ -52,8 +52,8 @@ private:
     Buffer scratch_;
 };
 
-/// The coefficients of the product of a[0..m) and b[0..n), divided by the radix; m >= n >= 1. Cost: n^1.58 by
-/// Karatsuba's method for m = n beyond a basecase. `scratch` has `scratch_size(m)` places.
+/// The coefficients of the product of a[0..m) and b[0..n), divided by the radix; m >= n >= 1. Cost: n^1.58
+/// for m = n by Karatsuba's method, above a threshold. `scratch` has `scratch_size(m)` elements.
 void multiply(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
               std::size_t n, ResidueVector* product, ResidueVector* scratch);
 constexpr std::size_t scratch_size(std::size_t m) { return 6 * m + 256; }

@@ -18,7 +18,7 @@ namespace {
 using modular::power;
 using modular::product;
 
-/// By the test of Miller and Rabin, which these bases decide for 64 bits (Sorenson and Webster, 2015).
+/// The test of Miller and Rabin; these bases decide for 64 bits (Sorenson and Webster, 2015).
 bool is_prime(std::uint64_t odd) {
     const int twos = std::countr_zero(odd - 1);
     for (const std::uint64_t base : {2U, 3U, 5U, 7U, 11U, 13U, 17U, 19U, 23U, 29U, 31U, 37U}) {
@@ -33,7 +33,7 @@ bool is_prime(std::uint64_t odd) {
     return true;
 }
 
-/// A root of unity of order 2^order modulo a prime that is 1 modulo 2^order.
+/// A root of unity of order 2^order modulo a prime that is congruent to 1 modulo 2^order.
 std::uint64_t root_of_unity(std::uint64_t prime, std::size_t order) {
     for (std::uint64_t base = 2;; ++base) {
         const std::uint64_t root = power(base, (prime - 1) >> order, prime);
@@ -41,21 +41,22 @@ std::uint64_t root_of_unity(std::uint64_t prime, std::size_t order) {
     }
 }
 
-/// The groups of primes in use, in place once they are there; not to be used by two threads at a time.
+/// The groups of primes in use, which do not move once they are created; only one thread may use this object
+/// at a time.
 class Groups {
 public:
     const Moduli& group(std::size_t i) {
         while (groups_.size() <= i) append();
         return groups_[i];
     }
-    /// As few groups as have a product of at least 2^bits.
+    /// The least number of groups with a product of at least 2^bits.
     std::size_t count_for(std::size_t bits) {
         while (bits_.empty() || bits_.back() < bits) append();
         return static_cast<std::size_t>(std::ranges::lower_bound(bits_, bits) - bits_.begin()) + 1;
     }
 
 private:
-    /// The primes that are 1 modulo 2^root_order come first.
+    /// Primes that are 1 modulo 2^root_order come first.
     void step_to_prime(const Operations& level) {
         const std::uint64_t end = std::uint64_t{1} << level.delta_bits;
         const std::uint64_t order = std::uint64_t{1} << level.root_order;
@@ -101,7 +102,7 @@ private:
     }
 
     std::deque<Moduli> groups_;
-    std::vector<std::size_t> bits_;  ///< the product of as many groups is at least 2 to this power
+    std::vector<std::size_t> bits_;  ///< the product of the first i + 1 groups is at least 2^bits_[i]
     std::uint64_t delta_ = static_cast<std::uint64_t>(-1);
     bool has_roots_ = true;
 };
@@ -114,7 +115,7 @@ decltype(auto) with_groups(const Use& use) {
     return use(groups);
 }
 
-/// power, power * 2^b, power * 2^2b, ...
+/// first, first * 2^b, first * 2^2b, ...
 std::vector<ResidueVector> powers(const Moduli& moduli, std::size_t count, const ResidueVector& first) {
     std::vector<ResidueVector> result(std::max(count, std::size_t{1}));
     result[0] = first;

@@ -10,7 +10,8 @@ namespace blossom::residues {
 
 namespace {
 
-/// By measurement: below, and where a transform is much longer than the product, other ways are faster.
+/// With fewer factors, or if a transform is much longer than the product, other ways are faster (by
+/// measurement).
 constexpr std::size_t least_factors = 500;
 constexpr std::size_t shortest_leaf = 32;
 
@@ -61,7 +62,7 @@ Roots::Roots(const Moduli& moduli, std::size_t size) : powers_(size) {
 
 void transform_numbers(const Moduli& moduli, const Roots& roots, const ResidueVector* numbers,
                        std::size_t count, std::size_t size, ResidueVector* values) {
-    // The transform with the inverse roots is that of the numbers in the opposite order.
+    // The transform with the inverse roots is the transform of the numbers in reverse order.
     values[0] = numbers[0];
     std::fill(values + 1, values + (size - count + 1), ResidueVector{});
     std::reverse_copy(numbers + 1, numbers + count, values + (size - count + 1));
@@ -74,8 +75,8 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
                     ResidueVector* leaves, ResidueVector* values) {
     const Operations& run = operations();
     const Buffer room(plan.size());
-    const Buffer twists(plan.size() / 2);
-    // Each polynomial has `size` values; twice as many are wanted of a product. The last go to `values`.
+    const Buffer twiddles(plan.size() / 2);
+    // Each polynomial has `size` values; their products need twice as many. The last products go to `values`.
     std::size_t size = plan.leaf;
     ResidueVector* from = leaves;
     ResidueVector* to = plan.levels % 2 == 1 ? values : room.data();
@@ -83,15 +84,15 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
         const bool are_coefficients = size == plan.leaf;
         const auto k = static_cast<std::size_t>(std::countr_zero(size));
         const ResidueVector factor = are_coefficients ? moduli.radix : inverse_power_of_two(moduli, k);
-        run.scale(moduli, roots.data() + size, factor, size, twists.data());
+        run.scale(moduli, roots.data() + size, factor, size, twiddles.data());
         for (std::size_t i = 0; i < count; i += 2) {
             ResidueVector* const left = from + i * size;
             ResidueVector* const right = left + size;
             ResidueVector* const first = to + i * size;
             ResidueVector* const second = first + size;
             if (are_coefficients) {
-                run.multiply_each(moduli, left, twists.data(), size, first);
-                run.multiply_each(moduli, right, twists.data(), size, second);
+                run.multiply_each(moduli, left, twiddles.data(), size, first);
+                run.multiply_each(moduli, right, twiddles.data(), size, second);
                 run.transform(moduli, roots.data(), first, size);
                 run.transform(moduli, roots.data(), second, size);
                 run.multiply_each(moduli, first, second, size, second);
@@ -102,7 +103,7 @@ void product_values(const Moduli& moduli, const Roots& roots, const TransformPla
                 run.multiply_each(moduli, left, right, size, first);
                 for (ResidueVector* const polynomial : {left, right}) {
                     run.inverse_transform(moduli, roots.data(), polynomial, size);
-                    run.multiply_each(moduli, polynomial, twists.data(), size, polynomial);
+                    run.multiply_each(moduli, polynomial, twiddles.data(), size, polynomial);
                     run.transform(moduli, roots.data(), polynomial, size);
                 }
                 run.multiply_each(moduli, left, right, size, second);

@@ -1,8 +1,8 @@
 #pragma once
 
-// Sums over products of linear factors by number theoretic transforms: a polynomial of degree below L = 2^k
-// is given by its values at the powers of a root of unity of order L, where products are taken one by one,
-// and the sum of its coefficients times given numbers is one of its values times others.
+// Sums over products of linear factors by number theoretic transforms. A polynomial of degree below L = 2^k
+// is represented by its values at the powers of a root of unity of order L, where products are taken value by
+// value. The sum of its coefficients times given numbers is a sum of its values times transformed numbers.
 
 #include <cstddef>
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace blossom::residues {
 
-/// How n factors are split: 2^levels leaves of as equal degrees as can be, each below `leaf`.
+/// How n factors are split: into 2^levels leaves of nearly equal degrees, each below `leaf`.
 struct TransformPlan {
-    std::size_t leaf = 0;    ///< 0 if other ways are faster; a power of 2 otherwise
+    std::size_t leaf = 0;    ///< a power of 2; 0 if other ways are faster
     std::size_t levels = 0;  ///< the transform has leaf * 2^levels values
 
     explicit operator bool() const { return leaf != 0; }
@@ -30,7 +30,7 @@ inline bool has_transform(const Moduli& moduli, std::size_t size) {
     return size <= std::size_t{1} << moduli.root_order;
 }
 
-/// The powers of roots of unity that transforms of up to `size` values take.
+/// The powers of roots of unity for transforms of up to `size` values.
 class Roots {
 public:
     Roots(const Moduli& moduli, std::size_t size);
@@ -40,13 +40,14 @@ private:
     Buffer powers_;
 };
 
-/// For numbers c_k, k < count <= size, such that sum_k c_k p_k = sum_j values[j] P_j / radix for every
-/// polynomial p with fewer than `size` coefficients and its values P_j in the order of `product_values`.
+/// Sets `values` for numbers c_k, k < count <= size, such that sum_k c_k p_k = sum_j values[j] P_j / radix
+/// for every polynomial p with fewer than `size` coefficients p_k and the values P_j, in the order of
+/// `product_values`.
 void transform_numbers(const Moduli& moduli, const Roots& roots, const ResidueVector* numbers,
                        std::size_t count, std::size_t size, ResidueVector* values);
 
-/// The values of the product of the leaves at the roots of unity of order plan.size(); `leaves` has plan.leaf
-/// coefficients of each, which are used up.
+/// The values of the product of the leaves at the roots of unity of order plan.size(). `leaves` holds
+/// plan.leaf coefficients per leaf, which are overwritten.
 void product_values(const Moduli& moduli, const Roots& roots, const TransformPlan& plan,
                     ResidueVector* leaves, ResidueVector* values);
 

@@ -12,15 +12,16 @@ namespace {
 
 using limbs::Limb;
 
-/// Up to so many words are looked for.
+/// The most words of a numerator or denominator that is searched for.
 constexpr std::size_t most_fraction_words = 80;
 
-/// a / b = N / D for large N and D from their greatest words alone.
+/// Finds a / b = N / D for large N and D from their most significant words alone.
 ///
-/// With h words for each of a and b, 2 h + 1 words x and y at the top of N and D, and |N| <= D, say,
-/// |x/y - a/b| <= 2/y < 1/(2 b^2): a/b is a convergent of x/y. With b = b_j its remainder |x b_j - y a_j| is
-/// below 2 b, and so below the bound 2^(64 h + 32), while b_(i+1) > y / (2 r_i) would be greater than b for
-/// any other remainder r_i below it that comes before. So Euclid's algorithm is run up to the first one.
+/// With h words for each of a and b, 2 h + 1 words x and y at the top of N and D, and |N| <= D without loss
+/// of generality, |x/y - a/b| <= 2/y < 1/(2 b^2), so that a/b is a convergent of x/y. With b = b_j its
+/// remainder |x b_j - y a_j| is below 2 b, and therefore below the bound 2^(64 h + 32). For any earlier
+/// remainder r_i below the bound, b_(i+1) > y / (2 r_i) would be greater than b. Therefore Euclid's algorithm
+/// runs up to the first remainder below the bound.
 class FractionSearch {
 public:
     explicit FractionSearch(const Integer& denominator)
@@ -67,12 +68,13 @@ private:
         return result;
     }
 
-    /// Whether the first is at least 2^(64 words + 32).
+    /// Whether a remainder is at least 2^(64 words + 32).
     static bool reaches(const std::vector<Limb>& number, std::size_t words) {
         return number[words] >> 32 != 0 || limbs::used(number.data(), number.size()) > words + 1;
     }
 
-    /// Euclid's algorithm to the first remainder below the bound; false if the numbers are too different.
+    /// Runs Euclid's algorithm to the first remainder below the bound; returns false if the sizes of the
+    /// numbers differ too much.
     bool run_to(std::size_t words) {
         while (reaches(first_, words)) {
             if (!reaches(second_, words)) return true;
@@ -81,8 +83,8 @@ private:
         return false;
     }
 
-    /// As many quotients as the greatest 64 bits decide, by Lehmer's method with Jebelean's condition. Large
-    /// quotients, such as the one behind the fraction that is looked for, are left alone.
+    /// Takes as many quotients as the top 64 bits determine, by Lehmer's method with Jebelean's condition. It
+    /// stops before large quotients, such as the one after the desired fraction.
     bool several_steps() {
         constexpr Limb least_large_quotient = Limb{1} << 16;
         const std::size_t top = limbs::used(first_.data(), first_.size()) - 1;
@@ -141,7 +143,7 @@ private:
         return negative ? -result : result;
     }
 
-    /// One quotient of any size.
+    /// Takes one quotient of any size.
     void one_step() {
         const std::size_t m = limbs::used(first_.data(), first_.size());
         const std::size_t n = limbs::used(second_.data(), second_.size());
@@ -161,10 +163,10 @@ private:
     const Integer& denominator_;
     std::size_t bits_;
     std::vector<Limb> bottom_;
-    std::vector<Limb> first_;          ///< a remainder
-    std::vector<Limb> second_;         ///< the next
-    std::vector<Limb> first_weight_;   ///< of x in a remainder, without its sign
-    std::vector<Limb> second_weight_;  ///< of the next
+    std::vector<Limb> first_;          ///< the current remainder
+    std::vector<Limb> second_;         ///< the next remainder
+    std::vector<Limb> first_weight_;   ///< the coefficient of x in the current remainder, without sign
+    std::vector<Limb> second_weight_;  ///< the same for the next remainder
 };
 
 }  // namespace
@@ -184,7 +186,7 @@ std::optional<SmallFractions> small_fractions(std::span<const Integer> numerator
             result.bottoms.emplace_back(1);
             continue;
         }
-        // Neighbours have about as many words.
+        // Adjacent fractions have similar numbers of words.
         std::optional<FractionSearch::Fraction> found;
         for (; !found && words <= most; words *= 2) found = search.find(numerator, words);
         if (found) {

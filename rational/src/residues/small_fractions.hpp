@@ -1,6 +1,6 @@
 #pragma once
 
-// Small fractions from large numerators over one denominator.
+// Small fractions that are given as large numerators over one denominator.
 
 #include <blossom/rational/integer.hpp>
 
@@ -10,17 +10,17 @@
 
 namespace blossom {
 
-/// Numbers denominator * tops[k] / bottoms[k], in lowest terms but for those of which both are large.
+/// Numbers denominator * tops[k] / bottoms[k]; the fractions are in lowest terms except those that are large.
 struct SmallFractions {
     std::vector<Integer> tops;
     std::vector<Integer> bottoms;
 };
 
-/// What numerators[k] / denominator are in lowest terms, where that has at most a quarter of the words of the
-/// denominator for most k; nothing otherwise. The others stay as they are. Both sides of what is found are
-/// multiplied out, so that it is right.
+/// The fractions numerators[k] / denominator in lowest terms, if for most k these have at most a quarter of
+/// the words of the denominator; nullopt otherwise. The other fractions are not reduced. Each fraction found
+/// is verified by cross-multiplication.
 ///
-/// Cost for fractions of h words over a denominator of m: 2 h m + O(h^2) each.
+/// Cost for fractions of h words over a denominator of m words: 2 h m + O(h^2) each.
 std::optional<SmallFractions> small_fractions(std::span<const Integer> numerators,
                                               const Integer& denominator);
 

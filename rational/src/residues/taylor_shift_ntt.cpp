@@ -12,7 +12,7 @@ ResidueVector inverse(const Moduli& moduli, const ResidueVector& x) {
     const Operations& run = operations();
     ResidueVector square = x;
     ResidueVector result = moduli.radix;
-    // x^(p - 2), by squares.
+    // x^(p - 2), by repeated squaring.
     for (std::size_t bit = 0; bit < run.prime_bits; ++bit) {
         ResidueVector next{};
         run.scale(moduli, &result, square, 1, &next);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Taylor shifts by convolution in residues: with c_k k! and 1 / m! as coefficients the shift by one is a
-// product of polynomials (Aho, Steiglitz and Ullman, 1975), taken by number theoretic transforms.
+// Taylor shifts by convolution in residues: with the coefficients c_k k! and 1 / m!, the shift by one is a
+// product of polynomials (Aho, Steiglitz and Ullman, 1975), computed by number theoretic transforms.
 
 #include <memory>
 
@@ -9,14 +9,14 @@
 
 namespace blossom::residues {
 
-/// 1/x for numbers x that no prime divides, both times the radix.
+/// 1/x for numbers x that no prime of the group divides; x and 1/x are stored times the radix.
 ResidueVector inverse(const Moduli& moduli, const ResidueVector& x);
 
-/// What shifts of at most size / 2 coefficients take modulo the primes of one group.
+/// Tables for shifts of at most size / 2 coefficients modulo the primes of one group.
 class ShiftTables {
 public:
-    /// Those used last are kept, up to 64 MiB of them. `size` is a power of 2 that the group has a transform
-    /// of.
+    /// The most recent tables are kept, up to 64 MiB. `size` is a power of 2 for which the group has a
+    /// transform.
     static std::shared_ptr<const ShiftTables> of_group(std::size_t group, std::size_t size);
 
     ShiftTables(const Moduli& moduli, std::size_t size);
@@ -28,7 +28,7 @@ public:
     const ResidueVector* inverse_factorials() const { return inverse_factorials_.data(); }
 
     /// Multiplies the polynomial of `count` <= size / 2 coefficients in `a`, which has room for `size`, by
-    /// the sum of all X^m / m!; the first `count` coefficients are right.
+    /// the sum of all X^m / m!; only the first `count` coefficients of the result are valid.
     void multiply_by_exponential(ResidueVector* a, std::size_t count) const;
 
 private:
@@ -36,7 +36,7 @@ private:
     std::size_t size_;
     std::vector<ResidueVector> factorials_;
     std::vector<ResidueVector> inverse_factorials_;
-    std::vector<ResidueVector> exponential_;  ///< its values
+    std::vector<ResidueVector> exponential_;  ///< the values of the exponential series
     Roots roots_;
 };
 

@@ -1,4 +1,4 @@
-// Bernstein coefficients in rows of fixed width, modulo a power of two that is known to suffice: only the
+// Bernstein coefficients in rows of fixed width, modulo a power of two that provably suffices: only the
 // results have to fit.
 
 #include <blossom/rational/bernstein_kernel.hpp>
@@ -17,21 +17,21 @@ namespace blossom {
 
 namespace {
 
-/// In words; wider numbers are as fast in vectors or residues.
+/// In words; for wider numbers, vectors or residues are as fast.
 constexpr std::size_t most_words_of_line = 10;
 constexpr std::size_t most_coefficients_of_line = 32;
 
-/// t = (p + slope z) / q with z = x / y, over the denominator rest.
+/// t = (p + slope z) / q with z = x / y, over the denominator `rest`.
 struct LineInWords {
     std::uint64_t p;
-    bool negative;  ///< whether it is -p
+    bool negative;  ///< whether the number is -p
     std::uint64_t q;
     std::uint64_t slope;
-    bool falls;  ///< whether it is -slope
+    bool falls;  ///< whether the slope is -slope
     std::uint64_t rest;
 };
 
-/// base^exponent as few words that are multiplied one after the other.
+/// base^exponent as a few words to multiply by one after the other.
 class WordPowers {
 public:
     explicit WordPowers(std::uint64_t base) : powers_{1} {
@@ -67,7 +67,7 @@ public:
         scale(line.q, 1, line.negative);
         for (std::size_t level = 1; line.p != 0 && level <= n; ++level)
             for (std::size_t k = n; k-- + 1 > level;) add_product(entries_[k], entries_[k + 1], line.p);
-        // With p negative the signs of odd powers are still the opposite ones.
+        // If p is negative, the signs of odd powers are already reversed.
         scale(line.rest, line.slope, line.falls != line.negative);
         for (std::size_t level = 1; level <= n; ++level)
             for (std::size_t k = 1; k + level <= n + 1; ++k) add(entries_[k], entries_[k - 1]);
@@ -136,14 +136,14 @@ std::vector<Integer> substituted(std::span<const Integer> coefficients, const Li
     return row.times(weights);
 }
 
-/// For each number of words from 1.
+/// One instance per number of words, from 1.
 constexpr auto substituted_in_words = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array{&substituted<i + 1>...};
 }(std::make_index_sequence<most_words_of_line>());
 
 }  // namespace
 
-// With a = p/q, b = r/s, and q = g q', s = g s', q t is p + (r q' - p s') / s' z.
+// With a = p/q, b = r/s, q = g q' and s = g s', q t = p + (r q' - p s') / s' z.
 std::optional<std::vector<Integer>> bernstein_in_words(std::span<const Integer> coefficients,
                                                        const WordQuotient& a, const WordQuotient& b,
                                                        std::span<const Integer> weights) {
@@ -159,7 +159,7 @@ std::optional<std::vector<Integer>> bernstein_in_words(std::span<const Integer> 
     if (__builtin_mul_overflow(a.numerator, falling, &from) ||
         __builtin_mul_overflow(b.numerator, rising, &slope) || __builtin_sub_overflow(slope, from, &slope))
         return std::nullopt;
-    // As in `form_on_line`, then the powers and weights.
+    // The bound of `form_on_line`, then that of the powers and weights.
     fixed_width::BitBound bound(greatest_bit_length(coefficients) + greatest_bit_length(weights) +
                                 static_cast<std::size_t>(std::bit_width(count)));
     const std::uint64_t growth = std::max(magnitude(a.numerator) + magnitude(b.numerator),

@@ -24,8 +24,9 @@ using residues::operations;
 using residues::ResidueVector;
 using residues::ShiftTables;
 
-/// As many numbers as there are coefficients, of at most `bits` bits each: `transform(tables, numbers, room)`
-/// turns the residues of the coefficients into theirs, with room for tables.size() residue vectors.
+/// As many numbers as there are coefficients, of at most `bits` bits each. `transform(tables, numbers, room)`
+/// turns the residues of the coefficients into those of the numbers, with scratch memory for tables.size()
+/// residue vectors.
 template <class Transform>
 std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coefficients, std::size_t bits,
                                                 const Transform& transform) {
@@ -52,7 +53,7 @@ std::optional<std::vector<Integer>> in_residues(std::span<const Integer> coeffic
     return combination->integers(numbers.data(), stride, count);
 }
 
-/// m_j with sum_k c_k t^k = sum_j m_j (t - 1)^j, from c_k in `numbers` to `numbers`.
+/// Replaces c_k in `numbers` by m_j with sum_k c_k t^k = sum_j m_j (t - 1)^j.
 void shift_by_one(const ShiftTables& tables, std::size_t count, ResidueVector* numbers, ResidueVector* room) {
     const Moduli& group = tables.moduli();
     operations().multiply_each(group, numbers, tables.factorials(), count, room);
@@ -74,7 +75,7 @@ void scale_by_powers(const Moduli& group, const ResidueVector& first, const Resi
     operations().multiply_each(group, numbers, room, count, numbers);
 }
 
-/// A word below 2^49 in magnitude, times the radix.
+/// The residue of a word below 2^49 in magnitude, times the radix.
 ResidueVector residue_of(const Moduli& group, std::int64_t value) {
     ResidueVector result{};
     for (std::size_t i = 0; i < residues::lanes; ++i)
@@ -89,7 +90,7 @@ ResidueVector product(const Moduli& group, const ResidueVector& a, const Residue
     return result;
 }
 
-/// base^exponent, times the radix like the base.
+/// base^exponent; base and result are stored times the radix.
 ResidueVector power(const Moduli& group, const ResidueVector& base, std::size_t exponent) {
     ResidueVector result = group.radix;
     ResidueVector square = base;
@@ -100,7 +101,7 @@ ResidueVector power(const Moduli& group, const ResidueVector& base, std::size_t 
     return result;
 }
 
-/// What a line is modulo the primes of a group, all times the radix: t = a + length s.
+/// A line t = a + length s modulo the primes of a group, all numbers times the radix.
 struct LineResidues {
     LineResidues(const Moduli& group, const WordQuotient& a, const WordQuotient& b)
         : denominator_of_a(residue_of(group, a.denominator)) {
@@ -124,9 +125,9 @@ struct LineResidues {
     }
 
     ResidueVector denominator_of_a;
-    ResidueVector start{};  ///< a, or nothing of use if that is 0
+    ResidueVector start{};  ///< a; meaningless if a is 0
     ResidueVector slope{};  ///< length / a, or length if a is 0
-    ResidueVector ratio{};  ///< the denominator of b by that of a
+    ResidueVector ratio{};  ///< the denominator of b divided by that of a
 };
 
 }  // namespace
@@ -142,13 +143,14 @@ std::optional<std::vector<Integer>> shifted_by_one(std::span<const Integer> coef
 
 }  // namespace residues
 
-// With t = a + (b - a) s and F = sum_j m_j (t - a)^j, F is sum_j m_j (b - a)^j s^j (s + (1 - s))^(n-j): its
-// coefficients in s and 1 - s, reversed, are a shift by one of those of the reversed polynomial in s.
+// With t = a + (b - a) s and F = sum_j m_j (t - a)^j, F is sum_j m_j (b - a)^j s^j (s + (1 - s))^(n-j): the
+// coefficients of F in s and 1 - s, in reverse order, are those of the reversed polynomial in s shifted by
+// one.
 std::optional<std::vector<Integer>> form_on_line(std::span<const Integer> coefficients, const WordQuotient& a,
                                                  const WordQuotient& b) {
     const std::size_t count = coefficients.size();
     if (count < 2) return std::nullopt;
-    // |w_k| is at most the value at x = y = 1 of the form with all magnitudes.
+    // |w_k| is at most the value at x = y = 1 of the form whose coefficients are the magnitudes.
     fixed_width::BitBound bound(greatest_bit_length(coefficients) +
                                 static_cast<std::size_t>(std::bit_width(count)));
     const std::uint64_t growth = std::max(magnitude(a.numerator) + magnitude(b.numerator),

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whole polynomials in residues; what substitutes lines is in a header of its own.
+// Operations on whole polynomials in residues. bernstein_kernel.hpp declares those on lines.
 
 #include <blossom/rational/taylor_shift.hpp>
 
@@ -8,8 +8,8 @@
 
 namespace blossom::residues {
 
-/// blossom::shifted_by_one for results of at most `bits` bits. Nothing where the processor has no vectors for
-/// it, or there are too many coefficients or bits.
+/// blossom::shifted_by_one for results of at most `bits` bits. Returns nullopt if the processor lacks the
+/// vector instructions, or for too many coefficients or bits.
 std::optional<std::vector<Integer>> shifted_by_one(std::span<const Integer> coefficients, std::size_t bits);
 
 }  // namespace blossom::residues

@@ -19,26 +19,26 @@ using taylor_lanes::digit_bits;
 using taylor_lanes::levels;
 
 constexpr std::int64_t digit_mask = (std::int64_t{1} << digit_bits) - 1;
-/// Below, what is written for the vectors takes longer than they save.
+/// For fewer coefficients, the conversion to vectors takes longer than they save.
 constexpr std::size_t least_coefficients = 12;
-/// Up to so many, pairs of words are faster where they suffice.
+/// Up to this many coefficients, pairs of words are faster if they suffice.
 constexpr std::size_t most_coefficients_in_words = 64;
-/// Transforms are faster from this many coefficients on, for results of at most this many bits per
+/// From this many coefficients on, transforms are faster, for results of at most this many bits per
 /// coefficient.
 constexpr std::size_t least_coefficients_in_residues = 513;
 constexpr std::size_t most_bits_a_coefficient = 4;
 
 const taylor_lanes::Operations& row_operations() { return *vectors::table().taylor; }
 
-/// Planes for numbers of at most `bits` bits: the greatest digit stays far below a word. They hold whole
-/// groups of four digits.
+/// The planes for numbers of at most `bits` bits, in whole groups of four digits; the top digit stays far
+/// below a word.
 std::size_t planes_for(std::size_t bits) {
     const std::size_t digits_of_plane = row_operations().lanes;
     const std::size_t planes_of_group = digits_of_plane < 4 ? 4 / digits_of_plane : 1;
     return ((bits + 2) / (digit_bits * digits_of_plane * planes_of_group) + 1) * planes_of_group;
 }
 
-/// Zeros in memory for vectors.
+/// Zeroed memory for vectors.
 class DigitRoom {
 public:
     explicit DigitRoom(std::size_t digits)
@@ -59,7 +59,7 @@ private:
     std::int64_t* digits_;
 };
 
-/// Numbers in planes of digits, in memory of the caller.
+/// Numbers in planes of digits, in memory that the caller owns.
 class DigitRow {
 public:
     DigitRow(std::int64_t* digits, std::size_t numbers)
@@ -88,12 +88,12 @@ public:
             high[0] = static_cast<std::int64_t>(from[1] >> 32 | from[2] << 32) & digit_mask;
             high[1] = static_cast<std::int64_t>(from[2] >> 16);
         }
-        // The greatest digit has the sign.
+        // The top digit has the sign.
         std::int64_t& greatest = pair(2 * (bits / bits_of_group) + 1, number)[1];
         greatest = static_cast<std::int64_t>(from[-1]) >> 16;
     }
 
-    /// With at most `bits` bits.
+    /// Number `number`, of at most `bits` bits.
     Integer number(std::size_t number, std::size_t bits) {
         words_.resize(words_of_group * (bits / bits_of_group + 1));
         std::uint64_t* to = words_.data();
@@ -115,7 +115,7 @@ public:
     }
 
 private:
-    // Four digits in three words.
+    // The bits of four digits, which are three words.
     static constexpr std::size_t bits_of_group = 192;
     static constexpr std::size_t words_of_group = 3;
 
@@ -125,13 +125,14 @@ private:
         return plane(whole, number) + (2 * i - (whole << shift_));
     }
 
-    int shift_;  ///< lanes are a power of two
+    int shift_;  ///< the number of lanes is a power of two
     std::size_t numbers_;
     std::int64_t* digits_;
     std::vector<std::uint64_t> words_;
 };
 
-/// Multiplies by X + 1 as often as there are coefficients and adds one of them after each, highest first.
+/// Multiplies by X + 1 once per coefficient, and adds one coefficient after each multiplication, highest
+/// first.
 class HornersRule {
 public:
     explicit HornersRule(std::span<const Integer> coefficients)
@@ -151,7 +152,7 @@ public:
     Integer coefficient(std::size_t k) { return row_.number(k, bits_ + size_); }
 
 private:
-    // Entries that stay in the nearest cache while some blocks of levels run over them.
+    // Entries that stay in the nearest cache while several blocks of levels process them.
     static constexpr std::size_t tile = 4 * levels;
     static constexpr std::size_t blocks_a_pass = 8;
 
@@ -180,12 +181,13 @@ private:
     std::size_t digits_of_row_;
     DigitRoom room_;
     DigitRow row_;
-    // At first what is added, which stands left of the entries; after zeros that fill the first block.
+    // The entries to the left of the others, initially the coefficients to add, after zeros that fill the
+    // first block.
     DigitRow left_;
     DigitRow carries_;
 };
 
-/// In 128 bits, which must have room for 2^(n - 1) times the greatest of n coefficients.
+/// The shift in 128 bits, which must have room for 2^(n - 1) times the largest of n coefficients.
 std::vector<Integer> shifted_in_pairs_of_words(std::span<const Integer> coefficients) {
     std::uint64_t words[2];
     Int128 in_place[most_coefficients_in_words];

@@ -1,4 +1,4 @@
-// Sums for eight tuples of factors side by side, on processors that compute so.
+// Sums for eight tuples of factors at once, on processors with the vector instructions.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -38,7 +38,7 @@ constexpr eight_sums::Divisors lane_divisors{small_primes::table.of, small_prime
 
 static_assert(RationalAccess::is_four_words);
 
-/// Whether what computes eight sums at a time can read the numbers.
+/// Whether the vector kernel can read the numbers of the line.
 bool is_short(const WordLine& line) {
     return std::in_range<std::int32_t>(line.a) && std::in_range<std::int32_t>(line.b) &&
            std::in_range<std::int32_t>(line.q) && std::in_range<std::int32_t>(line.length);
@@ -46,26 +46,26 @@ bool is_short(const WordLine& line) {
 
 using PreparedRows = BlossomSums::PreparedRows;
 
-struct Given {
+struct Batch {
     eight_sums::Rows rows;
     const void* const* tuples;
     std::size_t count;
     const WordLine* line;
 };
 
-/// Of sums and denominators that two words hold as `WideOperations` demands.
+/// The most bits of sums and denominators of two words, as `WideOperations` requires.
 constexpr std::size_t most_wide_bits = 102;
 
-/// Whether every product of `count` numbers > 0 and one of the rows may have this many bits.
-bool may_have(const Given& given, std::size_t bits) { return given.rows.bits + given.count <= bits; }
+/// Whether the bounds allow this many bits for every product of `count` numbers > 0 and one of the rows.
+bool may_have(const Batch& batch, std::size_t bits) { return batch.rows.bits + batch.count <= bits; }
 
 [[gnu::always_inline]] inline bool evaluate_narrow(const eight_sums::Operations& operations,
-                                                   const Given& given, std::span<Rational> sums) {
-    if (given.count > eight_sums::most_factors || !may_have(given, 63)) return false;
+                                                   const Batch& batch, std::span<Rational> sums) {
+    if (batch.count > eight_sums::most_factors || !may_have(batch, 63)) return false;
     eight_sums::Quotients quotients[eight_sums::most_rows];
-    if (!operations.sums(given.rows, given.tuples, given.count, given.line, lane_divisors, quotients))
+    if (!operations.sums(batch.rows, batch.tuples, batch.count, batch.line, lane_divisors, quotients))
         return false;
-    const std::size_t stride = given.rows.rows;
+    const std::size_t stride = batch.rows.rows;
     if (stride == 1 && operations.store(quotients[0], sums.data())) return true;
     for (std::size_t j = 0; j < stride; ++j) {
         Rational* sum = sums.data() + j;
@@ -75,11 +75,11 @@ bool may_have(const Given& given, std::size_t bits) { return given.rows.bits + g
     return true;
 }
 
-/// Whether the first tuple alone leaves hope for all eight, which take longer to be read.
-bool first_may_fit(const Given& given, const Rational* pairs) {
-    if (given.line != nullptr) return true;
-    std::size_t bits = given.rows.bits;
-    for (std::size_t i = 0; i < given.count; ++i) {
+/// Whether the first tuple alone might fit. Reading all eight takes longer.
+bool first_may_fit(const Batch& batch, const Rational* pairs) {
+    if (batch.line != nullptr) return true;
+    std::size_t bits = batch.rows.bits;
+    for (std::size_t i = 0; i < batch.count; ++i) {
         const Rational& u = pairs[2 * i];
         const Rational& m = pairs[2 * i + 1];
         if (!u.numerator().is_word() || !u.denominator().is_word()) return false;
@@ -96,15 +96,15 @@ Integer integer(std::uint64_t low, std::uint64_t high, bool negative) {
     return IntegerAccess::from_magnitude(std::span(words).first(high == 0 ? 1 : 2), negative);
 }
 
-[[gnu::noinline]] bool evaluate_wide(const eight_sums::WideOperations& operations, const Given& given,
+[[gnu::noinline]] bool evaluate_wide(const eight_sums::WideOperations& operations, const Batch& batch,
                                      const Rational* pairs, std::span<Rational> sums) {
-    if (given.count > eight_sums::most_wide_factors || !may_have(given, most_wide_bits) ||
-        !first_may_fit(given, pairs))
+    if (batch.count > eight_sums::most_wide_factors || !may_have(batch, most_wide_bits) ||
+        !first_may_fit(batch, pairs))
         return false;
     eight_sums::WideQuotients quotients[eight_sums::most_rows];
-    if (!operations.sums(given.rows, given.tuples, given.count, given.line, lane_divisors, quotients))
+    if (!operations.sums(batch.rows, batch.tuples, batch.count, batch.line, lane_divisors, quotients))
         return false;
-    const std::size_t stride = given.rows.rows;
+    const std::size_t stride = batch.rows.rows;
     for (std::size_t j = 0; j < stride; ++j) {
         const auto& [tops, bottoms, negative] = quotients[j];
         for (std::size_t l = 0; l < lanes; ++l) {
@@ -127,13 +127,13 @@ bool BlossomSums::evaluate_eight(std::span<const Rational* const, lanes> tuples,
         return false;
     const auto denominator = static_cast<std::uint64_t>(rows.word_denominator);
     const auto bits = std::bit_width(static_cast<std::uint64_t>(rows.greatest) | denominator);
-    const Given given{
+    const Batch batch{
         {rows.words.data(), rows.rows, static_cast<std::size_t>(bits), denominator, rows.primes},
         reinterpret_cast<const void* const*>(tuples.data()),
         rows.size - 1,
         line};
-    return evaluate_narrow(*table.eight_sums, given, sums) ||
-           evaluate_wide(*table.eight_wide_sums, given, tuples[0], sums);
+    return evaluate_narrow(*table.eight_sums, batch, sums) ||
+           evaluate_wide(*table.eight_wide_sums, batch, tuples[0], sums);
 }
 
 }  // namespace blossom

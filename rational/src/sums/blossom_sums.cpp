@@ -19,12 +19,12 @@ namespace {
 
 using PreparedRows = BlossomSums::PreparedRows;
 
-/// The numbers of factors for which residues are used: by measurement, and by what one sum
-/// may take.
+/// The numbers of factors for which residues are used: the least by measurement, the most because of the
+/// length of a sum.
 constexpr std::size_t least_residue_factors = 16;
 constexpr std::size_t most_residue_factors = residues::most_terms - 1;
 
-/// The number of factors from which lanes are tried before words, by measurement.
+/// The least number of factors for which vector lanes are tried before words (by measurement).
 constexpr std::size_t least_factors_for_lanes = 8;
 
 template <class R>
@@ -34,7 +34,7 @@ SumKernel kernel_without_limbs(const PreparedRows& rows, std::span<const LinearF
     return residues ? SumKernel::residues : SumKernel::integers;
 }
 
-/// For sums that are beyond the kernel `word`.
+/// The kernel for sums beyond the kernel `word`.
 SumKernel kernel_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
                               const Bounds& bits) {
     const bool on_stack = factors.size() <= word_sums::most_factors;
@@ -45,14 +45,14 @@ SumKernel kernel_beyond_words(const PreparedRows& rows, std::span<const WordFact
     return kernel_without_limbs(rows, factors);
 }
 
-/// A numerator in two's complement, or its negative, over the denominator in lowest terms.
+/// Sets `value` to a numerator in two's complement, or its negative, over the denominator, in lowest terms.
 void assign_signed_quotient(Rational& value, std::span<std::uint64_t> numerator, bool negated,
                             const DenominatorWords& denominator, std::span<const Integer> further) {
     const bool negative = limbs::take_magnitude(numerator);
     assign_quotient(value, numerator, negative != negated, denominator, further);
 }
 
-/// Whether the kernel `word` sufficed.
+/// Computes the sums and returns whether the kernel `word` sufficed.
 template <std::size_t Count>
 [[gnu::always_inline]] inline bool evaluate_fixed(const PreparedRows& rows,
                                                   std::span<const WordFactor, Count> factors,
@@ -70,7 +70,7 @@ template <std::size_t Count>
     return true;
 }
 
-/// The same; low degrees have code without loops.
+/// The same; low degrees have instances without loops.
 bool evaluate_words(const PreparedRows& rows, std::span<const WordFactor> factors, std::size_t first_row,
                     std::span<Rational> sums) {
     return with_small_constant(factors.size(), [&](auto count) {
@@ -125,8 +125,8 @@ void evaluate_limbs(const PreparedRows& rows, std::span<const WordFactor> factor
     }
 }
 
-/// Factors of the denominator of all sums, words gathered as far as they stay words; and whether their
-/// product is the negative of the denominator.
+/// Factors of the denominator of all sums, with words multiplied together while they stay words; and whether
+/// the product of the factors is the negative of the denominator.
 template <class R>
 std::pair<DenominatorParts, bool> denominator_factors(const PreparedRows& rows,
                                                       std::span<const LinearFactor<R>> factors) {
@@ -140,7 +140,7 @@ std::pair<DenominatorParts, bool> denominator_factors(const PreparedRows& rows,
     return {std::move(result), negative};
 }
 
-/// The sums over the denominators of the rows and the factors.
+/// The sums, given their numerators, over the denominators of the rows and the factors.
 template <class R>
 void set_reduced(std::span<Rational> sums, std::span<const Integer> numerators, const PreparedRows& rows,
                  std::span<const LinearFactor<R>> factors) {
@@ -163,8 +163,8 @@ void evaluate_residues(const PreparedRows& rows, std::span<const LinearFactor<R>
     set_reduced(sums, numerators, rows, factors);
 }
 
-/// From this number of factors on products of polynomials by halves are faster than one factor after the
-/// other, by measurement.
+/// From this number of factors on, products of polynomials by halves are faster than multiplying by one
+/// factor after the other (by measurement).
 constexpr std::size_t least_factors_of_halves = 1024;
 
 template <class R>
@@ -199,7 +199,7 @@ void evaluate_by_halves(const PreparedRows& rows, std::span<const LinearFactor<R
     set_reduced(sums, numerators, rows, factors);
 }
 
-/// The sums of products with the coefficients in `product`, or with their negatives.
+/// The sums of products of the rows with the coefficients in `product`, or with their negatives.
 template <class R>
 void set_large_sums(const PreparedRows& rows, std::span<const LinearFactor<R>> factors,
                     const LimbView& product, bool negated, std::size_t bits, std::size_t first_row,
@@ -230,7 +230,7 @@ void evaluate_integers(const PreparedRows& rows, std::span<const IntegerFactor> 
     set_large_sums(rows, factors, product.limbs(), false, bits, first_row, sums);
 }
 
-/// Factors m + u X, see evaluate_pairs.
+/// The sums for factors m + u X, see evaluate_pairs.
 bool evaluate_pairs_in_words(const PreparedRows& rows, const Rational* pairs, std::size_t first_row,
                              std::span<Rational> sums) {
     return with_small_constant(rows.size - 1, [&](auto count) {
@@ -245,7 +245,7 @@ bool evaluate_pairs_in_words(const PreparedRows& rows, const Rational* pairs, st
     });
 }
 
-/// Whether words hold all sums.
+/// Computes the sums and returns whether words hold all of them.
 bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::size_t first_row,
                        std::span<Rational> sums) {
     if (blocks.bits() >= 64 || rows.words.empty()) return false;
@@ -262,7 +262,7 @@ bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::
     return true;
 }
 
-/// Whether vector lanes suffice.
+/// Computes the sums and returns whether vector lanes suffice.
 [[gnu::noinline]] bool evaluate_lanes(const PreparedRows& rows, std::span<const WordFactor> factors,
                                       std::size_t first_row, std::span<Rational> sums) {
     LaneBlocks blocks;
@@ -280,7 +280,7 @@ bool set_sums_in_words(const PreparedRows& rows, const LaneBlocks& blocks, std::
     return true;
 }
 
-/// Kept apart from the kernel `word`, which needs neither its registers nor its memory.
+/// Not inlined: the kernel `word` needs neither its registers nor its memory.
 [[gnu::noinline]] void evaluate_beyond_words(const PreparedRows& rows, std::span<const WordFactor> factors,
                                              std::size_t first_row, std::span<Rational> sums) {
     const Bounds bits = bounds(rows, factors);

@@ -14,12 +14,12 @@ constexpr std::size_t fold_bits = fold_blocks::digit_bits;
 constexpr std::uint64_t fold_mask = (std::uint64_t{1} << fold_bits) - 1;
 constexpr int block_bits = fold_bits - 1;
 
-/// Up to so many factors there is room for denominators of words.
+/// Up to this many factors, there is room for denominators of any word size.
 constexpr std::size_t factors_of_any_denominators = 64;
 
 constexpr factor_products::Primes factor_primes{small_primes::table.of, small_primes::greatest_known};
 
-/// The number with these digits, see fold_blocks::Fold, in two's complement of so many words.
+/// Writes the number with these digits (see fold_blocks::Fold) in two's complement to `words`.
 void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> words) {
     std::uint64_t proper[fold_blocks::most_digits];  // each below 2^52
     std::int64_t carry = 0;
@@ -30,7 +30,7 @@ void set_words(std::span<const std::int64_t> digits, std::span<std::uint64_t> wo
     }
     const std::uint64_t sign = proper[digits.size() - 1] >> (fold_bits - 1) == 0 ? 0 : fold_mask;
     const auto digit = [&](std::size_t d) { return d < digits.size() ? proper[d] : sign; };
-    // A word begins in digit d after `shift` of its bits, and ends in the next one or in that after it.
+    // A word begins in digit d at bit `shift`, and ends in the next digit or the one after it.
     std::size_t d = 0;
     std::size_t shift = 0;
     for (std::uint64_t& word : words) {
@@ -51,7 +51,7 @@ SumDigits::SumDigits(LimbView numbers, std::size_t count, std::size_t size, std:
     if (vectors::table().fold_blocks == nullptr || size <= factor_products::least_factors ||
         size > fold_blocks::most_factors + 1)
         return;
-    // Whole vectors, and one behind them.
+    // Whole vectors, and one more at the end.
     stride_ = (size + 7) / 8 * 8 + 8;
     digits_.resize(count / size * width_ * stride_);
     for (std::size_t i = 0; i < count; ++i) {
@@ -86,7 +86,7 @@ DigitBlocks::DigitBlocks(const SumDigits& rows, std::span<const WordFactor> fact
         product.fill(factors, fold_blocks::most_factors, block_bits);
         factors = factors.subspan(product.degree());
         bound.multiply(product.bound());
-        // The bound of the factors one by one may be closer.
+        // The bound from the single factors may be closer.
         const std::size_t digits = std::min(bound.bits(), bits) / fold_bits + 1;
         folds_.add({product.coefficients().data(), 1, product.degree(), digits});
     }

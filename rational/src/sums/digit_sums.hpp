@@ -1,6 +1,6 @@
 #pragma once
 
-// Sums over products of linear factors of few bits, in digits in vector lanes where the processor has them.
+// Sums over products of linear factors of few bits, in digits in vector lanes, if the processor has them.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -15,19 +15,19 @@
 
 namespace blossom {
 
-/// The words of the longest sums with their signs.
+/// The most words of a sum and its sign.
 inline constexpr std::size_t most_digit_words = fold_blocks::most_digits * fold_blocks::digit_bits / 64;
 
-/// Rows of numbers as fold_blocks reads them.
+/// Rows of numbers in the form that fold_blocks reads.
 class SumDigits {
 public:
     SumDigits() = default;
-    /// For rows of `size` numbers of at most `bits` bits, `count` in all; empty for too few or too many in a
-    /// row, and where the processor has no lanes for them.
+    /// Prepares rows of `size` numbers of at most `bits` bits, `count` numbers in all. Stays empty if a row
+    /// has too few or too many numbers, or if the processor lacks the vector instructions.
     SumDigits(LimbView numbers, std::size_t count, std::size_t size, std::size_t bits);
 
     bool empty() const { return digits_.empty(); }
-    /// Whether numerators of `bits` bits are summed over these factors.
+    /// Whether the digits suffice for numerators of `bits` bits over these factors.
     bool suffice(std::span<const WordFactor> factors, std::size_t bits) const;
     fold_blocks::Columns row(std::size_t j) const {
         return {digits_.data() + j * width_ * stride_, width_, stride_, size_};
@@ -37,22 +37,24 @@ public:
 private:
     std::size_t size_ = 0;
     std::size_t bits_ = 0;
-    std::size_t width_ = 0;  ///< digits of a number, one more than it needs: the first fold reads that
+    std::size_t width_ =
+        0;  ///< digits per number, one more than needed, because the first fold reads one more
     std::size_t stride_ = 0;
     std::vector<std::uint64_t> digits_;
 };
 
 /// Blocks of factors in the order in which they are folded.
-// The unused part of the array is left uninitialized: clearing it would cost more than the work.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+/// The unused part of the array is left uninitialized, because clearing it would take longer than the
+/// computation.
+/// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class DigitFolds {
 public:
     void add(const fold_blocks::Block& block) { blocks_[size_++] = block; }
 
-    /// The sum of one row in two's complement, in as many words as it and a sign take.
+    /// The sum of one row in two's complement, in as many words as it and its sign need.
     void sum(const fold_blocks::Columns& row, std::span<std::uint64_t> words) const;
 
-    /// Two neighbours together have magnitudes that sum to 2^51 at least, but for two full ones.
+    /// The magnitudes of two adjacent blocks sum to at least 2^51, except for two full blocks.
     static constexpr std::size_t most_blocks =
         2 * (fold_blocks::most_digits * fold_blocks::digit_bits / (fold_blocks::digit_bits - 1) + 1) + 3;
 
@@ -61,7 +63,7 @@ private:
     fold_blocks::Block blocks_[most_blocks];
 };
 
-/// Factors for which `suffice` holds, multiplied out in blocks.
+/// Factors for which `suffice` holds, multiplied in blocks.
 class DigitBlocks {
 public:
     DigitBlocks(const SumDigits& rows, std::span<const WordFactor> factors, std::size_t bits);
@@ -73,18 +75,20 @@ private:
     DigitFolds folds_;
 };
 
-/// Factors of few bits, multiplied out in vector lanes.
-// The unused part of the product is left uninitialized: clearing it would cost more than the work.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+/// Factors of few bits, multiplied in vector lanes.
+/// The unused part of the product is left uninitialized, because clearing it would take longer than the
+/// computation.
+/// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class LaneBlocks {
 public:
-    /// False, and nothing else may be asked, if the processor has no lanes, or if they do not suffice.
+    /// Returns false if the processor has no lanes or they do not suffice; then no other member may be
+    /// called.
     bool multiply(const SumDigits& rows, std::span<const WordFactor> factors);
 
     const DigitFolds& folds() const { return folds_; }
-    /// Of the sums.
+    /// A bound on the bits of the sums.
     std::size_t bits() const { return bits_; }
-    /// Words whose product is that of the denominators of the factors, and their primes.
+    /// Words with the same product as the denominators of the factors, and the primes of these words.
     std::span<const std::uint64_t> denominators() const { return {product_.denominators, product_.blocks}; }
     small_primes::Set primes() const { return product_.primes; }
 

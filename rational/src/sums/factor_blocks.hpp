@@ -1,6 +1,6 @@
 #pragma once
 
-// Products of as many linear factors as have coefficients of one word.
+// Products of linear factors, as many per block as have coefficients of one word.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -12,7 +12,7 @@
 
 namespace blossom {
 
-/// Calls run(count) with the count as a constant where it is small, so that loops over it are unrolled.
+/// Calls run(count) with the count as a constant if it is small, so that the compiler unrolls loops over it.
 template <class Run>
 decltype(auto) with_small_constant(std::size_t count, const Run& run) {
     using std::integral_constant;
@@ -36,7 +36,7 @@ decltype(auto) with_small_constant(std::size_t count, const Run& run) {
     }
 }
 
-/// Multiplies the polynomial in coefficients[0..i] by one factor after the other, i = 0, 1, ...
+/// Multiplies the polynomial in coefficients[0..i] by factor i, for i = 0, 1, ...
 template <class Word, std::size_t Count>
 [[gnu::always_inline]] inline void multiply_one_by_one(std::span<const WordFactor, Count> factors,
                                                        Word* coefficients) {
@@ -50,17 +50,18 @@ template <class Word, std::size_t Count>
     }
 }
 
-/// The magnitudes of both coefficients together; below 2^64.
+/// The sum of the magnitudes of both coefficients, which is below 2^64.
 inline std::uint64_t l1_norm(const WordFactor& factor) {
     return magnitude(factor.constant) + magnitude(factor.slope);
 }
 
-/// The product of the first factors of a sequence: of the first one, if any, and of those that follow, `most`
-/// at the most, while the magnitudes of the coefficients sum to less than 2^bits.
-// The unused part of the array is left uninitialized: clearing it would cost more than the work.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+/// The product of the first factors of a sequence: always of the first one, and of up to `most` factors while
+/// the magnitudes of the coefficients sum to less than 2^bits.
+/// The unused part of the array is left uninitialized, because clearing it would take longer than the
+/// computation.
+/// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class FactorBlock {
-    /// The magnitudes of a factor sum to 2 at least, unless it has one term only.
+    /// The magnitudes of a factor sum to at least 2, unless it has only one term.
     static constexpr std::size_t most_factors = 64;
 
 public:
@@ -82,8 +83,8 @@ public:
     }
 
     std::size_t degree() const { return degree_; }
-    /// A bound on the sum of the magnitudes, and whether it is below 2^bits; it can fail for one factor
-    /// alone.
+    /// A bound on the sum of the magnitudes, and whether it is below 2^bits, which can fail for a single
+    /// factor.
     std::uint64_t bound() const { return bound_; }
     bool fits() const { return fits_; }
     std::span<const std::int64_t> coefficients() const { return {coefficients_, degree_ + 1}; }

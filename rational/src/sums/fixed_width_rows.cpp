@@ -34,7 +34,7 @@ void LimbRow::set_weights(std::int64_t own, std::int64_t neighbours) {
 }
 
 void LimbRow::widen() {
-    // The bound may charge more than `final_bits`, depending on how factors were grouped; both are bounds.
+    // The bound can exceed `final_bits`, depending on how factors were grouped; both are upper bounds.
     const std::size_t width = std::min(words_for(bound_.bits()), stride_);
     if (width <= width_) return;
     for (std::uint64_t* x = words_.data(); x != words_.data() + words_.size(); x += stride_) {
@@ -68,8 +68,8 @@ void LimbRow::combine(std::size_t k, std::size_t neighbour, std::uint64_t neighb
     }
 }
 
-// Each coefficient enters as the word that is congruent to it modulo 2^64; a negative one is then 2^64 too
-// large, which `excess` takes back one word further up.
+// Each coefficient is used as the word that is congruent to it modulo 2^64. For a negative coefficient this
+// is 2^64 too large, which `excess` subtracts one word higher.
 void LimbRow::multiply(std::span<const std::int64_t> factor, std::size_t degree) {
     UInt128 sum = 0;
     for (const std::int64_t coefficient : factor) sum += magnitude(coefficient);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Rows of integers in two's complement of a width that is known to suffice, so that no step allocates or can
-// overflow.
+// Rows of integers in two's complement of a width that provably suffices, so that no step allocates or
+// overflows.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -17,8 +17,8 @@
 
 namespace blossom::fixed_width {
 
-/// A bound on the bits of a product of positive numbers, in integers throughout: factors are multiplied
-/// exactly as long as they fit in a word, and each full word is charged its bit width.
+/// An upper bound on the bits of a product of positive numbers, in integer arithmetic: factors are multiplied
+/// exactly while the product fits in a word, and each full word counts with its bit width.
 class BitBound {
 public:
     explicit BitBound(std::size_t bits = 0) : full_(bits) {}
@@ -50,28 +50,26 @@ private:
     std::uint64_t open_ = 1;  ///< at least 1
 };
 
-/// Entries of many words each. The width in use grows with the bound, level by level.
+/// A row whose entries have many words each. The width in use grows with the bound, level by level.
 class LimbRow {
 public:
-    /// `start_bits` bounds the bits of the entries set before the first level, `final_bits` those after the
-    /// last.
+    /// `start_bits` bounds the bits of the entries before the first level, `final_bits` those after the last.
     LimbRow(std::size_t size, std::size_t start_bits, std::size_t final_bits);
 
     void set_weights(std::int64_t own, std::int64_t neighbours);
     void combine(std::size_t k, std::size_t neighbour);
     void scale(std::size_t k) { combine(k, k, 0); }
 
-    /// Multiplies the polynomial in entries 0..degree by `factor`; the magnitudes in `factor` sum to less
-    /// than 2^63.
+    /// Multiplies the polynomial in entries 0..degree by `factor`, whose magnitudes sum to less than 2^63.
     void multiply(std::span<const std::int64_t> factor, std::size_t degree);
 
-    /// Multiplies entry 0, the others being zero, by the factors, in as few passes as words allow: as many as
-    /// have a product with coefficients of one word are multiplied together first.
+    /// Multiplies entry 0, the others being zero, by the factors in as few passes as possible: factors whose
+    /// product has coefficients of one word are multiplied first.
     void multiply_out(std::span<const WordFactor> factors);
 
     void set(std::size_t k, const Integer& value);
     Integer integer(std::size_t k) const;
-    /// The entries as they are held, and whether they stand for their negatives.
+    /// The entries as stored; `negated` tells whether they stand for their negatives.
     LimbView limbs() const { return {words_.data(), width_, stride_}; }
     bool negated() const { return negated_; }
 
@@ -85,7 +83,7 @@ private:
     std::size_t width_;
     BitBound bound_;
     std::vector<std::uint64_t> words_;
-    std::uint64_t own_ = 0;  ///< the weights' magnitudes, after the level's sign went to `negated_`
+    std::uint64_t own_ = 0;  ///< the magnitudes of the weights; the sign of the level is moved to `negated_`
     std::uint64_t neighbours_ = 0;
     bool subtract_ = false;
     bool negated_ = false;  ///< whether every entry stands for its negative

@@ -12,14 +12,14 @@ using limbs::Limb;
 
 bool is_negative(const Limb* number, std::size_t size) { return number[size - 1] >> 63 != 0; }
 
-/// product[0..m + size) in two's complement of `number` in two's complement and a magnitude; m >= 1.
+/// product[0..m + size) in two's complement = a number in two's complement times a magnitude; m >= 1.
 void multiply_signed(Limb* product, const Limb* number, std::size_t size, const Limb* factor, std::size_t m) {
     if (m > size) {
         limbs::multiply(product, factor, m, number, size);
     } else {
         limbs::multiply(product, number, size, factor, m);
     }
-    // The limbs stand for the number plus 2^(64 size).
+    // The limbs of a negative number, read as unsigned, are the number plus 2^(64 size).
     if (is_negative(number, size)) limbs::subtract(product + size, product + size, factor, m);
 }
 

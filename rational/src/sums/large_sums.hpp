@@ -1,6 +1,6 @@
 #pragma once
 
-// Sums over products of linear factors in limbs, for operands of any size and few factors.
+// Sums over few linear factors of any size, in limbs.
 
 #include <blossom/rational/blossom_sums.hpp>
 
@@ -12,13 +12,13 @@
 
 namespace blossom {
 
-/// The magnitudes of both coefficients together are below 2 to this power.
+/// The exponent of a power of two above the sum of the magnitudes of both coefficients.
 inline std::size_t bits_of(const IntegerFactor& factor) {
     return std::max(factor.constant.bit_length(), factor.slope.bit_length()) + 1;
 }
 
-/// The coefficients of a product of linear factors in two's complement, multiplied by one factor after the
-/// other in place.
+/// The coefficients of a product of linear factors in two's complement, multiplied in place by one factor
+/// after the other.
 class FactorRow {
 public:
     /// The magnitudes of the coefficients sum to less than 2^bits.
@@ -36,8 +36,7 @@ private:
 
     std::uint64_t* entry(std::size_t k) { return words_.data() + k * stride_; }
     void multiply(const IntegerFactor& factor, std::size_t degree, std::size_t next_width);
-    /// own * entry k + neighbours * entry k - 1 in `width` words, without the second term for `neighbours` of
-    /// no limbs; and without the first for `own` of none.
+    /// own * entry k + neighbours * entry k - 1 in `width` words. A weight without limbs omits its term.
     void combine(std::size_t k, const Weight& own, const Weight& neighbours, std::size_t width);
     void weighted(const std::uint64_t* entry, const Weight& weight, std::size_t width, std::uint64_t* to);
 

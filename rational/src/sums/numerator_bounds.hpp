@@ -1,13 +1,13 @@
 #pragma once
 
-// Bounds on the numerators of sums over products of linear factors, in integers throughout.
+// Bounds on the numerators of sums over products of linear factors, in integer arithmetic.
 
 #include "prepared_rows.hpp"
 
 namespace blossom {
 
-/// Bounds in bits on the coefficients of the product and on the numerators of the sums, max |c_k| times the
-/// product of what the coefficients of each factor sum to.
+/// Bounds in bits on the coefficients of the product and on the numerators of the sums: max |c_k| times the
+/// product, over the factors, of the sum of the magnitudes of their coefficients.
 struct Bounds {
     std::size_t product;
     std::size_t sum;

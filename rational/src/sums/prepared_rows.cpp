@@ -11,7 +11,7 @@ namespace blossom {
 
 namespace {
 
-/// Denominators of up to ten bits, and the binomials of any likely degree, have no larger prime factors.
+/// Denominators of up to ten bits and the binomials of typical degrees have no larger prime factors.
 constexpr std::int64_t greatest_trial = 1023;
 
 }  // namespace

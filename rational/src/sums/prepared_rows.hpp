@@ -17,7 +17,7 @@ struct DenominatorParts {
     std::vector<std::uint64_t> words;
     std::vector<Integer> longer;
 
-    /// By a factor > 0. Neighbouring words are multiplied as long as they stay one word.
+    /// Multiplies by a factor > 0. Adjacent words are multiplied together while the product is a word.
     void multiply(const Integer& factor) {
         if (!factor.is_word()) {
             longer.push_back(factor);
@@ -33,7 +33,8 @@ struct DenominatorParts {
     }
 };
 
-/// From the factors that are known. `search` splits small primes off those that are longer than a word.
+/// The known factors of the denominator. With `search`, small primes are split off those that are longer than
+/// a word.
 DenominatorParts split_denominator(const RationalVector& numbers, bool search);
 
 struct BlossomSums::PreparedRows {
@@ -42,14 +43,14 @@ struct BlossomSums::PreparedRows {
     std::span<const Integer> integers_of(std::size_t row) const {
         return std::span(numbers.numerators()).subspan(row * size, size);
     }
-    /// Only if there are words.
+    /// Row `row`; only if all numerators are words.
     NumeratorRow words_of(std::size_t row) const {
         return {std::span(words).subspan(row * size, size), greatest, denominator.words, word_denominator,
                 primes};
     }
-    /// Whether the words of the denominator are few enough to be held in place.
+    /// Whether the words of the denominator are few enough for fixed-size storage.
     bool has_few_words() const { return denominator.words.size() <= most_denominators; }
-    /// `width` words of two's complement a number.
+    /// The two's complement of a row, `width` words per number.
     const std::uint64_t* limbs_of(std::size_t row) const { return limbs.data() + row * size * width; }
 
     static constexpr std::size_t most_denominators = 32;
@@ -58,15 +59,16 @@ struct BlossomSums::PreparedRows {
     Use use;
     std::size_t rows;
     std::size_t size;                  ///< the length of a row, n + 1
-    std::size_t bits;                  ///< of the greatest magnitude
+    std::size_t bits;                  ///< of the largest magnitude
     std::vector<std::int64_t> words;   ///< empty unless all numerators are words
-    std::int64_t greatest = 0;         ///< the greatest magnitude among `words`
-    std::size_t width;                 ///< of one number in `limbs`
-    std::vector<std::uint64_t> limbs;  ///< empty when the numbers are too wide
+    std::int64_t greatest = 0;         ///< the largest magnitude among `words`
+    std::size_t width;                 ///< the words per number in `limbs`
+    std::vector<std::uint64_t> limbs;  ///< empty if the numbers are too wide
     SumDigits digits;
     DenominatorParts denominator;
-    std::int64_t word_denominator = 1;  ///< the product of its words, if it is below 2^63; otherwise 0
-    small_primes::Set primes = 0;       ///< of its words
+    std::int64_t word_denominator =
+        1;  ///< the product of the denominator's words if it is below 2^63; otherwise 0
+    small_primes::Set primes = 0;  ///< the odd primes of these words
     ResidueCache residues;
 };
 

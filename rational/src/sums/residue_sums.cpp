@@ -21,10 +21,10 @@ using residues::Numbers;
 using residues::operations;
 using residues::ResidueVector;
 
-/// As many factors are multiplied out in integers before residues are taken.
+/// This many factors are multiplied in integers before residues are taken.
 constexpr std::size_t integer_block = 4;
 
-/// The product of the coefficients of two blocks of less than 2^63 each.
+/// Appends the product of two blocks whose coefficients are below 2^63.
 void append_product(FactorBlocks& blocks, std::span<const std::int64_t> a, std::span<const std::int64_t> b) {
     for (std::size_t k = 0; k < a.size() + b.size() - 1; ++k) {
         Int128 sum = 0;
@@ -89,13 +89,13 @@ FactorBlocks leaf_by_leaf(std::span<const LinearFactor<R>> factors) {
     return blocks;
 }
 
-/// The length of what is kept of a row of `size` numbers.
+/// The length in memory of a row of `size` numbers.
 std::size_t width(const Moduli& group, std::size_t size) {
     const residues::TransformPlan plan = residues::transform_plan(size - 1);
     return plan && has_transform(group, plan.size()) ? plan.size() : size;
 }
 
-/// Writes what `ResidueRows` has of rows of `count` numbers.
+/// Writes the residues, or their transforms, of rows of `count` numbers.
 void read_rows(const Numbers& numbers, std::size_t count, const Moduli& group, ResidueVector* rows) {
     const std::size_t width_of_row = width(group, count);
     if (width_of_row == count) return numbers.residues(group, rows);
@@ -106,7 +106,7 @@ void read_rows(const Numbers& numbers, std::size_t count, const Moduli& group, R
         transform_numbers(group, roots, residues.data() + k, count, width_of_row, rows);
 }
 
-/// The product of all factors in the form that goes with `ResidueRows`.
+/// The product of all factors in the form that matches `ResidueRows`.
 class FactorProduct {
 public:
     explicit FactorProduct(const FactorBlocks& factors)

@@ -12,19 +12,19 @@
 
 namespace blossom {
 
-/// Rows of numbers modulo the first groups of primes: the residues themselves, or `transform_numbers` of them
-/// where the group has transforms for rows of their length.
+/// Rows of numbers modulo the first groups of primes: the residues, or their `transform_numbers` if the group
+/// has transforms for rows of this length.
 struct ResidueRows {
     std::vector<residues::ResidueVector> vectors;
-    std::vector<std::size_t> begins{0};  ///< of the rows of each group, and the end
+    std::vector<std::size_t> begins{0};  ///< the beginnings of the rows of each group, and the end
 };
 
-/// Keeps those of all rows for the next call.
+/// Keeps the residues of all rows for the next call.
 class ResidueCache {
 public:
     using Rows = std::shared_ptr<const ResidueRows>;
 
-    /// For rows of `size` numbers; nothing if they would take more than `most_kept`.
+    /// The rows for `size` numbers per row; null if they would take more than `most_kept` bytes.
     Rows of(const RationalVector& numbers, std::size_t size, std::size_t groups) const;
 
     static constexpr std::size_t most_kept = std::size_t{64} << 20;  ///< bytes
@@ -34,7 +34,7 @@ private:
     mutable Rows kept_;
 };
 
-/// Polynomials whose product is that of linear factors.
+/// Polynomials whose product is that of the linear factors.
 struct FactorBlocks {
     residues::Digits coefficients;  ///< one polynomial after the other, lowest coefficients first
     std::vector<std::size_t> sizes;
@@ -44,8 +44,8 @@ struct FactorBlocks {
 FactorBlocks blocks_of(std::span<const WordFactor> factors);
 FactorBlocks blocks_of(std::span<const IntegerFactor> factors);
 
-/// The numerators of the sums for `count` rows from `first_row` on, which have at most `bits` bits.
-/// `numbers` are those of all rows; `cache` belongs to them, or is null where nothing is to be kept.
+/// The numerators of the sums, of at most `bits` bits, for `count` rows from `first_row` on. `numbers` holds
+/// all rows; `cache` belongs to them, or is null if nothing is to be kept.
 std::vector<Integer> residue_sums(const RationalVector& numbers, const ResidueCache* cache,
                                   const FactorBlocks& factors, std::size_t bits, std::size_t first_row,
                                   std::size_t count);

@@ -32,7 +32,7 @@ struct WordWeights {
     }
 };
 
-/// The values as words whose magnitudes are below 2^63, if they are.
+/// The values as words, if all their magnitudes are below 2^63.
 std::optional<std::vector<std::int64_t>> as_words(std::span<const Integer> values) {
     std::vector<std::int64_t> words;
     words.reserve(values.size());

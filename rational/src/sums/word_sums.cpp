@@ -28,7 +28,7 @@ NumeratorRow row_of(std::span<const std::int64_t> words, std::span<const std::ui
     return {words, static_cast<std::int64_t>(greatest), denominators, product, primes};
 }
 
-/// The value in the narrowest word that holds it: `numerator(Word{})` computes it.
+/// The value of `numerator(Word{})`, computed in the narrowest word that holds it.
 template <class Numerator>
 std::optional<Rational> value_in_words(const NumeratorRow& row, std::span<const WordFactor> factors,
                                        const Numerator& numerator) {

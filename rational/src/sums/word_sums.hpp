@@ -16,15 +16,15 @@ namespace blossom {
 /// One row of numbers words[k] / prod denominators.
 struct NumeratorRow {
     std::span<const std::int64_t> words;
-    std::int64_t greatest;  ///< magnitude
+    std::int64_t greatest;  ///< the largest magnitude
     std::span<const std::uint64_t> denominators;
-    std::int64_t denominator;  ///< their product, if it is below 2^63; otherwise 0
+    std::int64_t denominator;  ///< the product of the denominators if it is below 2^63; otherwise 0
     small_primes::Set primes;  ///< of the denominators
 };
 
 namespace word_sums {
 
-/// The most factors of words that are multiplied without taking memory.
+/// The most factors in words that are multiplied without allocating memory.
 inline constexpr std::size_t most_factors = 64;
 
 /// A denominator of one word and its odd primes; no denominator is 0.
@@ -33,7 +33,7 @@ struct WordDenominator {
     small_primes::Set primes = 0;
 };
 
-/// The denominator of the sum, if it and the bound on the numerator are below 2^63; otherwise 0.
+/// The denominator of the sum if it and the bound on the numerator are below 2^63; otherwise 0.
 template <std::size_t Count>
 [[gnu::always_inline]] inline WordDenominator word_denominator(const NumeratorRow& row,
                                                                std::span<const WordFactor, Count> factors) {
@@ -41,7 +41,7 @@ template <std::size_t Count>
     std::int64_t denominator = row.denominator;
     small_primes::SetOfFactors primes(row.primes);
     if (factors.size() > most_factors) return {};
-    // The sign of a size that is no word of 63 bits spoils only products that do not count then.
+    // If a norm does not fit in 63 bits, the bound is wrong; the sign of `sizes` shows this.
     std::int64_t sizes = 0;
     for (const WordFactor& factor : factors) {
         const auto size = static_cast<std::int64_t>(l1_norm(factor));
@@ -89,7 +89,7 @@ private:
     std::uint64_t coefficients_[Count + 1];
 };
 
-/// In two halves a and b, which are not multiplied with each other: sum_i a_i sum_j b_j c_(i+j).
+/// The product as two halves a and b that are not multiplied with each other: sum_i a_i sum_j b_j c_(i+j).
 template <>
 class FactorProduct<std::dynamic_extent> {
 public:
@@ -129,21 +129,23 @@ private:
     std::uint64_t second_[most_factors / 2 + 1];
 };
 
-/// The product of all factors in blocks, for sums of words of 128 bits.
-// The unused part of the array is left uninitialized: clearing it would cost more than the work.
-// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
+/// The product of all factors in blocks, for sums in words of 128 bits.
+/// The unused part of the array is left uninitialized, because clearing it would take longer than the
+/// computation.
+/// NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init)
 class WideFactorProduct {
 public:
-    /// The magnitudes of all coefficients of the product sum to less than 2^127.
+    /// Requires that the magnitudes of all coefficients of the product sum to less than 2^127.
     explicit WideFactorProduct(std::span<const WordFactor> factors) {
         while (!factors.empty()) {
-            // Two halves for what is too much for one block.
+            // Factors that do not fit in one block are split into two halves.
             blocks_[size_].fill(factors, size_ == 0 ? (factors.size() + 1) / 2 : factors.size());
             factors = factors.subspan(blocks_[size_++].degree());
         }
     }
 
-    /// sum_k numbers[k] e_k: each block B turns numbers c into sum_j B_j c_(i+j), fewer by its degree.
+    /// sum_k numbers[k] e_k: each block B replaces the numbers c by sum_j B_j c_(i+j), which are fewer by its
+    /// degree.
     UInt128 sum_of_products(std::span<const std::int64_t> numbers) const {
         if (size_ == 0) return static_cast<UInt128>(Int128{numbers[0]});
         UInt128 sums[most_factors + 1];
@@ -171,14 +173,14 @@ private:
         });
     }
 
-    /// Two neighbours together have magnitudes that sum to 2^63 at least.
+    /// The magnitudes of two adjacent blocks sum to at least 2^63.
     static constexpr std::size_t most_blocks = 5;
 
     std::size_t size_ = 0;
     FactorBlock blocks_[most_blocks];
 };
 
-/// The apex of the triangle with the weights (constant, slope) on the level of each factor.
+/// The apex of the triangle with the weights (constant, slope) of factor i on level i.
 template <class Word>
 Word apex(std::span<const std::int64_t> row, std::span<const WordFactor> factors) {
     Word entries[most_factors + 1];
@@ -192,7 +194,7 @@ Word apex(std::span<const std::int64_t> row, std::span<const WordFactor> factors
     return entries[0];
 }
 
-/// A numerator of 128 bits over the denominators of the row and the factors.
+/// Sets `value` to a numerator of 128 bits over the denominators of the row and the factors.
 void assign_quotient(Rational& value, UInt128 numerator, const DenominatorWords& denominator);
 
 }  // namespace word_sums

@@ -1,7 +1,7 @@
-// Compiled for AVX-512 with 52-bit and 64-bit products and leading zeros; run only where the processor has
-// them.
+// Compiled for AVX-512 with 52-bit and 64-bit products and counts of leading zeros; runs only on processors
+// that have them.
 
-// NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, one sum is computed after the other
 #include "load_eight_factors.hpp"
 
 namespace blossom::eight_sums {
@@ -27,8 +27,8 @@ void divide_by_common_powers(const Divisor& divisor, __m512i& top, __m512i& bott
     }
 }
 
-/// Divides both by their common odd prime divisors, all of which are in `set`. At first once by each, all
-/// together by the product of their inverses, so that no prime waits for another.
+/// Divides both numbers by their common odd prime divisors, all of which are in `set`. The first division by
+/// all of them uses the product of their inverses, so that no prime waits for another.
 [[gnu::always_inline]] inline void divide_by_common_primes(const Divisor* divisors, std::uint32_t set,
                                                            __m512i& top, __m512i& bottom) {
     const __m512i one = broadcast(1);
@@ -73,7 +73,7 @@ template <std::size_t Count>
     }
     const std::int64_t* row = rows.numbers;
     for (std::size_t j = 0; j < rows.rows; ++j, row += Count + 1) {
-        // Two sums, which need not wait for each other.
+        // Two independent sums, so that neither waits for the other.
         __m512i even = _mm512_setzero_si512();
         __m512i odd = _mm512_setzero_si512();
 #pragma GCC unroll 9
@@ -95,8 +95,8 @@ template <std::size_t Count>
     }
 }
 
-/// Bits, not all of which are 0 if a product of one number of each factor and of one of the rows may have 64
-/// bits or more: bounded by the bits of the numbers of all factors together.
+/// A word that is nonzero if a product of one number of each factor and one of the rows may have 64 bits or
+/// more. The bound counts every factor with the bits of all of them together.
 template <std::size_t Count>
 __m512i bits_beyond_words(std::size_t rows_bits, __m512i all) {
     const std::size_t most = rows_bits < 64 ? (63 - rows_bits) / Count : 0;
@@ -166,7 +166,8 @@ bool sums(const Rows& rows, const void* const* tuples, std::size_t count, const 
                            : sums_from_any<LineReader>(rows, count, divisors, quotients, tuples, *line);
 }
 
-/// Two numbers in four words each, of which every second is 0: from the lanes 2 i and 2 i + 1 of both.
+/// Two numbers of four words each, every second of which is 0, from the lanes 2 i and 2 i + 1 of both
+/// vectors.
 __m512i two_numbers(__m512i even, __m512i odd, long long i) {
     const __m512i places = _mm512_set_epi64(0, 9 + 2 * i, 0, 8 + 2 * i, 0, 1 + 2 * i, 0, 2 * i);
     return _mm512_maskz_permutex2var_epi64(0x55, even, places, odd);

@@ -1,7 +1,7 @@
-// Sums of up to 103 bits for eight tuples at a time. Compiled for AVX-512 with 52-bit and 64-bit products and
-// leading zeros; run only where the processor has them.
+// Sums of up to 103 bits for eight tuples at once. Compiled for AVX-512 with 52-bit and 64-bit products and
+// counts of leading zeros; runs only on processors that have them.
 
-// NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, one sum is computed after the other
 #include "load_eight_factors.hpp"
 
 namespace blossom::eight_sums {
@@ -11,7 +11,7 @@ namespace {
 constexpr int limb_bits = 52;
 constexpr std::uint64_t limb_mask = (std::uint64_t{1} << limb_bits) - 1;
 
-/// Numbers modulo 2^104 in two limbs of 52 bits, of which the upper may have any bits above.
+/// Numbers modulo 2^104 in two limbs of 52 bits; bits of the upper limb beyond 52 are arbitrary.
 struct LimbPair {
     __m512i low;
     __m512i high;
@@ -21,15 +21,15 @@ __m512i limb_of(__m512i word) { return _mm512_and_si512(word, broadcast(limb_mas
 
 __m512i limb_product(__m512i a, __m512i b) { return _mm512_madd52lo_epu64(_mm512_setzero_si512(), a, b); }
 
-/// The number of which this is the lowest limb, if it is less than 2^51 in size.
+/// The number whose lowest limb this is, if its magnitude is less than 2^51.
 __m512i signed_limb(__m512i word) {
     return _mm512_srai_epi64(_mm512_slli_epi64(word, 64 - limb_bits), 64 - limb_bits);
 }
 
-/// Of a word with its sign.
+/// The limbs of a signed word.
 LimbPair from_word(__m512i word) { return {limb_of(word), _mm512_srai_epi64(word, limb_bits)}; }
 
-/// sum + a b, but for carries from the lower limb.
+/// sum + a b without the carries from the lower limb.
 LimbPair add_product(LimbPair sum, LimbPair a, LimbPair b) {
     sum.low = _mm512_madd52lo_epu64(sum.low, a.low, b.low);
     sum.high = _mm512_madd52hi_epu64(sum.high, a.low, b.low);
@@ -38,7 +38,7 @@ LimbPair add_product(LimbPair sum, LimbPair a, LimbPair b) {
     return sum;
 }
 
-/// Without what the lower limb carries: of at most 4096 products that were added to 0.
+/// Moves the carry of the lower limb up, for a sum of at most 4096 products.
 LimbPair carried(LimbPair number) {
     return {limb_of(number.low), _mm512_add_epi64(number.high, _mm512_srli_epi64(number.low, limb_bits))};
 }
@@ -55,7 +55,7 @@ LimbPair shifted(LimbPair number, __m512i count) {
         _mm512_srlv_epi64(number.high, count)};
 }
 
-/// Divides both, one of which is not 0, by their common power of two.
+/// Divides two numbers, not both 0, by their common power of two.
 void divide_by_common_twos(LimbPair& a, LimbPair& b) {
     const __mmask8 no_low = _mm512_testn_epi64_mask(_mm512_or_si512(a.low, b.low), broadcast(limb_mask));
     LimbPair* const numbers[] = {&a, &b};
@@ -68,8 +68,8 @@ void divide_by_common_twos(LimbPair& a, LimbPair& b) {
     b = shifted(b, twos);
 }
 
-/// Divides both, which are below 2^103, by their common odd prime divisors, all of which are in `set`: once
-/// by each, all together by the product of their inverses, and again by those that were found.
+/// Divides two numbers below 2^103 by their common odd prime divisors, all of which are in `set`: once by all
+/// of them, with the product of their inverses, and again by those that were found.
 void divide_by_common_primes(const WideDivisor* divisors, std::uint32_t set, LimbPair& top,
                              LimbPair& bottom) {
     const LimbPair one{broadcast(1), _mm512_setzero_si512()};
@@ -102,15 +102,15 @@ void store(LimbPair number, std::uint64_t (&words)[2][lanes]) {
     _mm512_storeu_si512(words[1], _mm512_srli_epi64(high, 64 - limb_bits));
 }
 
-/// Bits of a number > 0.
+/// The bit widths of numbers > 0.
 __m512i bit_width(__m512i words) { return _mm512_sub_epi64(broadcast(64), _mm512_lzcnt_epi64(words)); }
 
-/// The factors of eight tuples, and their denominators multiplied out.
+/// The product of the factors of eight tuples, and the product of their denominators.
 struct Product {
     LimbPair coefficients[most_wide_factors + 1];
     LimbPair denominator;
 
-    /// Nothing, and false, unless the sums provably have less than 103 bits.
+    /// Returns false and does nothing unless the sums provably have less than 103 bits.
     template <class Reader>
     bool read(const Rows& rows, Reader reader, std::size_t count, const Divisors& divisors,
               std::uint32_t& set) {
@@ -145,7 +145,7 @@ struct Product {
     }
 
 private:
-    /// The first `in_one_limb` factors have a product whose coefficients are below 2^51.
+    /// The product of the first `in_one_limb` factors has coefficients below 2^51.
     void multiply_out(const Rows& rows, const Factor* factors, std::size_t count, std::size_t in_one_limb) {
         __m512i limbs[most_wide_factors + 1];
         limbs[0] = broadcast(1);

@@ -2,7 +2,8 @@
 
 // Linear factors in vector lanes; only for sources compiled for AVX-512.
 
-// NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one product after the other
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, one product is computed after the
+// other
 #include <immintrin.h>
 
 #include <cstddef>
@@ -24,7 +25,7 @@ inline __m512i l1_norm(const Factor& factor) {
     return _mm512_add_epi64(_mm512_abs_epi64(factor.constant), _mm512_abs_epi64(factor.slope));
 }
 
-/// All bits of the first lanes.
+/// A mask of all bits of the first lanes.
 template <std::size_t Lanes = 8>
 std::uint64_t united(__m512i words) {
     if constexpr (Lanes > 4) words = _mm512_or_si512(words, _mm512_shuffle_i64x2(words, words, 0x4e));

@@ -1,6 +1,6 @@
-// Compiled for AVX-512 IFMA; run only where the processor has it.
+// Compiled for AVX-512 IFMA; runs only on processors that have it.
 
-// NOLINTBEGIN(portability-simd-intrinsics): elsewhere factors are multiplied in words
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, factors are multiplied in words
 #include <immintrin.h>
 
 #include "factor_lanes.hpp"
@@ -16,17 +16,17 @@ using factor_lanes::united;
 
 constexpr std::size_t number_bits = 52;
 
-/// All arithmetic is modulo 2^52 in the lower bits of the lanes.
+/// All arithmetic is modulo 2^52, in the lower bits of the lanes.
 __m512i add_product(__m512i sum, __m512i a, __m512i b) { return _mm512_madd52lo_epu64(sum, a, b); }
 __m512i product_of(__m512i a, __m512i b) { return add_product(_mm512_setzero_si512(), a, b); }
 __m512i extended(__m512i number) {
     return _mm512_srai_epi64(_mm512_slli_epi64(number, 64 - number_bits), 64 - number_bits);
 }
 
-/// Factors of three words: constant, slope and denominator.
+/// Factors of three words each: constant, slope and denominator.
 struct Source {
     static constexpr std::size_t words = 3;
-    static constexpr std::size_t denominator = 2;  ///< its place among them
+    static constexpr std::size_t denominator = 2;  ///< its position in a factor
 
     const std::uint64_t* factors;
 
@@ -46,7 +46,7 @@ struct Source {
 private:
     static constexpr std::size_t lanes = 8;
 
-    /// Eight of the words of `used` factors; where there are none, those of the factor 1.
+    /// Eight of the words of `used` factors; missing factors are replaced by the factor 1.
     __m512i part(std::size_t first, std::size_t used, std::size_t i) const {
         const std::size_t begin = lanes * i;
         const std::size_t end = words * used;
@@ -56,14 +56,14 @@ private:
         const __m512i ones = _mm512_mask_mov_epi64(_mm512_set1_epi64(1), slopes, _mm512_setzero_si512());
         return _mm512_mask_loadu_epi64(ones, static_cast<__mmask8>((1U << present) - 1), at(first) + begin);
     }
-    /// Words `place`, place + 3, ... of the vectors, in lanes 0, 1, ...
+    /// The words `place`, place + 3, ... of the vectors, in lanes 0, 1, ...
     template <std::size_t Vectors>
     static __m512i every_third(const __m512i* loaded, long long place) {
         const __m512i places =
             _mm512_add_epi64(_mm512_set_epi64(21, 18, 15, 12, 9, 6, 3, 0), _mm512_set1_epi64(place));
         const __m512i two = _mm512_permutex2var_epi64(loaded[0], places, loaded[1]);
         if constexpr (Vectors < 3) return two;
-        // Of 16 words two vectors hold those below 16.
+        // The first two of the vectors hold the words below 16.
         const __mmask8 beyond = _mm512_cmpge_epi64_mask(places, _mm512_set1_epi64(16));
         return _mm512_mask_permutexvar_epi64(two, beyond, places, loaded[2]);
     }
@@ -90,13 +90,14 @@ std::size_t width(std::uint64_t word) {
 constexpr std::size_t least_degree = 2;
 static_assert(least_factors > 4 * (least_degree - 1));
 
-/// Whether products of so many factors are below 2^51, if each is below 2^bits.
+/// Whether products of this many factors are below 2^51, if each factor is below 2^bits.
 constexpr bool is_enough(std::size_t factors, std::size_t bits) { return factors * bits < number_bits; }
 
-/// What comes of an attempt at so many blocks: more of them may do where these are too large.
+/// The result of an attempt with one number of blocks: if the products are too large, more blocks may
+/// suffice.
 enum class Outcome { done, too_large, never };
 
-/// Degree factors a block, of which the last ones may be missing.
+/// At most `Degree` factors per block; the last ones may be missing.
 template <std::size_t Blocks, std::size_t Degree>
 Outcome multiply_blocks(const std::uint64_t* words, std::size_t count, const Primes& primes,
                         Product& product) {

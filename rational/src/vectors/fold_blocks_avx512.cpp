@@ -1,6 +1,6 @@
-// Compiled for AVX-512 IFMA; run only where the processor has it.
+// Compiled for AVX-512 IFMA; runs only on processors that have it.
 
-// NOLINTBEGIN(portability-simd-intrinsics): elsewhere rows of limbs take its place
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, rows of limbs are used
 #include <immintrin.h>
 
 #include "fold_blocks.hpp"
@@ -14,25 +14,25 @@ constexpr std::uint64_t mask = (std::uint64_t{1} << digit_bits) - 1;
 
 __m512i load(const std::uint64_t* from) { return _mm512_loadu_si512(from); }
 
-/// All ones where a digit at the top says that its number is negative.
+/// All ones where the top digit of a number is negative.
 __m512i extension(__m512i top) {
     const __m512i sign = _mm512_srai_epi64(_mm512_slli_epi64(top, 64 - digit_bits), 63);
     return _mm512_and_si512(sign, _mm512_set1_epi64(mask));
 }
 
-/// Numbers in digits, those of one place `stride` after those of the place before.
+/// Numbers in digits; `stride` is the distance between digits of consecutive positions.
 struct Rows {
     const std::uint64_t* digits;
     std::size_t stride;
 };
 
-/// Sums of products, eight at a time, modulo 2^52 to the digits. A coefficient is taken modulo 2^52, where a
-/// negative one is 2^52 too large, which is subtracted one digit further up. Each term adds less than 2^52 to
-/// one of the sums of 64 bits.
+/// Eight sums of products at once, modulo 2^52 to the power of the digits. A coefficient is taken modulo
+/// 2^52; a negative one is then 2^52 too large, which is subtracted one digit higher. Each term adds less
+/// than 2^52 to one of the 64-bit sums.
 template <std::size_t Digits>
 class Sums {
 public:
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): set one by one
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-member-init): the elements are set one by one
     [[gnu::always_inline]] Sums() {
 #pragma GCC unroll 16
         for (std::size_t d = 0; d < Digits; ++d) low_[d] = high_[d] = _mm512_setzero_si512();
@@ -56,7 +56,7 @@ public:
             high_[d] = _mm512_add_epi64(high_[d], other.high_[d]);
         }
     }
-    /// With carries that were not passed on.
+    /// The digit d, whose carry has not been propagated.
     [[gnu::always_inline]] __m512i digit(std::size_t d) const {
         return d == 0 ? low_[0] : _mm512_add_epi64(low_[d], high_[d - 1]);
     }
@@ -66,10 +66,10 @@ private:
     __m512i high_[Digits];
 };
 
-/// There are registers for two sums of so many digits, which do not wait for each other.
+/// Up to this many digits, the registers suffice for two independent sums.
 constexpr std::size_t most_digits_of_two = 6;
 
-/// The results have one digit more than the sums, which repeats the sign: blocks add no more than that.
+/// The results have one digit more than the sums, which repeats the sign: blocks add at most one digit.
 template <std::size_t Digits>
 void fold_block(const Rows& numbers, std::size_t count, const Block& block, std::uint64_t* results) {
     const __m512i digit_mask = _mm512_set1_epi64(mask);
@@ -102,7 +102,7 @@ void fold_block(const Rows& numbers, std::size_t count, const Block& block, std:
     }
 }
 
-/// Into sums[0..3] the sums of the lanes of each.
+/// Writes the sums of the lanes of four vectors to sums[0..3].
 void store_sums_of_lanes(const __m512i* digits, std::int64_t* sums) {
     const __m512i first = _mm512_add_epi64(_mm512_unpacklo_epi64(digits[0], digits[1]),
                                            _mm512_unpackhi_epi64(digits[0], digits[1]));
@@ -117,7 +117,7 @@ void store_sums_of_lanes(const __m512i* digits, std::int64_t* sums) {
     _mm256_storeu_si256(reinterpret_cast<__m256i*>(sums), _mm512_extracti64x4_epi64(halves, 0));
 }
 
-/// The one sum that is left with the last block, all its terms at a time.
+/// The last block leaves one sum, whose terms are computed at once.
 template <std::size_t Digits>
 void fold_to_one(const Rows& numbers, const Block& block, std::int64_t* sum) {
     const auto used = static_cast<__mmask8>((1U << (block.degree + 1)) - 1);
@@ -151,7 +151,7 @@ static_assert(sizeof(steps) / sizeof(Steps) == most_digits);
 }  // namespace
 
 void avx512_fold(const Columns& numbers, const Block* blocks, std::size_t block_count, std::int64_t* sum) {
-    // What is read behind the last number of a row is not used.
+    // The elements beyond the last number of a row are read but not used.
     alignas(64) std::uint64_t rows[2][(most_digits + 1) * most_stride];
     Rows from{numbers.digits_of_all, numbers.stride};
     std::size_t count = numbers.count;

@@ -2,10 +2,10 @@
 
 #include "gcd_lanes.hpp"
 
-// NOLINTBEGIN(portability-simd-intrinsics): elsewhere one gcd is taken after the other
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, one gcd is computed after the other
 
-// The binary algorithm: while the other number is not 0, its twos are shifted out, and the two are replaced
-// by the lesser one and the difference.
+// The binary algorithm: while the other number is not 0, its factors of two are removed, and the two numbers
+// are replaced by the smaller one and their difference.
 namespace blossom::gcd_lanes {
 
 namespace {
@@ -17,7 +17,7 @@ __m512i constant(long long value) { return _mm512_set1_epi64(value); }
 
 __m512i lowest_bit(__m512i x) { return _mm512_and_si512(x, _mm512_sub_epi64(_mm512_setzero_si512(), x)); }
 
-/// The zeros below the lowest bit, and 2^64 - 1 for 0.
+/// The number of zeros below the lowest set bit; 2^64 - 1 for 0.
 __m512i trailing_zeros(__m512i x) {
     return _mm512_sub_epi64(constant(63), _mm512_lzcnt_epi64(lowest_bit(x)));
 }
@@ -34,7 +34,7 @@ struct Numbers {
         for (std::size_t i = 1; i < Digits; ++i) any = _mm512_or_si512(any, digits[i]);
         return is_zero(any);
     }
-    /// By the twos of the least digit: a whole digit if that is 0.
+    /// Removes factors of two found in the lowest digit: a whole digit if that is 0.
     void shift_twos_out() {
         const __m512i all = constant(digit_bits);
         const __m512i mask = constant((1LL << digit_bits) - 1);
@@ -67,7 +67,7 @@ void step(Numbers<Digits>& odd, Numbers<Digits>& other) {
         borrow = _mm512_srai_epi64(below, digit_bits);
         carry = _mm512_srai_epi64(above, digit_bits);
     }
-    // A number whose least digit was 0 may still be even, and waits for the next step.
+    // A number whose lowest digit was 0 may still be even; it waits for the next step.
     const __mmask8 ready = _mm512_test_epi64_mask(other.digits[0], constant(1));
     const __mmask8 less = _mm512_mask_cmplt_epi64_mask(ready, borrow, zero);
     for (std::size_t i = 0; i < Digits; ++i) {
@@ -77,7 +77,7 @@ void step(Numbers<Digits>& odd, Numbers<Digits>& other) {
     }
 }
 
-/// The gcds come back in `odd`; the numbers lose a digit whenever all of them can.
+/// The gcds are returned in `odd`. The numbers are shortened by a digit when all of them allow it.
 template <std::size_t Digits>
 void run(Numbers<Digits>& odd, Numbers<Digits>& other) {
     while (!other.are_zero()) {
@@ -98,8 +98,9 @@ void run(Numbers<Digits>& odd, Numbers<Digits>& other) {
     }
 }
 
-/// Numbers congruent to `number` times a power of 2^-52 modulo the factors, and not above them: its digits
-/// are taken off one by one from below. Sums wait in 64 bits, of which each digit needs few more than 52.
+/// Numbers congruent to `number` times a power of 2^-52 modulo the factors, and not above them: the digits of
+/// the number are eliminated from the lowest upwards. Sums stay in 64 bits, of which each digit needs few
+/// more than 52.
 template <std::size_t Digits>
 Numbers<Digits> remainders(const std::uint64_t* number, std::size_t count, const Numbers<Digits>& factors,
                            __m512i negative_inverses) {
@@ -139,7 +140,7 @@ void gcds(const std::uint64_t* number, std::size_t count, Factors& given) {
     for (std::size_t i = 0; i < Digits; ++i) _mm512_storeu_si512(given.digits[i], odd.digits[i]);
 }
 
-// Two vectors in turns, because each step waits for the one before.
+// Two vectors in alternation, because each step waits for the previous one.
 void word_gcds(std::uint64_t* odd, std::uint64_t* other) {
     __m512i u[vectors];
     __m512i v[vectors];
@@ -150,7 +151,7 @@ void word_gcds(std::uint64_t* odd, std::uint64_t* other) {
     for (bool busy = true; busy;) {
         __mmask8 left = 0;
         for (std::size_t i = 0; i < vectors; ++i) {
-            // For 0 the shift is out of range and gives 0.
+            // For 0 the shift is out of range, and the result is 0.
             const __m512i shifted = _mm512_srlv_epi64(v[i], trailing_zeros(v[i]));
             const __mmask8 positive = _mm512_test_epi64_mask(shifted, shifted);
             const __m512i lesser = _mm512_min_epu64(u[i], shifted);

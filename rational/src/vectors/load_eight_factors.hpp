@@ -1,8 +1,8 @@
 #pragma once
 
-// How factors are read into lanes; only for sources compiled for AVX-512 with 64-bit products.
+// Reads factors into vector lanes; only for sources compiled for AVX-512 with 64-bit products.
 
-// NOLINTBEGIN(portability-simd-intrinsics): what has no lanes computes one sum after the other
+// NOLINTBEGIN(portability-simd-intrinsics): without these instructions, one sum is computed after the other
 #include <immintrin.h>
 
 #include "eight_sums.hpp"
@@ -18,12 +18,13 @@ using factor_lanes::united;
 
 inline __m512i broadcast(std::uint64_t word) { return _mm512_set1_epi64(static_cast<long long>(word)); }
 
-/// A pair of numbers u, m for the factor m + u X is so many words: of u and of m a numerator and a
-/// denominator, each a word and an address that is not 0 where there is no word.
+/// The words of a pair of numbers u, m for the factor m + u X: u and m as numerator and denominator, each of
+/// these as a word and an address that is nonzero if the value is not a word.
 inline constexpr std::size_t pair_words = 8;
 
-/// Of all pairs united, the bits that are 0 if every u is a quotient of words and every m is 0 or 1: all but
-/// those of the words of u and the lowest ones of the words of m, of which the denominator then is 1.
+/// From the bitwise or of all pairs, the bits that are 0 if every u is a quotient of words and every m is 0
+/// or 1: all bits except those of the words of u and the lowest bits of the words of m, whose denominator is
+/// then 1.
 inline __m512i surplus(__m512i all_pairs) {
     return _mm512_and_si512(all_pairs, _mm512_set_epi64(-1, ~1LL, -1, ~1LL, -1, 0, -1, 0));
 }
@@ -35,9 +36,9 @@ inline __m512i surplus(__m512i all_pairs) {
 #pragma GCC unroll 4
     for (std::size_t i = 0; i < 4; ++i) twos[i] = _mm512_unpacklo_epi64(pairs[2 * i], pairs[2 * i + 1]);
     constexpr int lower = 0x44;        // the first and second 128 bits of both operands
-    constexpr int third = 0xaa;        // the third ones
-    constexpr int odd_places = 0x88;   // the first and third ones
-    constexpr int even_places = 0xdd;  // the second and fourth ones
+    constexpr int third = 0xaa;        // the third 128 bits
+    constexpr int odd_places = 0x88;   // the first and third 128 bits
+    constexpr int even_places = 0xdd;  // the second and fourth 128 bits
     const __m512i front = _mm512_shuffle_i64x2(twos[0], twos[1], lower);
     const __m512i back = _mm512_shuffle_i64x2(twos[2], twos[3], lower);
     const __m512i masses = _mm512_shuffle_i64x2(_mm512_shuffle_i64x2(twos[0], twos[1], third),
@@ -53,7 +54,7 @@ class PairReader {
 public:
     explicit PairReader(const void* const* tuples) : tuples_(tuples) {}
 
-    /// The factors i of all tuples.
+    /// Factor i of all tuples.
     [[gnu::always_inline]] Factor read(std::size_t i) {
         __m512i pairs[lanes];
 #pragma GCC unroll 8
@@ -64,7 +65,7 @@ public:
         return factors_of(pairs);
     }
 
-    /// Bits, all of which are 0 if every u that was read is a quotient of words and every m is 0 or 1.
+    /// Bits that are all 0 if every u read so far is a quotient of words and every m is 0 or 1.
     __m512i beyond() const { return surplus(all_); }
 
 private:
@@ -72,7 +73,7 @@ private:
     __m512i all_ = _mm512_setzero_si512();
 };
 
-/// Reads them over another line.
+/// Reads factors m + u X over another line.
 class LineReader {
 public:
     LineReader(const void* const* tuples, const WordLine& line)
@@ -83,7 +84,7 @@ public:
           length_(_mm512_set1_epi64(line.length)) {}
 
     [[gnu::always_inline]] Factor read(std::size_t i) {
-        // Products of 32 bits with their signs, two of which add to less than 2^63.
+        // Products of signed 32-bit numbers; the sum of two of them is below 2^63.
         const Factor factor = pairs_.read(i);
         const __m512i x = _mm512_mul_epi32(q_, factor.slope);
         const __m512i from_a = _mm512_mul_epi32(a_, factor.constant);
@@ -94,7 +95,7 @@ public:
                 _mm512_mul_epi32(length_, factor.denominator)};
     }
 
-    /// The same for numbers of 32 bits with their signs.
+    /// The same, and every number is a signed number of 32 bits.
     __m512i beyond() const { return _mm512_or_si512(pairs_.beyond(), _mm512_srli_epi64(all_, 31)); }
 
 private:
@@ -106,13 +107,13 @@ private:
     __m512i all_ = _mm512_setzero_si512();
 };
 
-/// The numbers of zeros behind the lowest bit set.
+/// The number of zeros below the lowest set bit of each word.
 inline __m512i trailing_zeros(__m512i words) {
     const __m512i lowest = _mm512_and_si512(words, _mm512_sub_epi64(_mm512_setzero_si512(), words));
     return _mm512_sub_epi64(broadcast(63), _mm512_lzcnt_epi64(lowest));
 }
 
-/// The prime divisors of denominators up to the greatest known.
+/// The sets of prime divisors of denominators up to the greatest known.
 class PrimeSets {
 public:
     explicit PrimeSets(const Divisors& divisors) : of_(divisors.of) {}

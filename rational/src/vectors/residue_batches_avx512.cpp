@@ -1,4 +1,4 @@
-// Compiled for AVX-512 IFMA; run only where the processor has it.
+// Compiled for AVX-512 IFMA; runs only on processors that have it.
 
 // NOLINTBEGIN(portability-simd-intrinsics): without these instructions integers are combined one by one
 #include <immintrin.h>
@@ -16,7 +16,7 @@ __m512i load(const ResidueVector& from) { return _mm512_loadu_si512(&from); }
 void store(ResidueVector& to, __m512i value) { _mm512_storeu_si512(&to, value); }
 __m512i broadcast(std::uint64_t value) { return _mm512_set1_epi64(static_cast<long long>(value)); }
 
-/// Rows and columns of eight residue vectors change places.
+/// Transposes eight residue vectors.
 void transpose(const ResidueVector* rows, ResidueVector* columns) {
     __m512i pairs[8];
     for (std::size_t i = 0; i < 8; i += 2) {
@@ -43,8 +43,8 @@ __m512i quotient(const BatchTables& tables, const ResidueVector* y) {
     return _mm512_srli_epi64(sum, fraction_bits);
 }
 
-/// The digits of the sum less those of q M, from `digit` on, with their carries still in them; upper parts
-/// are added to the digit above.
+/// Adds the digits of the sum minus those of q M from `digit` on, without propagating carries; the upper
+/// parts of products are added to the next digit.
 void add_digits(const BatchTables& tables, std::size_t digit, const ResidueVector* y, __m512i q,
                 ResidueVector* digits) {
     __m512i low[step];
@@ -71,7 +71,8 @@ void add_digits(const BatchTables& tables, std::size_t digit, const ResidueVecto
     }
 }
 
-/// All digits below 2^52 but the greatest, which has the sign; what exceeds it cancels.
+/// Propagates carries so that all digits are below 2^52 except the top one, which has the sign; the excess
+/// cancels.
 void carry(ResidueVector* digits, std::size_t count) {
     const __m512i mask = broadcast((std::uint64_t{1} << digit_bits) - 1);
     __m512i carried = _mm512_setzero_si512();
@@ -84,12 +85,12 @@ void carry(ResidueVector* digits, std::size_t count) {
     const __m512i wrapped = _mm512_add_epi64(load(digits[count - 1]), carried);
     const __m512i greatest = _mm512_srai_epi64(_mm512_slli_epi64(wrapped, unused_bits), unused_bits);
     store(digits[count - 1], greatest);
-    // What stands above it in two's complement, for words that reach there.
+    // The sign extension, for words that reach beyond the top digit.
     store(digits[count], _mm512_srai_epi64(greatest, 63));
     store(digits[count + 1], _mm512_srai_epi64(greatest, 63));
 }
 
-/// A word has bits of two or three digits.
+/// A word, which has bits of two or three digits.
 __m512i word(const ResidueVector* digits, std::size_t index) {
     const std::size_t first = index * 64 / digit_bits;
     const std::size_t offset = index * 64 % digit_bits;

@@ -1,7 +1,8 @@
 #pragma once
 
-// Polynomials modulo eight primes at once, one prime per lane. Only what the sources compiled for single
-// instruction sets may include: nothing inline from elsewhere, which the linker could take for all.
+// Polynomials modulo eight primes at once, one prime per lane. This header contains only what the sources
+// compiled for one instruction set may include: no inline functions, which the linker could choose for the
+// whole program.
 
 #include <cstddef>
 #include <cstdint>
@@ -10,21 +11,21 @@ namespace blossom::residues {
 
 inline constexpr std::size_t lanes = 8;
 
-/// The most terms that one sum takes.
+/// The most terms of one sum.
 inline constexpr std::size_t most_terms = 4096;
 /// The most terms of an operand of `multiply`.
 inline constexpr std::size_t most_product_terms = 64;
 
-/// A residue a lane. Residues are below 2 p throughout: which of both values stands for one is left open.
+/// One residue per lane. Residues are below 2 p, so that each has two representations; either may occur.
 struct alignas(64) ResidueVector {
     std::uint64_t lane[lanes];
 };
 
-/// Primes 2^b - delta with what Montgomery's reduction needs, where b = prime_bits of the level, and 2^r the
-/// radix, r = radix_bits.
+/// Primes 2^b - delta and the constants of Montgomery's reduction, where b = prime_bits of the level, and the
+/// radix is 2^r, r = radix_bits.
 struct Moduli {
     ResidueVector prime;
-    ResidueVector delta;    ///< below 2 to the power of delta_bits
+    ResidueVector delta;    ///< below 2^delta_bits
     ResidueVector inverse;  ///< 1/p modulo the radix
     ResidueVector radix;    ///< modulo p
     ResidueVector square;   ///< radix^2 modulo p
@@ -32,18 +33,18 @@ struct Moduli {
     std::size_t root_order;
 };
 
-/// What a level of instruction sets offers.
+/// The operations of a level of vector instructions.
 struct Operations {
     std::size_t prime_bits;
     std::size_t radix_bits;
     std::size_t delta_bits;
-    std::size_t root_order;  ///< of as many primes as there are
+    std::size_t root_order;  ///< for as many primes as possible
 
     /// sum_k a[k] b[k] / radix for k < count <= most_terms.
     ResidueVector (*dot)(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
                          std::size_t count);
-    /// For each i < count the number with the digits digits[begins[i]..begins[i + 1]), b bits each and at
-    /// most most_terms, times power[0] / radix, where the powers are those of 2^b, times that of power[0].
+    /// For each i < count, the number with the digits digits[begins[i]..begins[i + 1]) of b bits each, at
+    /// most most_terms of them, times power[0] / radix. The powers are those of 2^b, times power[0].
     void (*residues_of_digits)(const Moduli& moduli, const std::uint64_t* digits, const std::size_t* begins,
                                std::size_t count, const ResidueVector* powers, ResidueVector* residues);
     /// The coefficients of the product of a[0..m) and b[0..n), lowest first, divided by the radix;
@@ -61,17 +62,17 @@ struct Operations {
     /// a[k] b[k] / radix.
     void (*multiply_each)(const Moduli& moduli, const ResidueVector* a, const ResidueVector* b,
                           std::size_t count, ResidueVector* product);
-    /// The same residues below p.
+    /// Replaces the residues by the equal ones below p.
     void (*reduce)(const Moduli& moduli, ResidueVector* a, std::size_t count);
-    /// The values of the polynomial with the coefficients a[0..size) at the powers of a root of unity, where
-    /// the indices of the values have their bits in the opposite order, and the inverse but for a division by
-    /// `size`, a power of 2. roots[h + i] is power i of a root of order 2 h times the radix, below p, for
-    /// i < h < size.
+    /// `transform` replaces the coefficients a[0..size) of a polynomial by its values at the powers of a root
+    /// of unity, in bit-reversed order of their indices; the other function is its inverse, up to a factor
+    /// `size`, a power of 2. roots[h + i] is power i of a root of order 2 h times the radix, below p, for i <
+    /// h < size.
     void (*transform)(const Moduli& moduli, const ResidueVector* roots, ResidueVector* a, std::size_t size);
     void (*inverse_transform)(const Moduli& moduli, const ResidueVector* roots, ResidueVector* a,
                               std::size_t size);
-    /// sums[i] += weight / radix * sum_k rows[i][k] (x_i / radix)^(terms-1-k) for i < count, where
-    /// x_i = base + offsets[i]. The coefficients in a row are the same for all lanes, and from p to 2 p.
+    /// sums[i] += weight / radix * sum_k rows[i][k] (x_i / radix)^(terms-1-k) for i < count, where x_i = base
+    /// + offsets[i]. The coefficients in a row are the same for all lanes, and from p to 2 p.
     void (*add_values)(const Moduli& moduli, const std::uint64_t* const* rows, std::size_t terms,
                        const ResidueVector& base, const ResidueVector* offsets, const ResidueVector& weight,
                        std::size_t count, ResidueVector* sums);

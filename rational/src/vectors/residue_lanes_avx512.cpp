@@ -1,6 +1,6 @@
-// Compiled for AVX-512 IFMA; run only where the processor has it.
+// Compiled for AVX-512 IFMA; runs only on processors that have it.
 
-// NOLINTBEGIN(portability-simd-intrinsics): the portable way is a file of its own
+// NOLINTBEGIN(portability-simd-intrinsics): the portable version is in a file of its own
 #include <immintrin.h>
 
 #include "residue_operations.hpp"
@@ -21,7 +21,7 @@ struct Ifma {
     static constexpr std::size_t values_at_once = 6;
 
     using Vector = __m512i;
-    /// The lower and the upper 52 bits of the products, summed apart: sums of 4096 terms fit in 64 bits.
+    /// The lower and the upper 52 bits of the products, summed separately: sums of 4096 terms fit in 64 bits.
     struct Sum {
         __m512i low = _mm512_setzero_si512();
         __m512i high = _mm512_setzero_si512();
@@ -36,8 +36,8 @@ struct Ifma {
         __m512i prime, twice, delta, inverse;
     };
 
-    // Not all temporaries of functions that are compiled for fewer instructions are aligned as declared: GCC
-    // 12 leaves some at 32 bytes.
+    // The load is unaligned because GCC 12 places some temporaries of functions compiled for fewer
+    // instructions at multiples of 32 bytes only.
     static __m512i load(const ResidueVector& from, std::size_t /*part*/) { return _mm512_loadu_si512(&from); }
     static void store(ResidueVector& to, std::size_t /*part*/, __m512i value) {
         _mm512_storeu_si512(&to, value);
@@ -57,7 +57,8 @@ struct Ifma {
         return _mm512_madd52lo_epu64(_mm512_and_si512(quotient, broadcast((std::uint64_t{1} << 50) - 1)),
                                      _mm512_srli_epi64(quotient, 50), constants.delta);
     }
-    /// One product below 4 p^2 is below 2 p without more, and its lower half has no bits beyond 52.
+    /// A single product below 4 p^2 gives a result below 2 p without correction, and its lower half has no
+    /// bits beyond 52.
     static __m512i product(const Constants& constants, __m512i a, __m512i b) {
         const __m512i zero = _mm512_setzero_si512();
         const __m512i low = _mm512_madd52lo_epu64(zero, a, b);
@@ -77,8 +78,8 @@ struct Ifma {
     static __m512i difference(const Constants& constants, __m512i a, __m512i b) {
         return below_twice(constants, _mm512_add_epi64(_mm512_sub_epi64(a, b), constants.twice));
     }
-    /// Values stay below 4 p, x below 2 p: the upper half of the product is below 2 p, and its multiple of
-    /// the prime is subtracted from it and a coefficient above p.
+    /// Values stay below 4 p, and x below 2 p. The upper half of the product is below 2 p; the multiple of
+    /// the prime is subtracted from the sum of this half and a coefficient above p.
     static __m512i horner_step(const Constants& constants, __m512i value, __m512i x, __m512i coefficient) {
         const __m512i zero = _mm512_setzero_si512();
         const __m512i low = _mm512_madd52lo_epu64(zero, value, x);
@@ -92,8 +93,8 @@ private:
         return _mm512_min_epu64(value, _mm512_sub_epi64(value, constants.twice));
     }
     /// (sum - m p) / 2^52 + p with the multiple m that makes the lowest 52 bits zero: they cancel, and only
-    /// upper halves remain. `madd52` reads 52 bits of its factors, so that what the lower sum has beyond them
-    /// is added to the upper one.
+    /// upper halves remain. `madd52` reads 52 bits of its factors, so the bits of the lower sum beyond them
+    /// are added to the upper sum.
     static __m512i divided(const Constants& constants, const Sum& sum) {
         const __m512i zero = _mm512_setzero_si512();
         const __m512i multiple = _mm512_madd52lo_epu64(zero, sum.low, constants.inverse);

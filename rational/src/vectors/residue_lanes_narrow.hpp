@@ -1,12 +1,13 @@
 #pragma once
 
-// Primes below 2^28 in lanes of 64 bits, for processors that multiply 32 bits of each lane.
+// Primes below 2^28 in lanes of 64 bits, for processors that multiply the lower 32 bits of each lane.
 
 #include "residue_operations.hpp"
 
 namespace blossom::residues {
 
-/// Instructions: Vector, of 64-bit lanes, and product(a, b), that of the lower halves of the lanes.
+/// Instructions provides Vector, of 64-bit lanes, and product(a, b), the products of the lower halves of the
+/// lanes.
 template <class Instructions>
 struct Narrow {
     using Vector = typename Instructions::Vector;
@@ -54,11 +55,11 @@ struct Narrow {
         total.low += sum.value & low_32;
         total.high += sum.value >> 32;
     }
-    /// Below 2^32 + p before it is folded.
+    /// The quotient is below 2^32 + p before it is folded.
     static Vector reduced(const Constants& constants, const Sum& sum) {
         return folded(constants, divided(constants, sum.value, sum.value >> 32));
     }
-    /// Of up to 4096 products, below 2^38 + p before it is folded.
+    /// The quotient of a sum of up to 4096 products is below 2^38 + p before it is folded.
     static Vector reduced(const Constants& constants, const Total& total) {
         const Vector quotient = divided(constants, total.low, total.high + (total.low >> 32));
         return folded(constants, folded(constants, quotient));
@@ -87,7 +88,7 @@ private:
     static constexpr std::uint64_t low_32 = 0xffff'ffff;
     static constexpr std::uint64_t low_28 = 0x0fff'ffff;
 
-    /// value, or value - bound where that is not negative.
+    /// value - bound if that is not negative, otherwise value.
     static Vector below(Vector bound, Vector value) {
         const Vector less = value - bound;
         const Vector borrowed = Vector{} - (less >> 63);

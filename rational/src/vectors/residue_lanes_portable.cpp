@@ -11,7 +11,7 @@ namespace {
 struct TwoLanes {
     typedef std::uint64_t Vector __attribute__((vector_size(16)));  // NOLINT(modernize-use-using)
 
-    // NOLINTBEGIN(portability-simd-intrinsics): compilers do not see that halves suffice
+    // NOLINTBEGIN(portability-simd-intrinsics): compilers do not see that products of lower halves suffice
     static Vector product(Vector a, Vector b) {
 #if defined(__SSE2__)
         return reinterpret_cast<Vector>(

@@ -1,20 +1,21 @@
 #pragma once
 
-// The operations written once over what a level calls a vector, so many to a residue vector, and sums of
-// products.
+// The operations as templates over the vectors of a level, several of which make a residue vector, and its
+// sums of products.
 
 #include "residue_lanes.hpp"
 #include "residue_transform_steps.hpp"
 
 namespace blossom::residues {
 
-/// Level: prime_bits, radix_bits; Vector, of which `parts` make a residue vector, with load, store,
+/// Level provides: prime_bits, radix_bits; Vector, of which `parts` make a residue vector, with load, store,
 /// broadcast; Sum of up to `most_summed` products of residues below 2 p, zero by default, with add_product;
 /// Total of up to most_terms products, with collect(total, sum); Constants of one part of the moduli;
 /// reduced(constants, sum) and reduced(constants, total), divided by the radix, and product(constants, a, b),
 /// all below 2 p; sum and difference of residues; below_prime(constants, a); product_of_difference(constants,
-/// a, b, c), (a - b) c / radix for c below p; horner_step(constants, value, x, coefficient), value x / radix
-/// + coefficient for a coefficient from p to 2 p, whose results serve as `value` again and as factors.
+/// a, b, c), which is (a - b) c / radix for c below p; horner_step(constants, value, x, coefficient), which
+/// is value x / radix + coefficient for a coefficient from p to 2 p, and whose results are valid for `value`
+/// and as factors.
 template <class Level>
 struct OperationsOf {
     using Vector = typename Level::Vector;
@@ -29,7 +30,7 @@ struct OperationsOf {
         for (std::size_t part = 0; part < Level::parts; ++part) {
             const Constants constants(moduli, part);
             Total total = {};
-            Sum rest_of_terms = {};  // Less than `chains`: only the last round has any.
+            Sum rest_of_terms = {};  // Fewer than `chains`; only the last round has any.
             for (std::size_t begin = 0; begin < count; begin += chains * Level::most_summed) {
                 const std::size_t rest = count - begin;
                 const std::size_t end =
@@ -52,7 +53,7 @@ struct OperationsOf {
         return result;
     }
 
-    /// Four numbers at a time share what is loaded of the powers, as far as all four have digits.
+    /// Four numbers at once share the loaded powers, as long as all four have digits.
     static void residues_of_digits(const Moduli& moduli, const std::uint64_t* digits,
                                    const std::size_t* begins, std::size_t count, const ResidueVector* powers,
                                    ResidueVector* residues) {
@@ -65,7 +66,7 @@ struct OperationsOf {
         }
     }
 
-    /// Four coefficients at a time share what is loaded of `b`; zeros around `a` make them alike.
+    /// Four coefficients at once share the loaded `b`; zeros around `a` make them equally long.
     static void multiply(const Moduli& moduli, const ResidueVector* a, std::size_t m, const ResidueVector* b,
                          std::size_t n, ResidueVector* product) {
         constexpr std::size_t step = Level::coefficients_at_once;
@@ -138,7 +139,7 @@ struct OperationsOf {
             Transform<Level>(moduli, roots, part).backward(a, size);
     }
 
-    /// Several values at a time, for one has to wait for its last product.
+    /// Several values at once, because each waits for its last product.
     static void add_values(const Moduli& moduli, const std::uint64_t* const* rows, std::size_t terms,
                            const ResidueVector& base, const ResidueVector* offsets,
                            const ResidueVector& weight, std::size_t count, ResidueVector* sums) {

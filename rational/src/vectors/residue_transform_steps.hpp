@@ -1,6 +1,6 @@
 #pragma once
 
-// Number theoretic transforms on one part of residue vectors, two layers of butterflies at a time.
+// Number theoretic transforms on one part of residue vectors, two layers of butterflies per pass.
 
 #include "residue_lanes.hpp"
 
@@ -12,7 +12,7 @@ public:
     Transform(const Moduli& moduli, const ResidueVector* roots, std::size_t part)
         : constants_(moduli, part), roots_(roots), part_(part) {}
 
-    /// By decimation in frequency: values come in the order of reversed bits.
+    /// Decimation in frequency: the values are in bit-reversed order.
     void forward(ResidueVector* a, std::size_t size) const {
         if (size > most_at_once) {
             forward_layers(a, size, size / 4);
@@ -24,7 +24,7 @@ public:
         if (length == 2) last_layer(a, size);
     }
 
-    /// The inverse layers in the opposite order.
+    /// The inverse layers in reverse order.
     void backward(ResidueVector* a, std::size_t size) const {
         if (size > most_at_once) {
             for (std::size_t i = 0; i < 4; ++i) backward(a + i * (size / 4), size / 4);
@@ -39,7 +39,7 @@ public:
 private:
     using Vector = typename Level::Vector;
 
-    /// In residue vectors: longer transforms are cut in four, which then stay in the nearest cache.
+    /// The number of residue vectors that stay in the nearest cache; longer transforms are split in four.
     static constexpr std::size_t most_at_once = 256;
 
     Vector load(const ResidueVector& from) const { return Level::load(from, part_); }
@@ -53,7 +53,7 @@ private:
         return Level::product_of_difference(constants_, a, b, load(roots_[root]));
     }
 
-    /// The layer of neighbours, whose root is 1; its own inverse.
+    /// The layer of adjacent elements, whose root is 1. It is its own inverse.
     void last_layer(ResidueVector* a, std::size_t size) const {
         for (std::size_t k = 0; k < size; k += 2) {
             const Vector x = load(a[k]);
@@ -85,7 +85,7 @@ private:
     }
 
     /// The inverse layers of distances q and 2 q. The inverse of power i > 0 of a root of order 2 h is the
-    /// negative of power h - i: sums and differences change places.
+    /// negative of power h - i, so that sums and differences are exchanged.
     void backward_layers(ResidueVector* a, std::size_t size, std::size_t q) const {
         for (ResidueVector* x = a; x < a + size; x += 4 * q) {
             const Vector y0 = sum(load(x[0]), load(x[q]));

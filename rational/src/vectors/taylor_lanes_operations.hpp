@@ -1,12 +1,12 @@
 #pragma once
 
-// The operations written once for any number of lanes.
+// The operations as templates over the number of lanes.
 
 #include "taylor_lanes.hpp"
 
 namespace blossom::taylor_lanes {
 
-/// Level::Vector: words in lanes, by the extension that GCC and Clang have for them.
+/// Level::Vector is a vector of words, by the extension of GCC and Clang.
 template <class Level>
 struct OperationsOf {
     using Vector = typename Level::Vector;
@@ -44,7 +44,7 @@ struct OperationsOf {
             Vector left = row[j];
             Vector right = row[j + 1];
 #pragma GCC unroll 14
-            // NOLINTNEXTLINE(modernize-loop-convert): the pragma is for loops that count
+            // NOLINTNEXTLINE(modernize-loop-convert): the pragma needs a counting loop
             for (std::size_t i = 0; i < levels; ++i) {
                 const Vector sum = left + kept[i];
                 kept[i] = right;

@@ -4,7 +4,7 @@ namespace blossom::taylor_lanes {
 
 namespace {
 
-// Two lanes are what every processor of 64 bits has.
+// Every 64-bit processor has vectors of two lanes.
 struct Pair {
     using Vector = std::int64_t __attribute__((vector_size(16), may_alias));
 };

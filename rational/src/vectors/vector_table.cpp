@@ -12,7 +12,7 @@ namespace {
 
 struct Level {
     std::string_view name;
-    const Table* table;  ///< null where this build or the processor does not have it
+    const Table* table;  ///< null if this build or the processor does not have the level
 };
 
 constexpr Table portable_table{.residues = &residues::portable_operations,
@@ -57,7 +57,7 @@ const Table* avx512_table() {
 
 const Table& chosen_table() {
     const Level levels[] = {{"ifma", avx512_table()}, {"avx2", avx2_table()}, {"portable", &portable_table}};
-    // NOLINTNEXTLINE(concurrency-mt-unsafe): nothing here writes the environment
+    // NOLINTNEXTLINE(concurrency-mt-unsafe): the library never writes the environment
     const char* const variable = std::getenv("BLOSSOM_VECTOR_LEVEL");
     const std::string_view greatest = variable != nullptr ? variable : levels[0].name;
     bool allowed = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-// All that runs on vector instructions, in one table for each level of them.
+// All functions that use vector instructions, in one table per level of these.
 
 #include "eight_sums.hpp"
 #include "factor_products.hpp"
@@ -12,8 +12,8 @@
 
 namespace blossom::vectors {
 
-/// What a level of vector instructions offers. A null pointer stands for a kernel that it lacks: the callers
-/// then go another way.
+/// The functions of a level of vector instructions. A null pointer stands for a kernel that the level lacks;
+/// callers then use another algorithm.
 struct Table {
     const residues::Operations* residues;    ///< on every level
     const taylor_lanes::Operations* taylor;  ///< on every level
@@ -25,13 +25,13 @@ struct Table {
     residues::IntegersOfResidues integers_of_residues;
 };
 
-/// That of the greatest level that this build, the processor and the environment variable
+/// The table of the highest level that this build, the processor and the environment variable
 /// BLOSSOM_VECTOR_LEVEL allow: "ifma" (all), "avx2" or "portable"; without the variable all levels are
 /// allowed.
-/// Errors: `wrong_kind` if the variable is anything else.
+/// Errors: `wrong_kind` if the variable has another value.
 const Table& chosen_table();
 
-/// The same for the whole life of the program.
+/// The chosen table, which never changes while the program runs.
 inline const Table& table() {
     static const Table& chosen = chosen_table();
     return chosen;

@@ -1,4 +1,4 @@
-"""What a prover shows: whether its conditions hold, its counterexamples are some, and no condition is lost."""
+"""Checks what a prover prints: whether its conditions hold, its counterexamples are valid, and no condition is missing."""
 
 import random
 import re
@@ -13,12 +13,12 @@ from values import Case, difference, parameter_cases, range_cases
 
 
 def readable(text):
-    """What a prover prints, as this reader has it: 2 x with its sign, u_1.2 with braces."""
+    """A prover's text in the notation of this reader: 2 x with its sign, u_1.2 with braces."""
     return re.sub(r"_(\d+)(?=\.\d)", r"_{\1}", re.sub(r"(\d) ([A-Za-z])", r"\1*\2", text))
 
 
 def conditions_hold(witness, conditions):
-    """Whether all conditions, as a prover prints them, hold at a witness; None when one cannot be read."""
+    """Whether all conditions, as a prover prints them, hold at a witness; None if one cannot be read."""
     case, env, sample, p = witness
     keep = field.P
     field.choose(p)
@@ -41,7 +41,7 @@ def conditions_hold(witness, conditions):
 
 
 def expanded(e, variables, s):
-    """A polynomial in these variables as coefficients by exponents."""
+    """A polynomial in these variables as a dictionary from exponents to coefficients."""
     kind = e[0]
     zero = (0,) * s
     if kind == "num":
@@ -72,7 +72,7 @@ def expanded(e, variables, s):
 
 
 def check_counterexample(block, place, example, seed=0):
-    """Whether the values a prover shows make a line false: True, or a text that says what is wrong; None when they cannot be read."""
+    """Whether the values that a prover prints make a line false: True, or a text that says what is wrong; None if they cannot be read."""
     try:
         scope = Scope(block)
         parameters = example.get("parameters", {})
@@ -149,7 +149,7 @@ def check_counterexample(block, place, example, seed=0):
 
 
 def lost_condition(block, decision, line_number, conditions, seed=0, tries=6):
-    """A point with small coinciding values where a divisor of a proved claim vanishes and all its conditions hold."""
+    """A point with small equal values where a divisor of a proved claim vanishes although all its conditions hold."""
     rng = random.Random("%s conditions" % seed)
     scope = Scope(block)
     for params in parameter_cases(block, scope)[-2:]:

@@ -1,4 +1,4 @@
-"""Counts and families of sets, of integers alone."""
+"""Counts and families of sets of integers."""
 
 
 def binomial(n, k):

@@ -1,8 +1,8 @@
-"""What ends the evaluation of a statement."""
+"""The exceptions that end the evaluation of a statement."""
 
 
 class Err(Exception):
-    """A statement that has no meaning, with the kind of its fault."""
+    """A statement without meaning, with the kind of its fault."""
 
     def __init__(self, kind, text=""):
         super().__init__(kind + (": " + text if text else ""))

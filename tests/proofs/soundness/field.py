@@ -1,6 +1,6 @@
 """Numbers, points and polynomials over a large prime field.
 
-A number is an integer modulo `P`, or a Jet: a power series in one more unknown, cut off. A point or vector is a tuple of its
+A number is an integer modulo `P`, or a Jet: a truncated power series in one more unknown. A point or vector is a tuple of its
 coordinates and its mass; a polynomial is a dictionary from exponents to coefficients.
 """
 
@@ -40,13 +40,13 @@ def primes_below(n, count, residue):
     return out
 
 
-P = PRIME  # the field that is computed in
-# In some of these fields -1, 2, 3, 5 and so on have square roots; what has none in one field is tried in the next.
+P = PRIME  # the current field
+# In some of these fields -1, 2, 3, 5 and so on have square roots; a number without one in a field is tried in the next.
 FIELDS = [PRIME] + primes_below(1 << 61, 3, 1)
 
 
 def choose(prime):
-    """Computes modulo this prime from now on."""
+    """From now on, computes modulo this prime."""
     global P
     P = prime
 
@@ -123,7 +123,7 @@ def inv(x):
 
 
 def rational(text):
-    """A number as it is written."""
+    """A number as text."""
     if text.isdigit():
         return int(text) % P
     f = Fraction(text)
@@ -161,7 +161,7 @@ def add(a, b):
 
 
 def scale(a, b):
-    """a times b where one of them is a number."""
+    """a times b, where one of them is a number."""
     if type(a) is tuple:
         if type(b) is tuple:
             raise Err("kind", "a product of points")
@@ -262,7 +262,7 @@ NODES = [pow(7, 1000 + 37 * k, PRIME) for k in range(60)]
 
 
 def lagrange(m):
-    """Nodes, and the matrix from values at them to coefficients."""
+    """Nodes, and the matrix that maps the values at the nodes to coefficients."""
     key = (P, m)
     if key not in LAGRANGE:
         nodes = [x % P for x in NODES[:m]]

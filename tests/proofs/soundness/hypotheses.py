@@ -1,4 +1,4 @@
-"""Hypotheses, which are met by solving for what is linear in them, and for one unknown of degree 2 by a square root."""
+"""Hypotheses, which are satisfied by solving for quantities that are linear in them, and for one unknown of degree 2 by a square root."""
 
 import field
 from faults import Err, TooBig, ZeroDivisor
@@ -8,7 +8,7 @@ from values import difference, range_cases
 
 
 class Hypotheses:
-    """The equations of a case and how to meet them."""
+    """The equations of a case, and methods to satisfy them."""
 
     def __init__(self, case):
         self.case = case
@@ -76,7 +76,7 @@ class Hypotheses:
             self.case.around = {}
 
     def point(self, rng, order, pool=None):
-        """A sample where all holds, or None."""
+        """A sample at which all equations hold, or None."""
         case = self.case
         sample = Sample(rng, pool)
         case.use(sample)
@@ -139,7 +139,7 @@ class Hypotheses:
         return all((c - 2 * b + a) % field.P == 0 for a, b, c in zip(base, *found))
 
     def solve(self, rng, order, instances, given=None):
-        """Changes the sample so that the equations hold; a map or number in `given` stays as it is."""
+        """Changes the sample so that the equations hold; a map or number in `given` is not changed."""
         sample = self.case.a
         base = self.residuals(instances)
         if all(x == 0 for x in base):
@@ -169,7 +169,7 @@ class Hypotheses:
                 chosen = chosen + group
         if not chosen or not self.eliminate(sample, chosen, instances):
             return False
-        # again, at other values of the variables `for all`
+        # again, with other values of the variables `for all`
         for eq in self.equations:
             for _ in range(2 if eq[2] else 1):
                 if any(x != 0 for x in self.fresh_residual(eq)):
@@ -181,7 +181,7 @@ class Hypotheses:
         return self.residual(self.instance(eq))
 
     def roots(self, sample, scalars, instances, fixed, rng, order):
-        """Solves one equation of degree 2 in a number that no equation has affinely; True when one was solved."""
+        """Solves one equation of degree 2 in a number in which no equation is affine; True if one was solved."""
         for eq, instance in instances:
             if eq[2]:
                 continue
@@ -203,7 +203,7 @@ class Hypotheses:
                 second = (values[2] - 2 * values[1] + values[0]) % field.P
                 third = (values[3] - 3 * values[2] + 3 * values[1] - values[0]) % field.P
                 if third == 0 and second == 0 and values[0] != values[1]:
-                    candidates = None  # affine in this one: no root is needed
+                    candidates = None  # affine in this number: no root is needed
                     if order == "maps":
                         break
                     candidates = []
@@ -236,7 +236,7 @@ class Hypotheses:
         universal = [eq for eq in self.equations if eq[2]]
 
         def take(instance):
-            """Adds the rows of an instance; 1 when something was new, 0 when not, -1 when it cannot hold."""
+            """Adds the rows of an instance; 1 if they are independent of the previous rows, 0 if not, -1 if they cannot hold."""
             self.case.memo = {}
             r0 = self.residual(instance)
             columns = []

@@ -1,8 +1,8 @@
-"""Random identities of polar forms that are true by construction, and their false neighbours.
+"""Random identities of polar forms that are true by construction, and similar false ones.
 
-Each begins with a true statement of a family (OLD and NEW below), whose parts are chosen at random and near the corners (n = 0, empty
-sums, repeated arguments, names that coincide), is rewritten by steps that keep it true, and has a neighbour with one
-change that the oracle finds false.
+Each begins with a true statement of a family (OLD and NEW below) with random parts that prefer corner cases (n = 0, empty sums,
+repeated arguments, equal names). It is rewritten by steps that preserve its truth, and has a variant with one change that the
+oracle finds false.
 
     generate(index, seed, new)  ->  [(Block, expected, features)], expected 'true', 'false' or 'error'
 """
@@ -24,7 +24,7 @@ BINDERS = ["i", "j", "k", "t", "n", "m", "x", "N"]
 
 
 def free_names(e, bound=frozenset()):
-    """Bare names that no binder within binds."""
+    """Bare names that no binder inside the expression binds."""
     out = set()
     if type(e) is not tuple or not e:
         return out
@@ -63,7 +63,7 @@ def has_binder(e):
 
 
 def substituted(e, name, new):
-    """e with a free bare name replaced; None where a binder would capture or a family of bound members is involved."""
+    """e with a free bare name replaced; None if a binder would capture it or a family of bound members is involved."""
     if type(e) is not tuple or not e:
         return e
     kind = e[0]
@@ -94,7 +94,7 @@ class Capture(Exception):
     pass
 
 
-# text made at random
+# random text
 
 
 class Maker:
@@ -135,7 +135,7 @@ class Maker:
         return text
 
     def slope(self, text, x):
-        """What multiplies x in an argument that was made."""
+        """The coefficient of x in an argument that was generated."""
         return self.slopes[text, x]
 
     def range(self, name, low=None, high=None):
@@ -146,7 +146,7 @@ class Maker:
         return "for %s in %d..%d" % (name, low, high)
 
     def arguments(self, n, tag="t"):
-        """Text of exactly n arguments, n a name or a sum in parentheses; numbers or pairs of dimension 1."""
+        """The text of exactly n arguments, n a name or a sum in parentheses; numbers or pairs of dimension 1."""
         x, y, w = self.scalars(3)
         k = self.r.randrange(9)
         self.features.add("blossom")
@@ -175,7 +175,7 @@ class Maker:
         return "%s*%s_i : i in 1..%s" % (x, tag, n)
 
 
-# families: each gives (lines before, claims)
+# families: each returns (previous lines, claims)
 
 
 def diagonal(m):
@@ -301,7 +301,7 @@ def let_in_poly(m):
     if "w" in (t, x, y):
         raise Capture()
     if "/" in body:
-        raise Capture()  # the poly would be none
+        raise Capture()  # the poly would not be one
     expected = show(substituted(parse_expr(poly.replace("w", "(" + body + ")")), t, parse_expr(x)))
     return ["let w = " + body, "poly P(%s) degree 4 = %s" % (t, poly)], [
         "P(%s) == %s" % (x, expected), "w == " + body, "P[%s{4}] == P(%s)" % (x, x),
@@ -331,7 +331,7 @@ def hidden(m):
 
 
 def poly_variable(m):
-    """A poly whose variable has the name of a free name, used beside it."""
+    """A poly whose variable has the name of a free name that is also used."""
     t, x = m.scalars(2)
     m.features.add("capture")
     return [m.range("n"), "poly P(%s) degree n + 1 = %s^n*%s + %s" % (t, t, x, t)], [
@@ -626,13 +626,13 @@ def bezier(m):
 
 
 def every_case(m):
-    """Lines that hold in some cases and not in others: the neighbour of a refute."""
+    """Lines that hold in some cases only: the false variants for `refute some`."""
     x, y = m.scalars(2)
     m.features.add("cases of both kinds")
     return [], [m.pick("{x} == {x} + i*{y} for i in 0..0", "{x}^i == 1 for i in 0..0", "{x}*i == 0 for i in 0..0", "{x}_i == {x}_0 for i in 0..0").format(x=x, y=y)]
 
 
-# of the newer language
+# constructs of the newer language
 
 
 def conditional(m):
@@ -778,11 +778,11 @@ NEW = [
 ]
 
 
-# rewriting that keeps the truth
+# rewriting that preserves the truth
 
 
 class Context:
-    """What is bound where an expression stands."""
+    """The names that are bound at the place of an expression."""
 
     def __init__(self, block, rng, new):
         self.block = block
@@ -808,7 +808,7 @@ class Context:
                 self.used.update(line[2])
 
     def fresh(self):
-        """A name that nothing has; for a binder the next one may have it again."""
+        """An unused name; for a binder, the next one may reuse it."""
         for name in ("e", "g", "l", "o", "r", "A", "B", "E", "G", "H", "L"):
             if name not in self.used:
                 self.used.add(name)
@@ -827,7 +827,7 @@ def numeric(e):
 
 
 def rewrite(e, bound, c):
-    """An expression of equal value, or None. `bound` are the names that binders around it bind; e is a number."""
+    """An expression of equal value, or None. `bound` are the names that enclosing binders bind; e is a number."""
     r = c.rng
     x = ("name", r.choice([s for s in SCALARS if s not in c.declared and s not in bound] or ["omega"]), None)
     choice = r.randrange(15)
@@ -876,7 +876,7 @@ def rewrite(e, bound, c):
     if choice == 10:
         name = r.choice(("i", x[1], "t"))
         if name in free_names(e):
-            return None  # it might be no integer there
+            return None  # it might not be an integer there
         return ("add", e, ("agg", "sum", name, ("rng", ONE, ("num", "0")), e))
     if choice == 11 and free_names(e) & bound == set() and "name" != kind and not has_bound_member(e, c):
         name = c.fresh()
@@ -954,7 +954,7 @@ def is_geometric(a):
 
 
 def positions(line, c):
-    """Where numbers stand in the sides of a claim: (path, expression, bound names)."""
+    """The places of numbers in the sides of a claim: (path, expression, bound names)."""
     out = []
 
     def walk(e, path, bound):
@@ -985,7 +985,7 @@ def positions(line, c):
 
 
 def is_number(e, c):
-    """Whether this is a number for sure: no point or vector is a summand."""
+    """Whether this is certainly a number: no summand is a point or vector."""
     if e[0] == "name":
         return False
     if e[0] in ("val", "blo", "num", "fn"):
@@ -1021,7 +1021,7 @@ def rewritten(block, rng, new, steps):
             continue
         if fresh is not None and len(repr(fresh)) < 4000:
             lines[at] = replace(lines[at], path, fresh)
-    # lets stand anywhere: a let may use what is declared below it
+    # lets may be anywhere: a let may use names that are declared below it
     first = [k for k, line in enumerate(lines) if line[0] in STATEMENTS][0]
     for let in c.lets:
         lines.insert(rng.randrange(first + 1) if not any(l[0] == "for" for l in lines) else first, let)
@@ -1029,10 +1029,10 @@ def rewritten(block, rng, new, steps):
     return lines
 
 
-# neighbours
+# false variants
 
 def lost_divisor(block, rng):
-    """A quotient in a claim that becomes its numerator."""
+    """Replaces a quotient in a claim by its numerator."""
     return changed(block, rng, lambda e: e[0] == "div", lambda e: e[1], STATEMENTS)
 
 
@@ -1061,7 +1061,7 @@ def neighbour(block, rng, id):
 
 
 def strict_form(block, rng, id):
-    """The block with a declaration for every free name, as `strict` wants it, and the same without one of them."""
+    """The block with a declaration for every free name, as `strict` requires, and the same without one of them."""
     decision = decide(block, points=1, budget=60000)
     items = sorted(name if index is None else name + "_{" + ",".join(map(str, index)) + "}" for name, index in decision.free)
     if not items or any("-" in item for item in items):
@@ -1085,7 +1085,7 @@ def strict_form(block, rng, id):
 
 
 def generate(index, seed, new):
-    """The statements with this number: deterministic in (seed, index). A list of (Block, expected, features)."""
+    """The statements with this number, determined by (seed, index). A list of (Block, expected, features)."""
     rng = random.Random("identity %s %s" % (seed, index))
     while True:
         families = NEW if new and rng.random() < 0.3 else OLD

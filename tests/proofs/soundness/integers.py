@@ -100,7 +100,7 @@ class Integers:
         return k
 
     def nested(self, evaluate, *arguments):
-        """What a definition stands for, which must end."""
+        """The value of a definition, which must not refer to itself without end."""
         self.depth += 1
         if self.depth > 60:
             self.depth = 0

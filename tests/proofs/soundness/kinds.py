@@ -4,7 +4,7 @@ from faults import Err
 
 
 class Kinds:
-    """The kind of an expression, without its value: 0 for a number, d for a point, vector or pair of dimension d, None for unknown."""
+    """The kind of an expression, without its value: 0 for a number, d for a point, vector or pair of dimension d, None if unknown."""
 
     def kind_env(self, env):
         return {k: (("g", len(v[1]) - 1) if v[0] == "g" else v[0]) for k, v in env.items()}
@@ -195,7 +195,7 @@ class Kinds:
             return known[key]
         known[key] = None
         k = None
-        for _ in range(2):  # the second time with what the first found for the recursion
+        for _ in range(2):  # the second pass uses the kinds that the first found for recursive lets
             for body, pattern in zip(bodies, patterns):
                 env = {name: "i" for name in self.penv}
                 for e in pattern:

@@ -70,7 +70,7 @@ def tokens_of(text):
             elif value in ")]}":
                 depth = max(0, depth - 1)
             elif value == "<" and (last is None or last in GOES_ON or last in ("(", "[", "{")):
-                pairs += 1  # where an operand is expected it opens a pair
+                pairs += 1  # where an operand is expected, it opens a pair
             elif value == ">" and pairs:
                 pairs -= 1
                 out.append((kind, value, line, False))
@@ -159,7 +159,7 @@ class Parser:
         return base
 
     def index(self):
-        """What follows `_`."""
+        """The index after `_`."""
         if self.take("{"):
             out = [self.expr()]
             while self.take(","):
@@ -182,7 +182,7 @@ class Parser:
         return ("name", base, None)
 
     def domain(self):
-        """`lo, hi` or a set, behind which a comma follows."""
+        """`lo, hi` or a set, followed by a comma."""
         first = self.expr()
         self.need(",")
         second = self.expr()
@@ -458,7 +458,7 @@ class Parser:
 
 
 class Block:
-    """One theorem: its lines with their places in the text."""
+    """One theorem: its lines and their positions in the text."""
 
     def __init__(self, id="", title=""):
         self.id = id

@@ -1,4 +1,4 @@
-"""Maps: how they are given, and what they are at points."""
+"""Maps: how they are given, and their values at points."""
 
 import field
 from combinatorics import binomial, exponents, factorial, multinomial
@@ -7,7 +7,7 @@ from field import inverse_matrix, lagrange, multiply, power, same
 
 
 class Maps:
-    """The maps of a case by their coefficients: their values, derivatives and blossoms."""
+    """The maps of a case by their coefficients: values, derivatives and blossoms."""
 
     def map_line(self, at, line):
         word = line[0]
@@ -48,7 +48,7 @@ class Maps:
             self.position[line[3]] = at
 
     def coefficients(self, name):
-        """The coefficients by exponents of a map."""
+        """The coefficients of a map by exponents."""
         dirs, kind, line = self.maps[name]
         if kind == "free":
             c = self.a.coefs.get(name)
@@ -105,7 +105,7 @@ class Maps:
                     x = x + rows[k][i[at]] * values[i[:at] + (k,) + i[at + 1 :]]
                 fresh[i] = x % field.P
             values = fresh
-        # what is too high must vanish, and one more point must agree
+        # coefficients of higher degree must vanish, and one more point must agree
         if len(dirs) == 1 and dirs[0][0] > 1:
             n = dirs[0][1]
             for i in index:
@@ -129,7 +129,7 @@ class Maps:
         return values
 
     def before(self, e, at):
-        """A poly or net uses maps above it only."""
+        """A poly or net may use only maps above it."""
         for name in map_names(e):
             if name in self.position and self.position[name] >= at:
                 raise Err("not declared", "map " + name + " is below")
@@ -234,7 +234,7 @@ class Maps:
         return out
 
     def polar_weights(self, args, s, n):
-        """The polar form of each monomial: the coefficient in the product of the arguments, over the number of its terms."""
+        """The polar form of each monomial: its coefficient in the product of the arguments, divided by the number of its terms."""
         if s == 1:
             c = [1]
             for x, m in args:
@@ -322,7 +322,7 @@ class Maps:
         if kind == "copies":
             k = self.count(a[2], env)
             if k == 0:
-                self.seen.add("no copies")  # of what is not evaluated then
+                self.seen.add("no copies")  # of arguments that are not evaluated then
             else:
                 out.extend([self.value(a[1], env)] * k)
         elif kind == "run":

@@ -14,7 +14,7 @@ BODY = STATEMENTS + HYPOTHESES + ("let", "poly")
 
 
 def nodes(root, path=()):
-    """All expressions within a tuple, with their paths; also arguments of blossoms."""
+    """All expressions within a tuple, with their paths, including arguments of blossoms."""
     if type(root) is not tuple:
         return
     if root and type(root[0]) is str and (root[0] in EXPRESSIONS or root[0] in ("copies", "run", "fam")) and len(root) > 1:
@@ -32,7 +32,7 @@ def replace(root, path, new):
 
 
 def substitute(e, name, new):
-    """Replaces a bare name, whatever binds it (this is how a careless hand renames)."""
+    """Replaces a bare name even if a binder binds it, like a careless author."""
     if type(e) is not tuple:
         return e
     if len(e) == 3 and e[0] == "name" and e[1] == name and e[2] is None:
@@ -45,7 +45,7 @@ def number(k):
 
 
 def step(e, rng):
-    """An index or bound off by one."""
+    """Changes an index or bound by one."""
     by = rng.choice((1, -1))
     if e[0] == "num" and e[1].isdigit():
         k = int(e[1]) + by
@@ -66,7 +66,7 @@ def names_in(lines):
 
 
 def is_place_of_name(line, path):
-    """Where the language has a name and no expression: what a let defines, the variables `for all`, the ends of a run."""
+    """Places where the language requires a name, not an expression: the name that a let defines, variables `for all`, the ends of a run."""
     if line[0] == "let" and path == (1,):
         return True
     return line[0] in STATEMENTS + HYPOTHESES and path[0] == 4 and len(path) <= 3
@@ -90,7 +90,7 @@ def put(block, at, path, new):
 
 
 def changed(block, rng, test, new, where=BODY, names=False):
-    """The lines with one expression e that passes the test replaced by new(e), or None where there is none."""
+    """The lines with one expression e that passes the test replaced by new(e), or None if there is none."""
     found = pick_node(block, rng, test, where, names)
     if found is None:
         return None
@@ -100,7 +100,7 @@ def changed(block, rng, test, new, where=BODY, names=False):
 
 
 def with_item(items, k, new):
-    """A tuple with another item at place k."""
+    """A tuple with the item at place k replaced."""
     return items[:k] + (new,) + items[k + 1 :]
 
 
@@ -151,7 +151,7 @@ def sum_bound(block, rng):
 
 
 def empty_range(block, rng):
-    """A sum, family, set or run with nothing in it."""
+    """Empties a sum, family, set or run."""
 
     def new(e):
         zero, one = number(0), number(1)
@@ -166,7 +166,7 @@ def empty_range(block, rng):
 
 
 def lower_parameter(block, rng):
-    """A parameter or range that begins at 0, or one lower, or ends one higher."""
+    """A parameter or range begins at 0 or one lower, or ends one higher."""
     found = []
     for at, line in enumerate(block.lines):
         if line[0] == "for":
@@ -190,7 +190,7 @@ def lower_parameter(block, rng):
 
 
 def rename_binder(block, rng):
-    """A bound name gets another name that is in use: with its occurrences, so that it may capture, or without."""
+    """A bound name is renamed to a name in use, with its occurrences, so that it may capture, or without them."""
     bare, families = names_in(block.lines)
     pool = sorted(bare | families | {"t", "n", "delta"}) + ["i", "k"]
     found = []
@@ -255,7 +255,7 @@ def rename_binder(block, rng):
 
 
 def redeclare(block, rng):
-    """A second declaration of a name that has one, or a first of one that is used."""
+    """Adds a second declaration of a name, or a first one of a name that is used."""
     bare, families = names_in(block.lines)
     pool = block.declared() * 3 + sorted(bare | families)
     if not pool:
@@ -278,7 +278,7 @@ def redeclare(block, rng):
 
 
 def swap(block, rng):
-    """Two arguments exchanged."""
+    """Exchanges two arguments."""
 
     def has(e):
         return e[0] in ("sub", "div", "pair") or e[0] == "blo" and (any(len(d) > 1 for d in e[2]) or len(e[2]) > 1) or e[0] == "val" and len(e[3]) > 1
@@ -364,7 +364,7 @@ def degree(block, rng):
 
 
 def coincide(block, rng):
-    """Two arguments that become the same, or a number in place of a name."""
+    """Makes two arguments equal, or replaces a name by a number."""
 
     def new(e):
         k = rng.choice([k for k, d in enumerate(e[2]) if d] or [None])
@@ -393,7 +393,7 @@ def statement_kind(block, rng, new=False):
 
 
 def lifetime(block, rng):
-    """A name of a binder, used outside of it; a parameter used as a binder."""
+    """Uses the name of a binder outside of it, or a parameter as a binder."""
     bound = set()
     for line in block.lines:
         for _, e in nodes(line):
@@ -434,7 +434,7 @@ WEIGHTS = [w for _, _, w in OPERATORS]
 
 
 def shrink(block, width):
-    """The same block with at most this many values of each parameter."""
+    """The same block with at most this many values per parameter."""
     lines = []
     for line in block.lines:
         if line[0] == "for" and line[2][0] == "num" and line[3][0] == "num":
@@ -465,7 +465,7 @@ def copy_of(block, lines, id, title):
 
 
 def mutate(block, rng, changes=1):
-    """A changed copy of the lines and what was changed, or None."""
+    """A changed copy of the lines and the kind of change, or None."""
     kinds = []
     current = block
     for _ in range(changes):
@@ -482,7 +482,7 @@ def mutate(block, rng, changes=1):
 
 
 def generate(index, seed, blocks, attempt=0):
-    """The mutation with this number: deterministic in (seed, index), whatever was made before. (Block, kinds, source id)"""
+    """The mutation with this number, determined by (seed, index), independent of other mutations. (Block, kinds, source id)"""
     rng = random.Random("mutation %s %s %s" % (seed, index, attempt))
     while True:
         source = blocks[index % len(blocks)] if rng.random() < 0.7 else rng.choice(blocks)

@@ -1,4 +1,4 @@
-"""The names of a block: what declares them, and values for those that are free."""
+"""The names of a block: their declarations, and values for free names."""
 
 import field
 from faults import Err
@@ -66,7 +66,7 @@ class Scope:
                         raise Err("redeclared", "variable " + v)
 
     def pattern(self, indices):
-        """A pattern where the names that stand for any integer are numbered."""
+        """A pattern in which the names that fit any integer are numbered."""
         names = {}
 
         def walk(e):
@@ -85,7 +85,7 @@ class Scope:
 
 
 class Sample:
-    """Values for what is free, made when asked for."""
+    """Values for free names, created on demand."""
 
     def __init__(self, rng, pool=None):
         self.vals = {}

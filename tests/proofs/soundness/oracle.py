@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """An oracle for the identity language: both sides of every claim at random points of a large prime field.
 
-It shares nothing with the prover: own reader (language.py), own scopes (names.py) and kinds (kinds.py), values instead of
+It shares nothing with the prover: it has its own reader (language.py), scopes (names.py) and kinds (kinds.py), and values instead of
 expansion (values.py). A claim that holds at random points is true (by Schwartz and Zippel, with an error far below 2^-50), one
-that fails has a witness. Hypotheses (hypotheses.py) are met by solving for what is linear in them (map coefficients, numbers,
-coordinates), in several orders, so that different components are seen, and for one unknown of degree 2 by a square root.
+that fails has a witness. Hypotheses (hypotheses.py) are satisfied by solving for quantities that are linear in them (map
+coefficients, numbers, coordinates), in several orders to reach different components, and for one unknown of degree 2 by a square root.
 
     decide(block)  ->  a Decision with one Line for each claim and refute
 
@@ -26,7 +26,7 @@ from values import Case, difference, parameter_cases, range_cases
 
 
 class Line:
-    """What is true of one claim or refute."""
+    """The truth of one claim or refute."""
 
     def __init__(self, place, kind):
         self.place = place
@@ -44,10 +44,10 @@ class Line:
 class Decision:
     def __init__(self):
         self.lines = []
-        self.error = None  # of the whole block
+        self.error = None  # an error of the whole block
         self.points = 0
-        self.free = set()  # names that nothing declares
-        self.seen = set()  # corners that were met
+        self.free = set()  # undeclared names
+        self.seen = set()  # the corner cases that occurred
 
 
 def decide(block, points=4, seed=0, budget=400000, max_cases=4000):
@@ -70,7 +70,7 @@ def decide(block, points=4, seed=0, budget=400000, max_cases=4000):
                 total += decide_case(block, scope, params, out, points, seed, budget)
                 if total > max_cases:
                     raise TooBig()
-                # what was met in no field so far is tried in the next
+                # cases without a point in one field are tried in the next
                 if p == FIELDS[-1] or not any(c[0] is params and c[2] == "novalue" for l in out.lines for c in l.cases):
                     break
                 if not any(l[0] == "given" for l in block.lines):
@@ -94,7 +94,7 @@ def decide(block, points=4, seed=0, budget=400000, max_cases=4000):
 
 
 def check_kinds(case, block):
-    """Kinds before values: every expression of the block, also where nothing is evaluated. The faults of claims by their lines."""
+    """Kinds before values: every expression of the block, even if it is not evaluated. The faults of claims by their lines."""
     faults = {}
     for at, line in enumerate(block.lines):
         try:
@@ -217,7 +217,7 @@ def decide_case(block, scope, params, out, points, seed, budget):
 
 
 def prove(blocks, path, out):
-    """What a prover that is always right would print with --json: `check` must find nothing in it."""
+    """What a correct prover would print with --json: `check` must accept all of it."""
     for block in blocks:
         decision = decide(block)
         if block.fault is not None:

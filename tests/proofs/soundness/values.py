@@ -9,11 +9,11 @@ from kinds import Kinds
 from maps import Maps
 
 JET_TAG = [0]
-NUMBER = ("number",)  # what a name is that nothing declares
+NUMBER = ("number",)  # the kind of an undeclared name
 
 
 class Case(Integers, Maps, Kinds):
-    """A block at one choice of its parameters."""
+    """A block for one choice of its parameters."""
 
     def __init__(self, scope, params, budget=400000):
         self.scope = scope
@@ -101,7 +101,7 @@ class Case(Integers, Maps, Kinds):
         return self.free((base, None), d)
 
     def defined(self, key, body, env):
-        """The value of a let, which depends on the variables around it."""
+        """The value of a let, which depends on the variables at the place of its use."""
         if self.around:
             return self.nested(self.value, body, {**self.around, **env})
         if key not in self.memo:

@@ -44,8 +44,8 @@ std::string BranchState::take_step(std::size_t symbol, std::size_t degree, const
     return "";
 }
 
-/// Whether the relation vanishes wherever the equation does: one is the other times what does not vanish, or
-/// some power of the relation is a multiple of the equation.
+/// Whether the relation vanishes wherever the equation does: one is the other times something that does not
+/// vanish, or some power of the relation is a multiple of the equation.
 bool BranchState::is_zero_where(const PlainPolynomial& equation, const PlainPolynomial& relation,
                                 std::size_t powers) {
     if (equation == relation) return true;
@@ -134,7 +134,7 @@ void BranchState::add_nonzero(PlainPolynomial factor) {
 void BranchState::add_nonzero_part(PlainPolynomial factor) {
     factor = stripped(std::move(factor));
     if (factor.is_number()) return;
-    // What is known of a product holds of both its factors.
+    // If a product does not vanish, neither do its factors.
     for (PlainPolynomial& known : nonzero_) {
         while (auto exact = exact_quotient(known, factor, *budget_)) known = std::move(*exact);
     }
@@ -198,8 +198,8 @@ PlainPolynomial BranchState::with_low_powers(const PlainPolynomial& a, const Pow
 }
 
 PlainPolynomial BranchState::with_low_powers(PlainPolynomial a) {
-    // Replacing powers of one symbol may bring back those of another. Where that does not end, what is left
-    // is as true, and only of less use.
+    // Replacing powers of one symbol may bring back those of another. If this does not end, the remaining
+    // polynomial is still correct, but less useful.
     for (std::size_t round = 0; round < 2 * power_steps_.size(); ++round) {
         bool changed = false;
         for (const PowerStep& step : power_steps_) {

@@ -14,8 +14,8 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// The polynomial in symbols of a field. Errors: `syntax` for more than `new_names` symbols that the field
-/// does not have; with none of them allowed, for others than its first `symbols` ones.
+/// The polynomial in symbols of a field. Errors: `syntax` if it has more than `new_names` symbols that are
+/// not in the field; if `new_names` is 0, for any symbols but the first `symbols` ones.
 PlainPolynomial named_polynomial(const NamedPolynomial& named, SymbolicField& field, std::size_t symbols,
                                  std::size_t new_names) {
     std::set<std::string> others;
@@ -80,7 +80,7 @@ public:
                        " does not vanish";
             }
         }
-        // The claim is made where the conditions do not vanish.
+        // The claim is restricted to points at which the conditions do not vanish.
         nonzero_.insert(nonzero_.end(), conditions_.begin(), conditions_.end());
         BranchState state(equations_, nonzero_, difference_, field_.budget());
         std::string problem = problem_in(certificate_.root, state, "");
@@ -91,22 +91,22 @@ public:
     const std::vector<std::string>& added_conditions() const { return added_; }
 
 private:
-    /// The difference of the sides, where the first steps have put polynomials in the place of symbols. That
-    /// the steps follow from the hypotheses is seen later, and a difference that rests on others is worth
-    /// nothing.
+    /// The difference of the sides, with polynomials substituted for symbols according to the first steps.
+    /// Whether the steps follow from the hypotheses is checked later; if they do not, the difference is not
+    /// used.
     void expand_sides(const Reading& reading) {
         const std::vector<Step>& steps = certificate_.root.steps;
         std::size_t count = 0;
         while (count < steps.size() && gives_polynomial(steps[count])) ++count;
         replaces_ = count > 0;
-        // What a step puts in the place of its symbol may contain symbols of later steps.
+        // The replacement of a symbol may contain symbols of later steps.
         while (count-- > 0) replace(steps[count]);
         Evaluation<SymbolicField> evaluation(reading, certificate_.which, field_);
         const SymbolicField::Element left = evaluation.left();
         difference_ = field_.numerator(field_.sum(left, field_.negative(evaluation.right())));
     }
 
-    /// Those of the case, before conditions add others.
+    /// Notes the divisors and symbols of the case, before conditions add others.
     void note_divisors_and_symbols() {
         nonzero_ = field_.divisors();
         symbols_ = field_.names().size();
@@ -145,7 +145,7 @@ private:
         field_.replace(step.symbol, field_.product(field_.number(Rational(-1) / leading), value_of(rest)));
     }
 
-    /// A polynomial where symbols have been replaced.
+    /// A polynomial after the replacement of symbols.
     SymbolicField::Element value_of(const NamedPolynomial& polynomial) {
         SymbolicField::Element sum = field_.number(Rational(0));
         for (const NamedTerm& term : polynomial) {
@@ -201,7 +201,7 @@ private:
     std::string problem_of_split(const Branch& branch, BranchState& state, const std::string& place) {
         const PlainPolynomial pivot = named_polynomial(branch.pivot, field_, symbols_, 0);
         if (branch.branches[1].end == Branch::End::open) {
-            // Nothing is claimed where the pivot is 0.
+            // No claim is made where the pivot is 0.
             if (std::ranges::find(conditions_, pivot.primitive()) == conditions_.end() || pivot.is_zero()) {
                 return "the pivot " + text_of(pivot, field_.names()) + " of an open branch is no condition";
             }
@@ -228,17 +228,17 @@ private:
     const Certificate& certificate_;
     const Limits& limits_;
     SymbolicField field_;
-    std::size_t symbols_ = 0;  ///< of the case; conditions may have more
+    std::size_t symbols_ = 0;  ///< the symbols of the case; conditions may have more
     PlainPolynomial difference_;
     std::vector<PlainPolynomial> equations_;
     std::vector<PlainPolynomial> nonzero_;
     std::vector<PlainPolynomial> conditions_;
     bool agrees_somewhere_ = false;
-    bool replaces_ = false;           ///< symbols by what the first steps say of them
-    std::vector<std::string> added_;  ///< conditions that the text does not make
+    bool replaces_ = false;           ///< whether symbols are replaced according to the first steps
+    std::vector<std::string> added_;  ///< conditions that the text does not state
 };
 
-/// What is wrong with how a certificate names its block, whose first line may be a head.
+/// What is wrong with the block name in a certificate; the first line of a block may be a head.
 std::string problem_of_head(const Certificate& certificate) {
     std::string_view rest = certificate.text;
     while (!rest.empty()) {

@@ -10,11 +10,11 @@
 
 namespace blossom::proofs::second {
 
-/// Checks certificates one after the other; texts that follow one another are read once.
+/// Checks certificates one after the other; consecutive certificates of the same text read it once.
 ///
-/// Everything is computed again: the text is read by the second reader, both sides are expanded as rational
-/// functions, and each step is held against the hypotheses. A certificate may be anything; what it costs is
-/// bounded by the limits.
+/// Everything is recomputed: the second reader reads the text, both sides are expanded as rational functions,
+/// and each step is checked against the hypotheses. A certificate may be arbitrary; the limits bound the cost
+/// of its check.
 class CertificateChecker {
 public:
     explicit CertificateChecker(const Limits& limits);
@@ -24,9 +24,9 @@ public:
     CertificateChecker(CertificateChecker&&) = delete;
     CertificateChecker& operator=(CertificateChecker&&) = delete;
 
-    /// Nothing if the certificate proves its case; otherwise a sentence that says what is wrong.
+    /// "" if the certificate proves its case; otherwise a sentence that says what is wrong.
     std::string problem_of(const Certificate& certificate);
-    /// What the certificate checked last assumes beyond its text: "a != 0", a pivot that was left open.
+    /// The assumptions of the last certificate beyond its text: "a != 0" for a pivot that was left open.
     const std::vector<std::string>& added_conditions() const { return added_conditions_; }
     /// All cases of all lines `claim` of a text. Errors: those of the second reader.
     const std::vector<Case>& claimed_cases(const std::string& text);

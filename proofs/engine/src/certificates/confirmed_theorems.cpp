@@ -9,7 +9,7 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// The entries of the lines `claim` of one text.
+/// The entries for the lines `claim` of one text.
 std::vector<Confirmed> confirmed_lines(std::span<const Certificate* const> certificates,
                                        CertificateChecker& checker) {
     const Certificate& first = *certificates.front();

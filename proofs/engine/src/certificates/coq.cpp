@@ -8,7 +8,7 @@ namespace blossom::proofs {
 
 namespace {
 
-/// A text that outgrew its limit.
+/// Thrown when a text exceeds its limit.
 struct TooLong {};
 
 class Writer {

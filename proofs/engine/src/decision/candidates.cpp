@@ -5,7 +5,7 @@
 
 #include "elimination.hpp"
 
-/// Which equation is used next, and for which variable.
+/// Chooses the next equation to use, and the variable to solve it for.
 
 namespace blossom::proofs {
 
@@ -26,8 +26,8 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
     for (std::size_t i = degrees.size(); i-- > 0;) {
         if (degrees[i] != 1 || state.solved.contains(i)) continue;
         const SparsePolynomial cofactor = coefficients_in(polynomial, i)[1];
-        // Of an equation between values of maps a number is only taken that stands alone, such as a control
-        // point.
+        // From an equation between values of maps, only a number that stands alone is taken, such as a
+        // control point.
         if (with_maps && !block_.symbols[i].is_map_value() && cofactor.total_degree() > 0) continue;
         Candidate candidate{equation, {i, 1, polynomial}, {}};
         bool vanishes = false;
@@ -46,8 +46,8 @@ std::optional<Elimination::Candidate> Elimination::linear_candidate(const Branch
     return best;
 }
 
-/// An equation that has the power of a variable alone, as w^2 == 1/2 or c^2 + s^2 == 1. Repeated factors are
-/// left out: what is zero on the others is zero.
+/// An equation in which a power of a variable stands alone, such as w^2 == 1/2 or c^2 + s^2 == 1. Repeated
+/// factors are divided out: a polynomial that vanishes on the remaining ones vanishes on all.
 std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchState& state,
                                                                    std::size_t equation) {
     const SparsePolynomial& polynomial = state.equations[equation].polynomial;
@@ -70,9 +70,9 @@ std::optional<Elimination::Candidate> Elimination::monic_candidate(const BranchS
     return best;
 }
 
-/// The best equation and variable to go on with: relations between numbers first, since they may occur in the
-/// coefficients of others; then what is linear with a leading coefficient known not to vanish. The first one
-/// whose leading coefficient is a number will do.
+/// The best equation and variable to continue with: relations between numbers first, because these may occur
+/// in the coefficients of others; then linear ones with a leading coefficient known not to vanish. The search
+/// ends at the first one whose leading coefficient is a number.
 std::optional<Elimination::Candidate> Elimination::best_candidate(const BranchState& state) {
     std::optional<Candidate> best;
     const auto rank = [](const Candidate& c) {

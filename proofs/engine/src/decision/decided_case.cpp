@@ -9,7 +9,7 @@
 
 namespace blossom::proofs {
 
-/// The way through the branches of one claim.
+/// The state of a walk through the branches of one claim.
 struct BlockCase::Walk {
     const Relation& relation;
     CaseDecision& decision;
@@ -17,7 +17,7 @@ struct BlockCase::Walk {
     SparsePolynomial difference;
     std::vector<SparsePolynomial> nonzero;
     std::vector<Substitution> steps;
-    std::vector<std::string> pivots;  ///< "a != b": what the branches on the way require
+    std::vector<std::string> pivots;  ///< "a != b": what the branches on the path require
     std::size_t agreed = 0;
 };
 
@@ -44,7 +44,7 @@ std::string BlockCase::condition_text(const SparsePolynomial& factor, std::strin
     return sides[0] + " " + std::string(sign) + " " + sides[1];
 }
 
-/// What vanishes where a power does.
+/// The base of a power, because it vanishes where the power does.
 NodeId BlockCase::base_of(NodeId node) const {
     while (block_.nodes[node].kind == NodeKind::power) node = block_.nodes[node].operands[0];
     return node;
@@ -66,8 +66,9 @@ bool BlockCase::has_coefficients(std::size_t factor) {
 }
 
 /// Every factor of every divisor in the claim, the hypotheses and the assumptions: it may have cancelled, but
-/// where it vanishes they are not defined. What holds "for all" values of a variable says nothing of single
-/// values. A divisor made of values of maps is shown as it stands in the statement, others by their factors.
+/// where it vanishes they are undefined. Hypotheses "for all" values of a variable give no condition on
+/// single values. A divisor made of values of maps is shown as it is in the statement, others by their
+/// factors.
 std::set<std::size_t> BlockCase::add_conditions(const Relation& relation, CaseDecision& decision) {
     std::set<std::size_t> nonzero;
     const auto add = [&](Condition condition) {
@@ -184,8 +185,7 @@ Branch BlockCase::walk(Branch& branch, Walk& way) {
     return walked;
 }
 
-/// A branch with a counterexample ends the walk, and where the sides are the same already nothing is left to
-/// split.
+/// A branch with a counterexample ends the walk. If the sides are already equal, no split is needed.
 Branch BlockCase::walk_below(Branch& branch, Walk& way) {
     Branch walked;
     walked.end = branch.end;
@@ -198,7 +198,7 @@ Branch BlockCase::walk_below(Branch& branch, Walk& way) {
     return walked;
 }
 
-/// Adds the steps from a split to some branch below it that is solved; none, and false, if there is none.
+/// Adds the steps from a split to some solved branch below it; returns false and adds none if there is none.
 bool BlockCase::reach_solution(Branch& split, std::vector<Substitution>& steps) {
     return std::ranges::any_of(split.branches, [&](Branch& branch) {
         elimination_.grow(branch);
@@ -211,7 +211,7 @@ bool BlockCase::reach_solution(Branch& split, std::vector<Substitution>& steps) 
     });
 }
 
-/// A branch that does not fit makes the whole case open in which its pivot was required to vanish.
+/// A branch that cannot be decided leaves open the whole case in which its pivot was required to vanish.
 Branch BlockCase::open_branch() {
     Branch branch;
     branch.end = Branch::End::open;

@@ -12,12 +12,12 @@
 
 namespace blossom::proofs {
 
-/// What the first road says of one claim for one choice of the parameters.
+/// The result of the first road for one claim and one choice of the parameters.
 struct CaseOutcome {
     Fraction left;
-    std::vector<SparsePolynomial> conditions;  ///< what must not vanish, pivots that were left open included
+    std::vector<SparsePolynomial> conditions;  ///< what must not vanish, including pivots that were left open
     Branch root;                               ///< how the claim was decided, branch by branch
-    std::vector<Substitution> steps;           ///< on the way to a branch where the claim holds, or fails
+    std::vector<Substitution> steps;           ///< on the path to a branch where the claim holds, or fails
     std::optional<Witness> witness;            ///< where the claim fails
 };
 
@@ -27,15 +27,15 @@ public:
     BlockCase(const GroundBlock& block, const Limits& limits)
         : block_(block), expander_(block, limits), elimination_(block, expander_) {}
 
-    /// Decides a claim; the conditions, open pivots and terms go to `decision`. Errors: `syntax` with a place
-    /// where the hypotheses leave no case; those of the expansion.
+    /// Decides a claim; the conditions, open pivots and terms are stored in `decision`. Errors: `syntax` with
+    /// an offset if the hypotheses leave no case; those of the expansion.
     CaseOutcome decide(const Relation& relation, CaseDecision& decision);
 
     Expander& expander() { return expander_; }
 
 private:
-    /// Expands where the first hypotheses have given polynomials for symbols: pyramids stay as small as they
-    /// are without hypotheses.
+    /// Expands with the polynomials that the first hypotheses give for symbols, so that pyramids stay as
+    /// small as without hypotheses.
     Expander& expander_below(const Branch& root);
 
     struct Walk;

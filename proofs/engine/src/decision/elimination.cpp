@@ -17,7 +17,7 @@ std::vector<std::size_t> exponents_of(const SparsePolynomial& polynomial, std::s
     return exponents;
 }
 
-/// The coefficients of a polynomial by monomials in the `variables`, which are universal.
+/// The coefficients of the monomials in `variables`, which are universally quantified.
 std::vector<SparsePolynomial> coefficients_by_monomials(const SparsePolynomial& polynomial,
                                                         const std::vector<std::size_t>& variables) {
     std::map<std::vector<std::size_t>, std::vector<SparsePolynomial>> terms;
@@ -97,8 +97,8 @@ SparsePolynomial Elimination::without_factors(SparsePolynomial polynomial,
     return expander_.field().stripped(std::move(polynomial), factors);
 }
 
-/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced by what
-/// the relation says, times the leading coefficient of the relation.
+/// The pseudo-remainder: while the degree in the symbol is too high, the highest power is replaced according
+/// to the relation, and the polynomial is multiplied by the leading coefficient of the relation.
 SparsePolynomial Elimination::reduced(const SparsePolynomial& polynomial, const Substitution& step) {
     if (polynomial.degree_in(step.symbol) < step.degree) return polynomial;
     FractionField& field = expander_.field();
@@ -155,7 +155,7 @@ std::map<std::size_t, SparsePolynomial> Elimination::replacements(const Branch& 
         if (step.degree != 1 || coefficients_in(step.relation, step.symbol)[1].total_degree() > 0) break;
         ++count;
     }
-    // What replaces a symbol may contain symbols that are replaced later.
+    // The replacement of a symbol may contain symbols that are replaced later.
     while (count-- > 0) {
         const Substitution& step = root.steps[count];
         const std::vector<SparsePolynomial> powers = coefficients_in(step.relation, step.symbol);
@@ -168,7 +168,8 @@ std::map<std::size_t, SparsePolynomial> Elimination::replacements(const Branch& 
     return result;
 }
 
-/// Leaves out what says nothing and factors that do not vanish. False if nothing satisfies the equations.
+/// Removes trivial equations and factors that do not vanish. Returns false if no values satisfy the
+/// equations.
 bool Elimination::simplify(BranchState& state) {
     for (Equation& equation : state.equations)
         equation.polynomial = without_factors(std::move(equation.polynomial), state.nonzero);
@@ -177,13 +178,13 @@ bool Elimination::simplify(BranchState& state) {
                                 [](const Equation& e) { return e.polynomial.total_degree() == 0; });
 }
 
-/// False if something that must not vanish does.
+/// Returns false if something that must not vanish is 0.
 bool Elimination::apply(BranchState& state, const Substitution& step) {
     if (step.degree > 1) {
         state.monic.push_back(step);
     } else {
         state.solved.insert(step.symbol);
-        // A variable that was a root is known now: its relation is an equation again.
+        // A variable that was a root is now determined, so that its relation becomes an equation again.
         const auto known = std::ranges::find(state.monic, step.symbol, &Substitution::symbol);
         if (known != state.monic.end()) {
             state.equations.push_back({known->relation, block_.hypotheses.front().offset});

@@ -20,8 +20,8 @@ std::size_t saturating_product(std::size_t a, std::size_t b) {
     return __builtin_mul_overflow(a, b, &product) ? unbounded : product;
 }
 
-/// An upper bound for the terms of a product of linear forms with the arguments as coefficients: for m equal
-/// arguments of s terms there are C(m + s - 1, s - 1) monomials.
+/// An upper bound on the terms of a product of linear forms with the arguments as coefficients: m equal
+/// arguments of s terms give C(m + s - 1, s - 1) monomials.
 std::size_t greatest_size(std::span<const Argument> arguments, const Limits& limits) {
     std::vector<std::pair<const Argument*, std::size_t>> groups;
     for (const Argument& argument : arguments) {
@@ -46,7 +46,7 @@ std::size_t greatest_size(std::span<const Argument> arguments, const Limits& lim
     return size;
 }
 
-/// The engine's construction on symbolic arguments, times n!, for a direction of dimension 1.
+/// n! times the engine's construction on symbolic arguments, for a direction of dimension 1.
 Ring engine_blossom(std::span<const Ring> coefficients, std::span<const Argument> arguments) {
     std::vector<HomogeneousPair<Ring>> pairs;
     for (const Argument& argument : arguments) pairs.push_back({argument.coordinates.front(), argument.mass});
@@ -56,7 +56,8 @@ Ring engine_blossom(std::span<const Ring> coefficients, std::span<const Argument
     return numerators.front() * Ring(Rational(factorial(arguments.size()), denominator));
 }
 
-/// The value of the form, sum of coefficient * coordinates^alpha * mass^(n - |alpha|), from powers.
+/// The value of the homogeneous form, sum of coefficient * coordinates^alpha * mass^(n - |alpha|), from
+/// powers.
 Ring value_of_form(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
     std::vector<std::vector<Ring>> powers_of;
     powers_of.reserve(argument.coordinates.size());
@@ -74,7 +75,7 @@ Ring value_of_form(const Direction& direction, std::span<const Ring> coefficient
     return dot(coefficients, products);
 }
 
-/// p(t), or the form at coordinates and mass.
+/// p(t), or the homogeneous form at coordinates and mass.
 Ring value_in(const Direction& direction, std::span<const Ring> coefficients, const Argument& argument) {
     if (direction.dimension == 1 && argument.mass == Ring(1))
         return polynomial_value(coefficients, argument.coordinates.front());
@@ -86,7 +87,7 @@ Ring value_in(const Direction& direction, std::span<const Ring> coefficients, co
 Fraction Expander::operator()(NodeId id) {
     if (known_.size() < block_.nodes.size()) count_uses();
     if (known_[id]) return *known_[id];
-    // Operands come before what is made of them; only what is needed is expanded.
+    // Operands are expanded before the node, and only if they are needed.
     std::vector<Frame> open;
     open.push_back(opened(id));
     while (!open.empty()) {
@@ -118,7 +119,7 @@ void Expander::count_uses() {
     was_known_.resize(block_.nodes.size());
     for (NodeId id = before; id < block_.nodes.size(); ++id) {
         for (const NodeId operand : operands_of(block_, id)) ++uses_[operand];
-        // Divisors are asked for once more, as conditions.
+        // Divisors are used once more, as conditions.
         if (block_.nodes[id].kind == NodeKind::quotient) ++uses_[block_.nodes[id].operands[1]];
     }
 }
@@ -126,7 +127,7 @@ void Expander::count_uses() {
 Expander::Frame Expander::opened(NodeId id) {
     Frame frame{id, operands_of(block_, id), 0, std::nullopt};
     if (block_.nodes[id].kind == NodeKind::sum) frame.sum.emplace(field_);
-    // What was given up and is needed again needs its operands again.
+    // If a node was dropped and is needed again, so are its operands.
     if (was_known_[id]) {
         for (const NodeId operand : frame.operands) ++uses_[operand];
     }
@@ -186,8 +187,8 @@ FractionField::Common Expander::over_common_denominator(const NodeArgument& argu
     return field_.over_common_denominator(entries);
 }
 
-/// p(argument) or p[arguments] from numerators, over the product of all denominators: a map is homogeneous in
-/// each argument.
+/// p(argument) or p[arguments], computed from numerators, over the product of all denominators: a map is
+/// homogeneous in each argument.
 Fraction Expander::application(const Application& application) {
     const GroundMap& map = block_.maps[application.map];
     const bool value = application.form == Application::Form::value;

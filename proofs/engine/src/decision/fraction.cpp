@@ -10,7 +10,7 @@ namespace blossom::proofs {
 
 namespace {
 
-/// The exponents of a and b combined, factor by factor.
+/// Combines the exponents of a and b, factor by factor.
 template <class Combine>
 Factors merged(const Factors& a, const Factors& b, const Combine& combine) {
     Factors result;
@@ -193,9 +193,9 @@ std::size_t FractionField::divide_out(SparsePolynomial& rest, const SparsePolyno
 }
 
 void FractionField::split_powers(const SparsePolynomial& rest, Factorisation& result) {
-    // Yun's first step in one variable at a time: what divides the derivative occurs more than once. Only for
-    // polynomials of moderate size, where the common divisor is cheap; a factor that is not split is still
-    // one.
+    // The first step of Yun's algorithm in one variable at a time: a factor that divides the derivative
+    // occurs more than once. It is used only for polynomials of moderate size, where the common divisor is
+    // cheap; without it a factor simply stays unsplit.
     constexpr std::size_t most_terms = 30;
     for (std::size_t i = 0; rest.size() <= most_terms && i < rest.variables(); ++i) {
         const std::size_t degree = rest.degree_in(i);
@@ -286,7 +286,7 @@ Fraction FractionSum::result() && {
     SparsePolynomial numerator = blossom::sum(numerators);
     field_->spend(numerator.size(), 0);
     if (numerator.is_zero()) return {};
-    // a / f^2 + b / f is no fraction over f where f does not divide a.
+    // a / f^2 + b / f cannot be written over f if f does not divide a.
     Factors shared;
     Factors alone;
     for (const auto& factor : denominator) {

@@ -73,7 +73,7 @@ private:
         return text;
     }
 
-    /// A number, which grounding puts last, in front.
+    /// Puts a number, which grounding puts last, in front.
     std::string product(const Node& node) {
         std::string sign;
         std::string text;

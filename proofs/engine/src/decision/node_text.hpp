@@ -6,8 +6,8 @@
 
 namespace blossom::proofs {
 
-/// A node in the names of the statement: "w(1/2)", "x_1 - x_2". Shortened with "..." beyond some 200
-/// characters.
+/// A node in the names of the statement: "w(1/2)", "x_1 - x_2". Texts beyond about 200 characters are
+/// shortened with "...".
 std::string node_text(const GroundBlock& block, NodeId node);
 
 }  // namespace blossom::proofs

@@ -18,13 +18,13 @@ struct RingArgument {
     R mass;
 };
 
-/// The definition of the blossom that shares nothing with the engine's constructions: with F the homogeneous
-/// form of degree n of the map, of coordinates x_1..x_s and mass w,
+/// The definition of the blossom, which shares nothing with the engine's constructions: with F the
+/// homogeneous form of degree n of the map, in coordinates x_1..x_s and mass w,
 ///
 ///     n! p[u_1, ..., u_n] = D_{u_1} ... D_{u_n} F,   D_u = u_1 d/dx_1 + ... + u_s d/dx_s + mass d/dw.
 ///
-/// `coefficients`: one for each of `monomials(direction)`. Returns n! times the value. Cost: one
-/// multiplication of an argument with each coefficient of what is left of F, an argument.
+/// `coefficients`: one for each of `monomials(direction)`. Returns n! times the value. Cost: per argument,
+/// one multiplication by each remaining coefficient of F.
 template <class R>
 R polar_form(const Direction& direction, std::span<const R> coefficients,
              std::span<const RingArgument<R>> arguments) {
@@ -51,7 +51,7 @@ R polar_form(const Direction& direction, std::span<const R> coefficients,
     return form[std::vector<std::size_t>(direction.dimension, 0)];
 }
 
-/// The value of the form itself: sum of coefficient * coordinates^alpha * mass^(n - |alpha|).
+/// The value of the form itself: the sum of coefficient * coordinates^alpha * mass^(n - |alpha|).
 template <class R>
 R form_value(const Direction& direction, std::span<const R> coefficients, const RingArgument<R>& argument) {
     std::vector<std::vector<R>> powers;
@@ -75,8 +75,8 @@ R form_value(const Direction& direction, std::span<const R> coefficients, const 
     return sum;
 }
 
-/// Applies `contract` to the coefficients one direction after the other, the last one first: in each step the
-/// rows are the coefficients in that direction.
+/// Applies `contract` to the coefficients in one direction after the other, the last one first: the rows of
+/// each step are the coefficients in that direction.
 template <class R, class Contract>
 R contracted(const std::vector<Direction>& directions, std::vector<R> coefficients,
              const Contract& contract) {

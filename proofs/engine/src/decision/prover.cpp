@@ -10,7 +10,7 @@ namespace blossom::proofs {
 
 namespace {
 
-/// One block on its way.
+/// The decision of one block.
 class BlockDecision {
 public:
     BlockDecision(const Block& block, const Limits& limits, const DecisionOptions& options)
@@ -42,7 +42,7 @@ public:
     }
 
 private:
-    /// Whatever else is wrong with the block is the error of every line.
+    /// Any other problem of the block is an error of every line.
     static std::set<std::size_t> unfit(const Block& block, const Limits& limits) {
         try {
             const std::vector<Parameters> choices = parameter_choices(block, limits);
@@ -89,7 +89,7 @@ private:
             decided.parameters.insert(decided.parameters.end(), relation.parameters.begin(),
                                       relation.parameters.end());
             try {
-                check_resources();  // when nothing is left, nothing is begun
+                check_resources();  // if the budget is used up, no new case begins
                 decide_claim(*grounded, *block_case, relation,
                              opinion_.case_of(relation.statement, decided.parameters), decided);
             } catch (const Error& error) {
@@ -107,7 +107,7 @@ private:
         const CaseOutcome outcome = block_case.decide(relation, decided);
         if (decided.verdict == Verdict::refuted) {
             const std::optional<std::string> objection = opinion_.on_refutation(grounded, which, outcome);
-            // Of several roots the second road may have taken one at which the sides agree.
+            // If there are several roots, the second road may have used one at which the sides agree.
             if (objection && !outcome.witness->algebraic.empty()) {
                 throw Error(
                     ErrorCode::limit_exceeded,
@@ -127,7 +127,7 @@ private:
         }
     }
 
-    /// A verdict stands when the second road says nothing against it.
+    /// A verdict stands if the second road has no objection.
     static void settle(const std::optional<std::string>& objection, std::string_view verdict,
                        std::size_t offset, CaseDecision& decided) {
         if (!objection) return;
@@ -140,7 +140,7 @@ private:
                   {}, offset);
     }
 
-    /// A verdict on a range is one on all its cases, as both readers list them.
+    /// A verdict on a range is one on all its cases, in which both readers must agree.
     void compare_cases() {
         const bool complete = std::ranges::none_of(decisions_, [](const Decision& decision) {
             return std::ranges::any_of(decision.cases, [](const CaseDecision& decided) {

@@ -14,23 +14,22 @@
 
 namespace blossom::proofs {
 
-/// The second road, asked about the cases of one block: its own reading of the text, points that satisfy the
-/// hypotheses, and the check of certificates. An answer says how it disagrees, or nothing.
+/// The second road for the cases of one block: its own reading of the text, points that satisfy the
+/// hypotheses, and the check of certificates. Each function returns an objection, or nullopt.
 class SecondOpinion {
 public:
-    /// Lines `claim` and `refute` that `unfit` lists are left out of the text: what means nothing is not read
-    /// twice.
+    /// Omits the lines `claim` and `refute` of `unfit` from the text, because they have no meaning.
     SecondOpinion(const Block& block, const std::set<std::size_t>& unfit, const Limits& limits);
 
-    /// Whether the text has exactly these cases of these lines, in any order.
+    /// Compares the cases of each line with those of the text, in any order.
     std::optional<std::string> on_cases(const std::vector<Decision>& decisions);
     /// A case of a line, which is given by its number in the block.
     second::Case case_of(std::size_t statement, Parameters parameters) const;
     const std::string& text() const { return text_; }
-    /// Both sides at points, and the certificate of the case.
+    /// Evaluates both sides at points, and checks the certificate of the case.
     std::optional<std::string> on_proof(const GroundBlock& block, const second::Case& which,
                                         const CaseOutcome& outcome, const second::Certificate& certificate);
-    /// The counterexample.
+    /// Evaluates both sides at the counterexample.
     std::optional<std::string> on_refutation(const GroundBlock& block, const second::Case& which,
                                              const CaseOutcome& outcome);
 
@@ -42,7 +41,7 @@ private:
     second::CertificateChecker checker_;
 };
 
-/// The record of a proved case: its text, what must not vanish, and every step of the elimination.
+/// The certificate of a proved case: its text, its conditions, and every step of the elimination.
 second::Certificate certificate_of(const Block& block, const std::string& text, const GroundBlock& grounded,
                                    const second::Case& which, const CaseOutcome& outcome);
 

@@ -34,7 +34,7 @@ WitnessMap written_out(const GroundMap& map, Evaluator& evaluate) {
 
 struct WrittenArgument {
     std::string readable;
-    std::string option;  ///< as --at takes it
+    std::string option;  ///< in the syntax of --at
 };
 
 WrittenArgument written_out(const NodeArgument& argument, Evaluator& evaluate) {
@@ -55,7 +55,7 @@ WrittenArgument written_out(const NodeArgument& argument, Evaluator& evaluate) {
     return {"<" + coordinates + ", " + to_string(mass) + ">", "pair:" + coordinates + ":" + to_string(mass)};
 }
 
-/// The value of one application, and the command that computes it, for maps of one variable.
+/// The value of one application as text, and the command that computes it for maps of one variable.
 WitnessValue written_out(const GroundBlock& block, NodeId id, const std::vector<WitnessMap>& maps,
                          Evaluator& evaluate) {
     const Application& application = block.applications[block.nodes[id].index];
@@ -93,7 +93,7 @@ WitnessValue written_out(const GroundBlock& block, NodeId id, const std::vector<
     return result;
 }
 
-/// Everything that the claim, the hypotheses and the assumptions are made of.
+/// All nodes in the claim, the hypotheses and the assumptions.
 std::set<NodeId> nodes_of_case(const GroundBlock& block, const Relation& relation) {
     std::vector<NodeId> roots{relation.left, relation.right};
     for (const auto* list : {&block.hypotheses, &block.assumptions}) {
@@ -102,7 +102,7 @@ std::set<NodeId> nodes_of_case(const GroundBlock& block, const Relation& relatio
     return nodes_below(block, std::move(roots));
 }
 
-/// Numbers for all symbols that have one.
+/// The polynomial with all known values substituted.
 SparsePolynomial with_values(SparsePolynomial polynomial, const WitnessSearch& choice) {
     for (std::size_t i = 0; i < choice.values().size(); ++i) {
         if (!choice.is_root(i)) polynomial = specialised(polynomial, i, choice.values()[i]);
@@ -110,7 +110,7 @@ SparsePolynomial with_values(SparsePolynomial polynomial, const WitnessSearch& c
     return polynomial;
 }
 
-/// A map whose coefficients have roots in them, which keep their names; nothing where one has a denominator.
+/// A map whose coefficients contain roots, which keep their names; nullopt if one has a denominator.
 std::optional<WitnessMap> written_out(const GroundMap& map, Expander& expander, const WitnessSearch& choice,
                                       std::vector<std::string> names) {
     const std::size_t symbols = names.size();

@@ -13,7 +13,7 @@ Rational small_integer(std::size_t number) {
     return number % 2 == 1 ? half : -half;
 }
 
-/// The symbols without a step, in the order in which they get their values.
+/// The symbols without a step, in the order in which they receive values.
 std::vector<std::size_t> order_of_symbols(const GroundBlock& block, std::span<const Substitution> steps) {
     std::vector<std::size_t> order;
     for (std::size_t i = block.symbols.size(); i-- > 0;) {

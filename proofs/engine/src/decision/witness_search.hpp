@@ -11,7 +11,7 @@
 
 namespace blossom::proofs {
 
-/// The polynomial with a number in the place of a variable.
+/// The polynomial with a number substituted for a variable.
 SparsePolynomial specialised(const SparsePolynomial& polynomial, std::size_t variable, const Rational& value);
 
 /// Chooses values for the symbols of one branch.
@@ -20,13 +20,13 @@ public:
     WitnessSearch(const GroundBlock& block, std::span<const Substitution> steps,
                   std::vector<SparsePolynomial> nonzero);
 
-    /// With `attempt` the values of variables on which roots depend begin further on in the list, so that
-    /// roots may become rational. False if one that has a root has no rational one.
+    /// Chooses the values. With a higher `attempt`, the values of variables on which roots depend begin
+    /// further on in the list, so that roots may become rational. Returns false if some root has no rational
+    /// value.
     bool choose(std::size_t attempt);
 
-    /// Whether some roots leave everything different from zero that must be: no power of the product of all
-    /// is zero modulo the relations. True also where that was not decided, because a leading coefficient is
-    /// no number.
+    /// Whether some roots satisfy all conditions: no power of the product of all conditions is zero modulo
+    /// the relations. Also true if this is undecided because a leading coefficient is not a number.
     bool is_witness() const;
 
     const std::vector<Rational>& values() const { return values_; }
@@ -40,13 +40,14 @@ private:
 
     bool is_possible(std::size_t symbol, const Rational& value) const;
 
-    /// Each polynomial rules out no more values than it has degree.
+    /// Takes the first possible value of the list from number `first` on. There is one, because each
+    /// polynomial excludes at most as many values as its degree.
     void give_value(std::size_t symbol, std::size_t first);
 
-    /// The value of the symbol of a step, where all others of its relation have one.
+    /// Computes the value of the symbol of a step if all other symbols of its relation have one.
     bool solve(std::size_t number);
 
-    /// The polynomial modulo the relations of the symbols that are roots; nothing if that is not decided.
+    /// The polynomial modulo the relations of the symbols that are roots; nullopt if that is undecided.
     std::optional<SparsePolynomial> remainder(SparsePolynomial polynomial) const;
 
     bool leave(std::size_t symbol);

@@ -11,7 +11,7 @@ namespace blossom::proofs {
 
 namespace {
 
-/// Calls `action` with every choice of values of the ranges from number `i` on.
+/// Calls `action` with every choice of values of the ranges from range `i` on.
 void for_each_choice(Grounder& grounder, const std::vector<const Range*>& ranges, std::size_t i,
                      Parameters& chosen, const std::function<void(const Parameters&)>& action) {
     if (i == ranges.size()) {
@@ -49,7 +49,7 @@ void add_relations(Grounder& grounder, const Statement& statement, std::size_t n
     });
 }
 
-/// The claims of a line. An error in one choice of its ranges is kept as that choice's own.
+/// Adds the claims of a line. An error in one choice of its ranges belongs to that choice.
 void add_claims(Grounder& grounder, const Statement& statement, std::size_t number) {
     Parameters chosen;
     for_each_choice(grounder, pointers(statement.ranges), 0, chosen, [&](const Parameters& choice) {

@@ -16,7 +16,7 @@
 
 namespace blossom::proofs {
 
-/// Throws the `syntax` error of what stands at `offset` of the text.
+/// Throws `syntax` at an offset of the text.
 [[noreturn]] inline void refuse(const std::string& message, std::size_t offset) {
     throw Error(ErrorCode::syntax, message, {}, offset);
 }
@@ -25,17 +25,17 @@ using Set = std::vector<long long>;
 struct Permutation {
     std::vector<long long> images;
 };
-/// What a name that runs stands for.
+/// The value of a name that runs over a range or a set.
 using Bound = std::variant<long long, Set, std::vector<Set>, Permutation>;
 /// A number, or an argument with coordinates and mass.
 using Value = std::variant<NodeId, NodeArgument>;
 
-/// Grounds the expressions of one block, whose kinds are known to fit.
+/// Grounds the expressions of one block, whose kinds are known to match.
 class Grounder {
 public:
     explicit Grounder(const Limits& limits) : limits_(limits) {}
 
-    /// Binds a name for as long as it lives.
+    /// Binds a name during its lifetime.
     class Binding {
     public:
         Binding(Grounder& grounder, const std::string& name, Bound value);
@@ -53,11 +53,11 @@ public:
     };
 
     void bind(const std::string& name, Bound value) { bound_[name] = std::move(value); }
-    /// Reads the declarations and infers all kinds; what is bound now are the parameters of the block, which
-    /// abbreviations see wherever they are used.
+    /// Reads the declarations and infers all kinds. The names bound at this time are the parameters of the
+    /// block, which abbreviations see wherever they are used.
     void begin(const Block& block);
 
-    /// The lines `claim` and `refute` whose kinds do not fit, by their numbers in the block.
+    /// The lines `claim` and `refute` with kinds that do not match, by their numbers in the block.
     const std::map<const Statement*, Error>& unfit() const { return kinds_->unfit(); }
     void declare_map(const Statement& statement);
     void declare_polynomial(const Statement& statement);
@@ -75,8 +75,8 @@ public:
 
 private:
     using Bindings = std::map<std::string, Bound>;
-    /// Variables of a `poly` or of `for all` for as long as it lives. Abbreviations see them, so that what is
-    /// known of abbreviations is set aside; maps that are declared already do not.
+    /// Variables of a `poly` or of `for all` during its lifetime. Abbreviations see them, so that known
+    /// values of abbreviations are set aside; maps that are already declared do not.
     class Variables {
     public:
         explicit Variables(Grounder& grounder);
@@ -126,7 +126,7 @@ private:
     NodeArgument place_of(const Expression& e, const GroundMap& map, std::size_t direction);
     NodeId push(Application application);
     NodeArgument argument(const Expression& e, std::size_t dimension);
-    /// The argument as the map takes it: in the coordinates of its frame, if it has one.
+    /// The argument in the coordinates of the map's frame, if it has one.
     NodeArgument placed(const NodeArgument& argument, const GroundMap& map);
     void add_arguments(const Expression& e, const GroundMap& map, std::size_t direction,
                        std::vector<NodeArgument>& arguments);
@@ -155,7 +155,7 @@ private:
     NodeId raise(NodeId base, std::size_t exponent, std::size_t offset);
     NodeId push(Node node, std::size_t offset = 0);
     const Rational* constant_value(NodeId id) const;
-    /// Whether a mass is 1, where need be after expansion.
+    /// Whether a mass is 1, after expansion if necessary.
     bool is_one(NodeId id) const;
     NodeArgument as_argument(const Value& value);
 
@@ -177,10 +177,10 @@ private:
     std::set<std::string> open_lets_;
     std::map<Rational, NodeId> constants_;
     std::size_t depth_ = 0;
-    std::size_t steps_ = 0;  ///< of grounding, against `expansion_work`
+    std::size_t steps_ = 0;  ///< spent on grounding, limited by `expansion_work`
 };
 
-/// The limit on the elements that a sum runs over, named in an error at its place.
+/// Limits the elements over which a sum runs; an error has the offset of the sum.
 void require_elements(const Integer& elements, const Limits& limits, std::size_t offset);
 
 }  // namespace blossom::proofs

@@ -82,7 +82,7 @@ NodeId Grounder::application(const Expression& e) {
 }
 
 NodeId Grounder::blossom(const Expression& e, Application result) {
-    // A copy: grounding an argument may add maps.
+    // A copy, because grounding an argument may add maps.
     const GroundMap map = block_.maps[result.map];
     result.form = Application::Form::blossom;
     for (std::size_t i = 0; i < map.directions.size(); ++i) {
@@ -98,7 +98,7 @@ NodeId Grounder::blossom(const Expression& e, Application result) {
     return push(std::move(result));
 }
 
-/// Where a value or derivative is taken: one argument for each direction, or the coordinates of a point.
+/// The argument of a value or derivative: one per direction, or the coordinates of a point.
 NodeArgument Grounder::place_of(const Expression& e, const GroundMap& map, std::size_t direction) {
     const auto& given = e.groups[0];
     const std::size_t dimension = map.directions[direction].dimension;
@@ -115,8 +115,8 @@ NodeId Grounder::value_of(const Expression& e, Application result) {
     return push(std::move(result));
 }
 
-/// n!/(n-k)! times the blossom of n - k copies of the point and k vectors: delta, or the directions that are
-/// given. Source: Goldman, theorem 9. Statement: goldman-thm9.
+/// n!/(n-k)! times the blossom of n - k copies of the point and k vectors: delta, or the given directions.
+/// Source: Goldman, theorem 9. Statement: goldman-thm9.
 NodeId Grounder::derivative_of(const Expression& e, Application result) {
     const GroundMap map = block_.maps[result.map];
     result.form = Application::Form::derivative;
@@ -142,7 +142,7 @@ NodeId Grounder::derivative_of(const Expression& e, Application result) {
         }
         result.orders.push_back(order);
         result.places.push_back(point);
-        // A derivative of an order above the degree is zero, and defined only where the value is.
+        // A derivative of an order above the degree is zero, but only defined where the value is.
         const std::size_t degree = map.directions[i].degree;
         const bool vanishes = order > degree;
         result.scale *= vanishes ? Rational(0) : Rational(falling_factorial(degree, order));

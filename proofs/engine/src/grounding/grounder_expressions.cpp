@@ -6,14 +6,12 @@
 
 #include "grounder.hpp"
 
-/// Expressions.
-
 namespace blossom::proofs {
 
 namespace {
 
 constexpr std::size_t deepest = 1000;
-/// What grounding one expression costs, in term operations of an expansion.
+/// The cost of grounding one expression, in term operations of an expansion.
 constexpr std::size_t steps_an_expression = 20;
 
 void require_depth(std::size_t depth, std::size_t offset) {
@@ -24,7 +22,7 @@ void require_depth(std::size_t depth, std::size_t offset) {
         {}, offset);
 }
 
-/// Counts how deep grounding is, abbreviations that refer to each other included.
+/// Counts nested calls of grounding, including those of abbreviations that use each other.
 class Depth {
 public:
     Depth(std::size_t& depth, std::size_t offset) : depth_(depth) {
@@ -111,7 +109,8 @@ Value Grounder::zero_of(const Kind& kind) {
     return NodeArgument{std::vector<NodeId>(kind.dimension, constant(0)), constant(0)};
 }
 
-/// The sum of values of one kind; of none, the zero of that kind. Coordinates and masses add.
+/// The sum of values of one kind, which is the zero of that kind if there are none. Coordinates and masses
+/// are added.
 Value Grounder::sum_of(std::vector<Value> values, const Kind& kind) {
     const bool geometric =
         std::ranges::any_of(values, [](const Value& v) { return std::holds_alternative<NodeArgument>(v); });
@@ -147,11 +146,11 @@ Value Grounder::sum(const Expression& e) {
     for (std::size_t i = 1; i < e.children.size(); ++i) {
         Value next = value(e.children[i]);
         if (!geometric && std::holds_alternative<NodeArgument>(next)) {
-            // All the numbers before it are one point.
+            // All numbers before it together are one point.
             summands = {sum_of(std::move(summands), {})};
             geometric = true;
         } else if (geometric) {
-            // A number taken from a vector or pair is a point, whose mass is taken too.
+            // A number subtracted from a vector or pair is a point, whose mass is also subtracted.
             next = as_argument(next);
         }
         summands.push_back(e.name[i - 1] == '-' ? scaled(constant(-1), next) : std::move(next));
@@ -169,7 +168,7 @@ Value Grounder::product(const Expression& e) {
             geometric = std::get<NodeArgument>(std::move(next));
         }
     };
-    // Each quotient contains those before it.
+    // Each quotient contains the previous ones.
     require_depth(depth_ + static_cast<std::size_t>(std::ranges::count(e.name, '/')), e.offset);
     take(value(e.children[0]));
     for (std::size_t i = 1; i < e.children.size(); ++i) {

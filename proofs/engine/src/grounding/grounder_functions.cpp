@@ -23,7 +23,7 @@ Value Grounder::call(const Expression& e) {
         return constant(collection ? elements_of(arguments[0]).size() : set_of(arguments[0]).size());
     }
     if (e.name == "sign") {
-        // An odd number of inversions makes a permutation odd.
+        // A permutation is odd if its number of inversions is.
         const std::vector<long long>& images = permutation(arguments[0].name)->images;
         int sign = 1;
         for (std::size_t i = 0; i < images.size(); ++i) {
@@ -54,7 +54,7 @@ Value Grounder::call(const Expression& e) {
     return multiply(std::move(factors));
 }
 
-/// if(i == j, a, b): only the branch that is taken is read.
+/// if(i == j, a, b): only the chosen branch is evaluated.
 Value Grounder::chosen(const Expression& e) {
     Value result = value(e.children[holds(e.children[0]) ? 1 : 2]);
     if (kinds_->of(e).is_geometric()) return as_argument(result);
@@ -86,8 +86,8 @@ NodeId Grounder::determinant(const Expression& e) {
     return determinant(rows);
 }
 
-/// Laplace's expansion by rows: for every set of columns the minor of the first rows, each computed once.
-/// Cost: n 2^(n-1) products for n rows.
+/// Laplace expansion by rows: for every set of columns, the minor of the first rows is computed once. Cost: n
+/// 2^(n-1) products for n rows.
 NodeId Grounder::determinant(const std::vector<std::vector<NodeId>>& rows) {
     const std::size_t n = rows.size();
     std::vector<NodeId> minors(std::size_t{1} << n, constant(1));
@@ -105,7 +105,7 @@ NodeId Grounder::determinant(const std::vector<std::vector<NodeId>>& rows) {
     return minors.back();
 }
 
-/// The B-spline basis function N_{j,d} over the knots x_i, as the polynomial that it is on the span [x_i,
+/// The polynomial that equals the B-spline basis function N_{j,d} over the knots x_i on the span [x_i,
 /// x_{i+1}).
 NodeId Grounder::bspline(const Expression& e) {
     const long long j = integer(e.children[0]);
@@ -117,7 +117,8 @@ NodeId Grounder::bspline(const Expression& e) {
                 basis_function(e.children[2], j, static_cast<long long>(degree), span, t, e.offset)});
 }
 
-/// Cox's and de Boor's recursion. A function that vanishes on the span is left out with its divisor.
+/// The recursion of Cox and de Boor. A function that vanishes on the span is omitted together with its
+/// divisor.
 NodeId Grounder::basis_function(const Expression& knots, long long j, long long degree, long long span,
                                 NodeId t, std::size_t offset) {
     if (span < j || span > j + degree) return constant(0);

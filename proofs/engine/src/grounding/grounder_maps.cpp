@@ -14,7 +14,8 @@ namespace blossom::proofs {
 
 namespace {
 
-/// Appends to `result` all exponents of `dimension - used.size()` more variables with sum at most `left`.
+/// Appends to `result` all exponents that extend `used` to `dimension` variables with a sum of at most `left`
+/// for the new ones.
 void append_monomials(std::vector<std::size_t>& used, std::size_t dimension, std::size_t left,
                       std::vector<std::vector<std::size_t>>& result) {
     if (used.size() == dimension) {
@@ -51,7 +52,7 @@ Integer multinomial(const std::vector<std::size_t>& exponents, std::size_t n) {
     return result;
 }
 
-/// The terms of a polynomial whose exponents of `symbols` are `powers`, without these symbols.
+/// The terms of a polynomial in which the exponents of `symbols` are `powers`, without these symbols.
 SparsePolynomial coefficient_of(const SparsePolynomial& polynomial, const std::vector<std::size_t>& symbols,
                                 const std::vector<std::size_t>& powers) {
     std::vector<SparsePolynomial> terms;
@@ -132,8 +133,8 @@ void Grounder::declare_map(const Statement& statement) {
     }
 }
 
-/// `map q degree n on simplex s net c over P_0, ..., P_s`: with barycentric coordinates over the frame, by
-/// Cramer's rule, the coefficients are control points times multinomials.
+/// `map q degree n on simplex s net c over P_0, ..., P_s`: in barycentric coordinates over the frame, by
+/// Cramer's rule, the coefficients are control points times multinomial coefficients.
 void Grounder::add_net(const Statement& statement, GroundMap& map) {
     const Direction direction = map.directions[0];
     if (map.directions.size() != 1 || statement.frame.size() != direction.dimension + 1) {
@@ -152,8 +153,8 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
     const Rational* value = constant_value(whole);
     if (value && value->is_zero())
         refuse("the points of the frame are affinely dependent", statement.frame[0].offset);
-    // The barycentric coordinate of P_j is the determinant with the argument in its place, linear in the
-    // argument: cofactors of the frame.
+    // The barycentric coordinate of P_j is the determinant with the argument in its column, which is linear
+    // in the argument: its coefficients are cofactors of the frame.
     for (std::size_t j = 0; j <= direction.dimension; ++j) {
         map.barycentric.emplace_back();
         for (std::size_t i = 0; i <= direction.dimension; ++i) {
@@ -177,8 +178,8 @@ void Grounder::add_net(const Statement& statement, GroundMap& map) {
     }
 }
 
-/// `poly P(t) degree n = expression`: the expression, expanded, has the coefficients by powers of the
-/// variable t, which abbreviations in it contain too.
+/// `poly P(t) degree n = expression`: the coefficients of the powers of t in the expanded expression,
+/// including t in abbreviations.
 void Grounder::declare_polynomial(const Statement& statement) {
     const std::size_t variables = statement.names.size() - 1;
     GroundMap map{statement.names[0], {}, {}, {}, {}};
@@ -227,8 +228,8 @@ void Grounder::declare_polynomial(const Statement& statement) {
     add_map(std::move(map));
 }
 
-/// `raise p to m as q`, with one degree for each direction. The homogeneous form gets a power of the mass as
-/// a factor; for a net the mass is the sum of the barycentric coordinates.
+/// `raise p to m as q`, with one degree per direction. The homogeneous form is multiplied by a power of the
+/// mass; for a net, the mass is the sum of the barycentric coordinates.
 void Grounder::declare_raised(const Statement& statement) {
     const auto source = maps_.find(statement.names[0]);
     if (source == maps_.end()) {

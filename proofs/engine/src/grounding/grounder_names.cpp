@@ -117,7 +117,7 @@ Relation Grounder::relation(const Statement& statement) {
     return result;
 }
 
-/// Whether a line declares this member: by its indices, or in a run.
+/// Whether a line declares this member, by its indices or in a run.
 bool Grounder::is_declared_member(const Declared& family, const Expression& e) {
     if (family.members.empty()) return true;
     const std::string full = full_name(e);
@@ -128,8 +128,8 @@ bool Grounder::is_declared_member(const Declared& family, const Expression& e) {
     });
 }
 
-/// The abbreviation whose indices fit, the first of several. It is read where it is declared: it sees the
-/// parameters of the block and its own indices, and nothing of the place where it is used.
+/// The value of the first abbreviation whose indices fit. It is evaluated in the scope of its declaration: it
+/// sees the parameters of the block and its own indices, but no names at the place of its use.
 Value Grounder::let_value(const std::string& full, const Expression& e) {
     const auto known = let_values_.find(full);
     if (known != let_values_.end()) return known->second;
@@ -161,8 +161,8 @@ Value Grounder::let_value(const std::string& full, const Expression& e) {
     return let_values_[full] = *result;
 }
 
-/// Whether the clause fits the indices, whose names are bound then. An index that is a name stands for any
-/// integer, unless it is a parameter of the block; every other one for its value.
+/// Whether the clause fits the indices; binds the names among its patterns. A name fits any integer, unless
+/// it is a parameter of the block; any other pattern fits its value.
 bool Grounder::binds(const Statement& clause, const std::vector<long long>& indices) {
     const auto& patterns = clause.sides[0].children;
     if (patterns.size() != indices.size()) return false;
@@ -192,8 +192,8 @@ bool Grounder::is_abbreviated(const std::vector<const Statement*>& clauses, cons
     return fits;
 }
 
-/// The value of a member that no clause fits: the declared number, point or vector of that name. An
-/// undeclared member is a free number, or an error if a clause stands for any index.
+/// The value of a member that fits no clause: the declared number, point or vector of that name. An
+/// undeclared member is a free number, or an error if a clause has a name as a pattern.
 Value Grounder::without_clause(const std::string& full, const Expression& e) {
     const Declared* declared = names_->family(e.name);
     const std::vector<const Statement*>& clauses = *names_->clauses(e.name);

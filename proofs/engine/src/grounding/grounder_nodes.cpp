@@ -6,7 +6,7 @@
 
 #include "grounder.hpp"
 
-/// How the nodes of a ground expression are made. What is constant is computed at once, so that bounds,
+/// Construction of the nodes of a ground expression. Constants are computed immediately, so that bounds,
 /// indices and exponents are numbers.
 
 namespace blossom::proofs {
@@ -101,11 +101,11 @@ NodeId Grounder::raise(NodeId base, std::size_t exponent, std::size_t offset) {
     } catch (const Error& error) {
         throw error.at(Place()).at(offset);
     }
-    // The power 0 is kept: it is 1 only where its base is defined.
+    // The power 0 is kept, because it is 1 only where its base is defined.
     return exponent == 1 ? base : push({NodeKind::power, {}, exponent, {base}, 0});
 }
 
-/// The polynomial as a sum of products, where variable i is symbol i.
+/// The polynomial as a sum of products; variable i is symbol i.
 NodeId Grounder::polynomial_node(const SparsePolynomial& polynomial) {
     std::vector<NodeId> terms;
     for (std::size_t i = 0; i < polynomial.size(); ++i) {

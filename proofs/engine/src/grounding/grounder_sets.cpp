@@ -8,7 +8,7 @@
 
 #include "grounder.hpp"
 
-/// Integers, sets and what runs over them.
+/// Integers, sets, and the elements over which names run.
 
 namespace blossom::proofs {
 
@@ -119,8 +119,8 @@ const Permutation* Grounder::permutation(const std::string& name) const {
     return value ? std::get_if<Permutation>(value) : nullptr;
 }
 
-/// What a sum over `e` runs over: the members of a set, subsets, partitions and their blocks, or
-/// permutations.
+/// The elements over which a sum over `e` runs: the members of a set, subsets, partitions and their blocks,
+/// or permutations.
 std::vector<Bound> Grounder::elements_of(const Expression& e) {
     if (e.kind == ExpressionKind::call) {
         if (e.name == "subsets") return subsets(e);
@@ -152,7 +152,7 @@ std::vector<Bound> Grounder::subsets(const Expression& e) {
         Set members;
         for (const std::size_t place : places) members.push_back(base[place]);
         elements.emplace_back(std::move(members));
-        // The last place that can grow does, and those behind follow it.
+        // The last position that can increase does so, and those behind it take the next values.
         std::size_t i = k;
         while (i > 0 && places[i - 1] == n - k + i - 1) --i;
         if (i == 0) return elements;
@@ -160,8 +160,8 @@ std::vector<Bound> Grounder::subsets(const Expression& e) {
     }
 }
 
-/// Every partition into blocks that are not empty, ordered by their least members: each member in turn joins
-/// a block or begins one.
+/// Every partition into non-empty blocks, ordered by their least members: each member in turn joins a block
+/// or begins one.
 std::vector<Bound> Grounder::partitions(const Expression& e) {
     std::vector<std::vector<Set>> found{{}};
     for (const long long member : base_set(e.children[0])) {
@@ -223,7 +223,7 @@ std::vector<Value> Grounder::over_range(const Expression& call) {
     return values;
 }
 
-/// t_1..t_n with its last index running; descending or empty when the end lies before the beginning.
+/// t_1..t_n with the last index running; descending or empty if the end is before the beginning.
 std::vector<Expression> Grounder::run_members(const Expression& run) {
     check_run(run);
     const Expression& first = run.children[0];

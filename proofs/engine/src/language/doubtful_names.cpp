@@ -13,7 +13,8 @@ namespace blossom::proofs {
 
 namespace {
 
-/// Whether one letter more, less or other, or two neighbours exchanged, make one name of the other.
+/// Whether inserting, deleting or replacing one letter, or exchanging two adjacent ones, turns one name into
+/// the other.
 bool resembles(std::string_view a, std::string_view b) {
     if (a.size() > b.size()) std::swap(a, b);
     if (b.size() - a.size() > 1) return false;
@@ -27,7 +28,7 @@ bool resembles(std::string_view a, std::string_view b) {
     return a.size() > 1 && a[0] == b[1] && a[1] == b[0] && a.substr(2) == b.substr(2);
 }
 
-/// The free names of a block with the places where they occur. A family counts as one name.
+/// The free names of a block and the places where they occur. A family counts as one name.
 class FreeNames {
 public:
     explicit FreeNames(const Block& block) : names_(block) {

@@ -11,7 +11,7 @@ namespace blossom::proofs {
 
 namespace {
 
-/// Without copies of them, which an initializer list would make.
+/// Moves the children, which an initializer list would copy.
 template <class... Children>
 std::vector<Expression> children(Children... of) {
     std::vector<Expression> list;
@@ -20,8 +20,8 @@ std::vector<Expression> children(Children... of) {
     return list;
 }
 
-/// The sum or product of `left` and `right`, a list and not a deep tree however long it is. What stands in
-/// parentheses on the left belongs to the list: (x + y) + z is x + y + z.
+/// The sum or product of `left` and `right`. Operands of the same kind form one list, not a deep tree; a
+/// parenthesised left operand is merged too: (x + y) + z is x + y + z.
 Expression appended(ExpressionKind kind, Expression left, char sign, Expression right) {
     if (left.kind != kind) {
         const std::size_t offset = left.offset;
@@ -32,7 +32,7 @@ Expression appended(ExpressionKind kind, Expression left, char sign, Expression 
     return left;
 }
 
-/// Counts how deep the parser is, for as long as it lives.
+/// Counts nested calls of the parser during its lifetime.
 class Nesting {
 public:
     Nesting(std::size_t& depth, const Limits& limits, std::size_t offset) : depth_(depth) {
@@ -128,7 +128,7 @@ std::vector<Expression> ExpressionParser::list(std::string_view close) {
     return elements;
 }
 
-/// i == j, i < j, i in S, i not in S and the like.
+/// A comparison: i == j, i < j, i in S, i not in S and the like.
 Expression ExpressionParser::comparison() {
     Expression left = expression();
     const std::size_t offset = left.offset;

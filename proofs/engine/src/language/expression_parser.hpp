@@ -11,8 +11,8 @@
 
 namespace blossom::proofs {
 
-/// Reads expressions from tokens, by recursive descent. Each function leaves the place behind what it read.
-/// Errors: `syntax` at the token that does not fit; `limit_exceeded` for nesting.
+/// Reads expressions from tokens by recursive descent. Each function advances past what it read. Errors:
+/// `syntax` at the token that does not fit; `limit_exceeded` for nesting.
 class ExpressionParser {
 public:
     ExpressionParser(const std::vector<Token>& tokens, const Limits& limits)
@@ -30,11 +30,11 @@ public:
     void expect(std::string_view symbol, std::string_view where);
     void expect_word(std::string_view word, std::string_view where);
     std::string identifier(std::string_view what);
-    /// Throws: `found`, expected `what`.
+    /// Throws the error that `what` was expected but something else was found.
     [[noreturn]] void refuse(std::string_view what) const;
 
     Expression expression();
-    /// Expressions with commas between.
+    /// Expressions separated by commas.
     std::vector<Expression> expressions();
     /// t, t_1 or t_1..t_n.
     Expression name_or_run(std::string_view what);

@@ -5,8 +5,6 @@
 
 #include "expression_parser.hpp"
 
-/// The tokens of expressions, one after the other.
-
 namespace blossom::proofs {
 
 namespace {

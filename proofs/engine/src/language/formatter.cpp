@@ -10,8 +10,8 @@ namespace blossom::proofs {
 
 namespace {
 
-/// How tightly an expression holds together; an operand that holds less than its place asks for is put in
-/// parentheses.
+/// The binding strength of an expression; an operand that binds less tightly than its context requires is put
+/// in parentheses.
 enum Binding { loose, additive, multiplicative, prefix, exponential, primary };
 
 Binding binding_of(const Expression& expression) {
@@ -31,7 +31,7 @@ Binding binding_of(const Expression& expression) {
 
 class Printer {
 public:
-    /// `tight` leaves out the blanks around + and -, for indices and exponents.
+    /// `tight` omits the blanks around + and -, for indices and exponents.
     explicit Printer(bool tight) : tight_(tight) {}
 
     std::string print(const Expression& e, Binding least = loose) const {
@@ -188,7 +188,7 @@ std::string body_text(const Statement& statement) {
     }
 }
 
-/// The lines of the document in order, each at the offset where it began.
+/// The lines of the document in order, each with its original offset.
 struct Line {
     std::size_t offset;
     std::string text;
@@ -229,8 +229,8 @@ std::string formatted(const Document& document) {
         }
     };
     for (auto& line : lines) {
-        // Comments above a head belong to it: the empty line stands before them, and before that what stands
-        // behind the last line.
+        // Comments above a head belong to it: the empty line is written before them, after the comments that
+        // follow the last line on the same line.
         while (comment != document.comments.end() && comment->offset < line.offset && !comment->own_line) {
             print_comments_before(comment->offset + 1);
         }

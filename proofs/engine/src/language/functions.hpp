@@ -6,7 +6,7 @@
 
 namespace blossom::proofs {
 
-/// A function of the language and how many arguments it takes.
+/// A function of the language and the number of its arguments.
 struct Function {
     std::string_view name;
     std::size_t least;

@@ -10,8 +10,7 @@ namespace blossom::proofs {
 
 namespace {
 
-/// The kind of something that is one of two, as the two branches of a choice or two clauses of an
-/// abbreviation.
+/// The common kind of two alternatives, such as the branches of a choice or the clauses of an abbreviation.
 std::optional<Kind> joined(const Kind& a, const Kind& b) {
     if (a == b || b.name == KindName::unknown) return a;
     if (a.name == KindName::unknown) return b;
@@ -93,7 +92,7 @@ const Dimensions* Kinds::map_named(const std::string& name) const {
     return found == maps_.end() ? nullptr : &found->second;
 }
 
-/// Starts with nothing known and goes on until nothing changes: kinds only grow, from integer to number and
+/// Starts with unknown kinds and repeats until nothing changes. Kinds only grow: from integer to number, and
 /// from point and vector to pair.
 void Kinds::infer_abbreviations(const Block& block) {
     for (bool changed = true; changed;) {

@@ -14,20 +14,20 @@
 namespace blossom::proofs {
 
 enum class KindName {
-    unknown,       ///< of an abbreviation that refers to nothing but itself
-    integer,       ///< made of integers alone, so that its value is known when a case is written out
+    unknown,       ///< of an abbreviation that refers only to itself
+    integer,       ///< made of integers only, so that its value is known when a case is grounded
     number,        ///< a number that may depend on variables
     point,         ///< coordinates, with mass 1
     vector,        ///< coordinates, with mass 0
     pair,          ///< coordinates, with any mass
     set,           ///< of integers
     sets,          ///< a collection of sets of integers
-    partitions,    ///< what partitions(n) gives: collections of sets
+    partitions,    ///< the value of partitions(n): collections of sets
     permutation,   ///< of 1..n
-    permutations,  ///< what permutations(n) gives
+    permutations,  ///< the value of permutations(n)
 };
 
-/// What an expression stands for.
+/// The kind of the value of an expression.
 struct Kind {
     KindName name = KindName::unknown;
     std::size_t dimension = 0;  ///< of a point, vector or pair
@@ -45,7 +45,8 @@ inline constexpr Kind number_kind{KindName::number, 0};
 /// Throws `syntax`.
 [[noreturn]] void refuse_kind(const std::string& message, std::size_t offset);
 
-/// Whether a run t_1..t_n goes from a name with indices to the same name, with only the last index different.
+/// Checks that the two ends of a run t_1..t_n have the same name with indices, of which only the last
+/// differs.
 ///
 /// Error: `syntax` at the first name otherwise.
 void check_run(const Expression& run);
@@ -53,29 +54,29 @@ void check_run(const Expression& run);
 /// "a vector of dimension 2"
 std::string to_text(const Kind& kind);
 
-/// The directions of a map: how many, and the dimension of each.
+/// The dimensions of the directions of a map.
 using Dimensions = std::vector<std::size_t>;
 
 /// The kinds of all expressions of a block for one choice of its parameters, inferred from the declarations
-/// before anything is evaluated: a name has the kind it was declared with, an abbreviation that of all its
-/// clauses.
+/// before anything is evaluated: a name has the kind with which it was declared, an abbreviation the common
+/// kind of its clauses.
 ///
-/// Errors, each with its place: `syntax` where kinds do not fit, and in a strict block for a name that
-/// nothing declares; `wrong_arity`. Those of a line `claim` or `refute` are kept, as that line's own. Cost:
-/// the size of the block, times the depth of abbreviations that refer to each other.
+/// Errors, each with its offset: `syntax` for kinds that do not match, and in a strict block for undeclared
+/// names; `wrong_arity`. Errors of a line `claim` or `refute` are kept for that line. Cost: the size of the
+/// block, times the depth of abbreviations that use each other.
 class Kinds {
 public:
     /// `count` gives the value of a dimension.
     Kinds(const Block& block, const Names& names, std::function<std::size_t(const Expression&)> count);
 
     Kind of(const Expression& e) const;
-    /// The errors of lines `claim` and `refute`, which leave the others alone.
+    /// The errors of lines `claim` and `refute`, which do not affect other lines.
     const std::map<const Statement*, Error>& unfit() const { return unfit_; }
-    /// That of the clauses of an abbreviation with indices.
+    /// The common kind of the clauses of an abbreviation with indices.
     Kind of_family(const std::string& name) const;
 
 private:
-    /// Names that hide others for as long as it lives.
+    /// Names that hide others during its lifetime.
     class Scope {
     public:
         explicit Scope(Kinds& kinds) : kinds_(kinds) {}
@@ -145,8 +146,8 @@ private:
     std::map<std::string, Dimensions> maps_;
     std::map<std::string, Kind> bare_lets_;
     std::map<std::string, Kind> family_lets_;
-    std::map<std::string, std::vector<Kind>> scope_;  ///< of bare names that hide others, the innermost last
-    std::map<std::string, std::vector<Kind>> family_scope_;  ///< the same of families
+    std::map<std::string, std::vector<Kind>> scope_;  ///< of bare names that hide others, innermost last
+    std::map<std::string, std::vector<Kind>> family_scope_;  ///< the same for families
     std::map<const Expression*, Kind> known_;
     std::map<const Statement*, Error> unfit_;
 };

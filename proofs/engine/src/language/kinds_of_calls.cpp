@@ -80,7 +80,7 @@ Kind Kinds::element_of(const Expression& e) {
     }
 }
 
-/// A sum of points is a pair, whose mass is their number; a mean of points is a point.
+/// A sum of points is a pair, whose mass is the number of points; a mean of points is a point.
 Kind Kinds::over(const Expression& e) {
     const std::string& binder = binder_name(e, 0);
     Kind element{KindName::integer, 0};
@@ -157,7 +157,7 @@ const Dimensions& Kinds::required_map(const Expression& e) const {
                 e.offset);
 }
 
-/// Of a map, or the image of an integer under a permutation.
+/// The kind of a value of a map, or of the image of an integer under a permutation.
 Kind Kinds::value(const Expression& e) {
     const auto& arguments = e.groups[0];
     const auto local = scope_.find(e.name);

@@ -100,7 +100,8 @@ Kind Kinds::declared(const Declared& declared) {
     }
 }
 
-/// Masses add: a point and a vector make a point, a point less a point a vector, and two points a pair.
+/// Masses are added: a point plus a vector is a point, a point minus a point a vector, and the sum of two
+/// points a pair.
 Kind Kinds::sum(const Expression& e) {
     Kind kind = infer(e.children[0]);
     for (std::size_t i = 1; i < e.children.size(); ++i)
@@ -114,7 +115,7 @@ Kind Kinds::sum(Kind a, Kind b, bool difference, std::size_t offset) {
         return known.name == KindName::point ? Kind{KindName::pair, known.dimension} : known;
     }
     if (a.is_number() && b.is_number()) return a == b ? a : number_kind;
-    // A number beside a point or vector of the line is the point with that coordinate.
+    // A number beside a point or vector of the line is the point with this coordinate.
     for (Kind* kind : {&a, &b}) {
         if (kind->is_number()) *kind = {KindName::point, 1};
     }

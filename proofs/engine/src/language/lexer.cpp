@@ -16,7 +16,7 @@ bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z')
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 bool is_id_character(char c) { return is_letter(c) || is_digit(c) || c == '-' || c == '_' || c == '.'; }
 
-/// Tokens after which a statement goes on in the next line.
+/// Tokens after which a statement continues in the next line.
 constexpr std::string_view unfinished[] = {"+", "-", "*", "/", "^", "==", "!=", "=", ",", ":", ";", ".."};
 constexpr std::string_view two_characters[] = {"==", "!=", "..", "<=", ">="};
 

@@ -25,9 +25,9 @@ struct Tokens {
     std::deque<std::string> exponents;  ///< the texts of superscripts, in ASCII
 };
 
-/// The tokens of a text. A line ends where a bracket is not open and the last token does not ask for more; a
-/// head `theorem` at the beginning of a line closes all brackets, so that an unclosed one spoils one block
-/// only.
+/// The tokens of a text. A line ends if no bracket is open and the last token needs no continuation. A head
+/// `theorem` at the beginning of a line closes all brackets, so that an unclosed bracket spoils only one
+/// block.
 Tokens tokenise(std::string_view text);
 
 }  // namespace blossom::proofs

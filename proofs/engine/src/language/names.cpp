@@ -35,7 +35,7 @@ Meaning meaning_of(StatementKind kind) {
     }
 }
 
-/// Where an index of a clause is a bare name.
+/// Whether an index of a clause is a bare name.
 bool is_open_index(const Expression& index) {
     return index.kind == ExpressionKind::name && index.children.empty();
 }
@@ -48,7 +48,7 @@ bool contains_name(const Expression& e) {
 
 Names::Names(const Block& block) {
     for (const Statement& statement : block.statements) declare(statement);
-    // The control points of a net are numbers, unless a line says more of them.
+    // The control points of a net are numbers, unless a line declares them otherwise.
     for (const Statement& statement : block.statements) {
         if (!statement.net.empty() && !family(statement.net) && !clauses(statement.net))
             families_.emplace(statement.net, Declared{Meaning::number, {&statement}, {}});
@@ -106,7 +106,7 @@ void Names::declare_member(const Expression& name_or_run, Meaning meaning, const
     family.members.push_back(&name_or_run);
 }
 
-/// Two names of indices fit the same members, unless one of them is a parameter or stands in several places.
+/// Two names as indices fit the same members, unless one of them is a parameter or occurs several times.
 bool Names::fit_same_members(const std::vector<Expression>& a, const std::vector<Expression>& b) const {
     const auto is_any = [&](const Expression& index) {
         const Declared* known = is_open_index(index) ? bare(index.name) : nullptr;

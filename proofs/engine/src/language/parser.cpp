@@ -122,7 +122,7 @@ private:
         return result;
     }
 
-    /// `some` in front of an expression; a name `some` may begin one.
+    /// Reads `some` before an expression; but an expression may begin with a name `some`.
     bool takes_some() {
         const Token& after = reader_.peek(1);
         const bool begins =

@@ -11,10 +11,10 @@
 
 namespace blossom {
 
-/// What went wrong, as a closed list. `error_name` gives the word that the protocol uses for it.
+/// The kinds of errors. `error_name` gives the word that the protocol uses for each.
 ///
-/// "Undefined" (for instance `empty_interval`) and "too big here" (`limit_exceeded`) are different codes:
-/// the second may succeed with other limits, the first never.
+/// An undefined result (for instance `empty_interval`) and a result that is too large (`limit_exceeded`) have
+/// different codes: only the second can succeed with other limits.
 enum class ErrorCode {
     syntax,
     inexact_number,
@@ -45,15 +45,14 @@ enum class ErrorCode {
     internal,  ///< a defect of the program itself
 };
 
-/// The protocol's word for a code, for instance "zero_denominator".
+/// The word of the protocol for a code, for instance "zero_denominator".
 std::string_view error_name(ErrorCode code);
 
-/// The one exception type of the library.
+/// The only exception type of the library.
 ///
 /// `message` is one sentence that names the place, the value and the rule. `place` is the offending part of
-/// the input, relative to what was being read or called. `offset` is where in a text that was being read, in
-/// bytes from its beginning. `limit` is the name of the limit that is exceeded, see `limit_error`; "" if none
-/// is.
+/// the input, relative to what was read or called. `offset` is the position in the text that was read, in
+/// bytes from its beginning. `limit` is the name of the exceeded limit, see `limit_error`, or "".
 class Error : public std::exception {
 public:
     Error(ErrorCode code, std::string message, Place place = {}, std::optional<std::size_t> offset = {})
@@ -66,7 +65,7 @@ public:
     std::string_view limit() const { return limit_; }
     const char* what() const noexcept override { return message_.c_str(); }
 
-    /// The same error seen from outside: its place lies below `outer`.
+    /// The same error with a place relative to the caller: below `outer`.
     Error below(const Place& outer) const { return at(outer.around(place_)); }
     /// The same error at another place.
     Error at(Place place) const {
@@ -79,13 +78,13 @@ public:
         error.offset_ = offset;
         return error;
     }
-    /// The same error in other words.
+    /// The same error with another message.
     Error saying(std::string message) const {
         Error error = *this;
         error.message_ = std::move(message);
         return error;
     }
-    /// The same error, for exceeding the limit with this name, a literal.
+    /// The same error with the name of the exceeded limit, a string literal.
     Error exceeding(std::string_view limit) const {
         Error error = *this;
         error.limit_ = limit;
@@ -100,7 +99,7 @@ private:
     std::string_view limit_;
 };
 
-/// Runs `action`; an error in it lies below the parameter, or the element of a list.
+/// Runs `action`; the place of an error becomes a part of this parameter or of this element of a list.
 template <class Action>
 decltype(auto) within(Part part, const Action& action) {
     try {

@@ -16,13 +16,12 @@ namespace blossom {
 
 /// An integer of any size.
 ///
-/// Values of 64 bits live in the object; larger ones in the number backend (GMP or Boost's `cpp_int`), which
-/// no public header names. The representation is canonical: a value that fits in 64 bits is never held as a
-/// large one.
+/// Values of 64 bits are stored in the object; larger ones in the number backend (GMP or Boost's `cpp_int`),
+/// which no public header names. The representation is canonical: a value that fits in 64 bits is never
+/// stored as a large one.
 ///
-/// Cost: no allocation and a few instructions while operands and result fit in 64 bits; that of the backend
-/// otherwise. There is no construction from text or from a double here: see `parse_integer` and
-/// `exact_rational`.
+/// Cost: a few instructions and no allocation while operands and result fit in 64 bits, otherwise that of the
+/// backend. `parse_integer` and `exact_rational` construct integers from text and from doubles.
 class Integer {
 public:
     Integer() noexcept = default;
@@ -68,9 +67,9 @@ public:
     bool is_odd() const;
     /// Whether the value fits in 64 bits.
     bool is_word() const { return !large_; }
-    /// The value where it fits in 64 bits, otherwise 0.
+    /// The value if it fits in 64 bits, otherwise 0.
     std::int64_t word() const { return small_; }
-    /// The value where it fits in 64 bits.
+    /// The value if it fits in 64 bits.
     std::optional<std::int64_t> to_int64() const {
         return large_ ? std::nullopt : std::optional<std::int64_t>(small_);
     }
@@ -99,15 +98,15 @@ public:
         }
         return multiply_large(other);
     }
-    /// Truncated towards zero, as for built-in integers. Errors: `division_by_zero`.
+    /// The quotient truncated towards zero, as for built-in integers. Errors: `division_by_zero`.
     Integer& operator/=(const Integer& other);
-    /// The remainder of the truncated division; it has the sign of the dividend. Errors: `division_by_zero`.
+    /// The remainder of truncated division, which has the sign of the dividend. Errors: `division_by_zero`.
     Integer& operator%=(const Integer& other);
     Integer& operator<<=(std::size_t bits);
-    /// Towards minus infinity.
+    /// Rounds towards minus infinity.
     Integer& operator>>=(std::size_t bits);
 
-    /// *this += a * b, without a temporary where the backend can.
+    /// *this += a * b, without a temporary if the backend supports it.
     Integer& add_product(const Integer& a, const Integer& b) {
         std::int64_t product = 0;
         std::int64_t sum = 0;
@@ -170,18 +169,18 @@ private:
     static bool equal_large(const Integer& a, const Integer& b);
     static std::strong_ordering compare_large(const Integer& a, const Integer& b);
 
-    std::int64_t small_ = 0;  ///< the value, when `large_` is null; otherwise 0
+    std::int64_t small_ = 0;  ///< the value if `large_` is null; otherwise 0
     Large* large_ = nullptr;  ///< owned
 };
 
 Integer abs(Integer value);
 /// The non-negative greatest common divisor; gcd(0, 0) = 0.
 Integer gcd(const Integer& a, const Integer& b);
-/// The non-negative least common multiple; 0 when either is 0.
+/// The non-negative least common multiple; 0 if either is 0.
 Integer lcm(const Integer& a, const Integer& b);
 /// base^exponent, with 0^0 = 1.
 Integer pow(const Integer& base, std::size_t exponent);
-/// a / b where b divides a; the caller guarantees it. Cheaper than a division with remainder. Errors:
+/// a / b where b divides a, which the caller guarantees. Cheaper than a division with remainder. Errors:
 /// `division_by_zero`.
 Integer divide_exactly(const Integer& a, const Integer& b);
 /// The sum of a_i b_i; both spans have the same length.

@@ -13,33 +13,33 @@ namespace blossom {
 
 using IntegerPolynomial = std::vector<Integer>;
 
-/// a * b, of which leading zeros are kept: a.size() + b.size() - 1 coefficients, or none.
+/// a * b with all a.size() + b.size() - 1 coefficients, leading zeros included, or none if a factor has none.
 ///
-/// Cost: a.size() * b.size() products of numbers; from 8 coefficients of each on one product of two
-/// integers, the values at a power of two (Kronecker's substitution), which have as many bits as the
-/// coefficients together.
+/// Cost: a.size() * b.size() products of numbers; if both have 8 coefficients or more, one product of two
+/// integers, the values at a power of two (Kronecker's substitution), each as long as the coefficients of one
+/// factor together.
 IntegerPolynomial product(std::span<const Integer> a, std::span<const Integer> b);
 
-/// a / b; none where a quotient with integer coefficients does not exist. `b` is not zero.
-/// Cost: O(n m) products for quotient and divisor of the degrees n and m.
+/// a / b, or nullopt if no quotient with integer coefficients exists. `b` is not zero.
+/// Cost: O(n m) products for a quotient of degree n and a divisor of degree m.
 std::optional<IntegerPolynomial> exact_quotient(std::span<const Integer> a, std::span<const Integer> b);
 
-/// The greatest common divisor with coprime coefficients and a positive leading one, of polynomials that are
-/// not zero.
+/// The greatest common divisor of polynomials that are not zero, with coprime coefficients and a positive
+/// leading coefficient.
 ///
-/// It is put together from its residues modulo primes, and proved by dividing both polynomials. Coprime
-/// polynomials are known by one prime, with O(n^2) word operations. Source: Brown, "On Euclid's algorithm and
-/// the computation of polynomial greatest common divisors", 1971.
+/// It is reconstructed from its residues modulo primes and verified by dividing both polynomials. One prime
+/// suffices to show that polynomials are coprime, with O(n^2) word operations. Source: Brown, "On Euclid's
+/// algorithm and the computation of polynomial greatest common divisors", 1971.
 IntegerPolynomial primitive_gcd(std::span<const Integer> a, std::span<const Integer> b);
 
-/// All rational roots of a polynomial that is squarefree and not zero, in no order.
+/// All rational roots, in no particular order, of a polynomial that is squarefree and not zero.
 ///
-/// Simple roots modulo a small prime are lifted to its powers; a power beyond twice the product of the first
-/// and the last coefficient determines a rational root, which is then tested by a division. Source: Loos,
+/// Simple roots modulo a small prime are lifted to its powers. A power beyond twice the product of the first
+/// and the last coefficient determines a rational root, which a division then verifies. Source: Loos,
 /// "Computing rational zeros of integral polynomials by p-adic expansion", 1983.
 ///
-/// Cost: O(p n) word operations for primes p near 4000, and O(n) products of numbers of up to h bits for each
-/// root modulo p, h the bits of the first and the last coefficient together.
+/// Cost: O(p n) word operations for primes p near 4000, and for each root modulo p O(n) products of numbers
+/// of up to h bits, h the bits of the first and the last coefficient together.
 std::vector<Rational> rational_roots(std::span<const Integer> polynomial);
 
 }  // namespace blossom

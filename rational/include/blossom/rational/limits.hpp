@@ -9,8 +9,8 @@
 
 namespace blossom {
 
-/// What one request may cost. Every operation that could take much memory predicts its size and refuses with
-/// `limit_exceeded`, naming the limit, before it allocates. The defaults are documented in docs/limits.md.
+/// What one request may cost. Every operation that could take much memory predicts its size and, before it
+/// allocates, refuses with `limit_exceeded`, which names the limit. docs/limits.md documents the defaults.
 struct Limits {
     std::size_t degree = 10'000;                ///< formal degree of a map, and exponents in text
     std::size_t digits = 1'000'000;             ///< decimal digits of one number, read or computed
@@ -25,10 +25,11 @@ struct Limits {
     std::size_t line_bytes = 16 << 20;          ///< one line of a batch
     std::size_t work = 40'000'000'000;          ///< word operations of a `ResourceBudget`
     std::size_t memory = 1 << 30;               ///< bytes that a `ResourceBudget` takes at once
-    std::size_t timeout = 10;                   ///< seconds of processor time of one; 0: no limit
+    std::size_t timeout = 10;  ///< seconds of processor time of a `ResourceBudget`; 0: no limit
 };
 
-/// `limit_exceeded` with the message "<what> the limit <name> = <limit>", where `what` says what exceeds it.
+/// `limit_exceeded` with the message "<what> the limit <name> = <limit>"; `what` names what exceeds the
+/// limit.
 Error limit_error(std::string_view what, std::string_view name, std::size_t limit, const Place& place = {},
                   std::optional<std::size_t> offset = {});
 
@@ -45,8 +46,8 @@ inline void require_within(std::size_t value, std::size_t limit, std::string_vie
     if (value > limit) require_within(value, limit, name, what, Place());
 }
 
-/// Throws `limit_exceeded` when a result of `count` numbers of at most `bits` binary digits each might have
-/// more than `limits.digits` decimal ones a number, or more than `limits.output_digits` in all.
+/// Throws `limit_exceeded` if a result of `count` numbers of at most `bits` binary digits each might have
+/// more than `limits.digits` decimal digits per number, or more than `limits.output_digits` in all.
 void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count = 1);
 
 }  // namespace blossom

@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// function(item) for each item, in order.
+/// The results of function(item) for each item, in order.
 template <class Items, class Function>
 auto mapped(const Items& items, const Function& function) {
     std::vector<std::decay_t<decltype(std::invoke(function, *std::begin(items)))>> list;
@@ -19,7 +19,7 @@ auto mapped(const Items& items, const Function& function) {
     return list;
 }
 
-/// text(item) for each item, with `separator` between them.
+/// The texts text(item) of all items, with `separator` between them.
 template <class Items, class Text = std::identity>
 std::string joined(const Items& items, const Text& text = {}, std::string_view separator = ", ") {
     std::string all;

@@ -6,17 +6,17 @@
 
 namespace blossom {
 
-/// A value that the first thread makes that asks for it, and that all threads read from then on.
+/// A value that the first thread to need it makes, and that all threads read from then on.
 ///
-/// If making it throws, whoever asks next tries again. std::call_once does the same, but needs memory for an
-/// exception, and ends the process where there is none.
+/// If making it throws, the next caller tries again. std::call_once does the same, but it needs memory for an
+/// exception and ends the process if there is none.
 template <class Value>
 class MadeOnce {
 public:
-    /// nullptr before it is made.
+    /// The value, or nullptr before it is made.
     const Value* if_made() const { return made_.load(std::memory_order_acquire); }
 
-    /// `make()` gives the value.
+    /// The value, which `make()` returns if it does not exist yet.
     template <class Make>
     const Value& value(const Make& make) const {
         const Value* known = if_made();

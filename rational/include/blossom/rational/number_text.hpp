@@ -15,12 +15,12 @@ namespace blossom {
 /// There is no '+', no sign after '/' and no hexadecimal number without an exponent: "010" is ten, "6/4" is
 /// 3/2, and "6/-4", "+1", "", " 1", "0x10", "1e5/2" are errors.
 ///
-/// Cost: that of a base conversion of the digits.
-/// Errors: `not_a_number`; `zero_denominator`; `limit_exceeded` when the value would have more than
-/// `limits.digits` digits, counting what an exponent adds.
+/// Cost: that of converting the digits to binary.
+/// Errors: `not_a_number`; `zero_denominator`; `limit_exceeded` if the value would have more than
+/// `limits.digits` digits, including those that an exponent adds.
 Rational parse_rational(std::string_view text, const Limits& limits = {});
 
-/// As `parse_rational`, and only an integer without point, exponent or slash will do.
+/// As `parse_rational`, but only for integers without point, exponent and slash.
 Integer parse_integer(std::string_view text, const Limits& limits = {});
 
 /// How many bytes at the front of `text` form an unsigned number without a slash: a decimal "12", "0.5", ".5"
@@ -28,10 +28,11 @@ Integer parse_integer(std::string_view text, const Limits& limits = {});
 /// "1½"; 0 when none do.
 std::size_t unsigned_number_length(std::string_view text);
 
-/// At most 40 characters of `text` for an error message, in quotation marks, with unprintable bytes escaped.
+/// At most 40 characters of `text` for an error message, in quotation marks and with unprintable bytes
+/// escaped.
 std::string quoted(std::string_view text);
 
-/// The first character of a text of UTF-8, with all its bytes.
+/// The first character of a UTF-8 text, with all its bytes.
 std::string_view first_character(std::string_view text);
 
 }  // namespace blossom

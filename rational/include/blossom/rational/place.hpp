@@ -10,7 +10,7 @@
 
 namespace blossom {
 
-/// The parameters of the library's functions that an error can lie in.
+/// The parameters of the library's functions at which errors can lie.
 enum class Part {
     arguments,
     at,
@@ -44,15 +44,15 @@ enum class Part {
     vertices,
 };
 
-/// The parameter's name in the declarations, for instance "control_points".
+/// The name of the parameter in the declarations, for instance "control_points".
 std::string_view part_name(Part part);
 
-/// Where in its input an error lies: the steps that lead to it from what was being read or called. No steps
-/// mean the whole.
+/// The place of an error in the input: the steps that lead to it from what was read or called. No steps mean
+/// the whole input.
 ///
 /// Functions of the library write `Part::arguments / f / i`. Only a reader of documents, whose members have
-/// names of their own, writes those: `Place{"map", "kind"}`. A member that has the name of a parameter is the
-/// same step.
+/// their own names, writes those names: `Place{"map", "kind"}`. A member with the name of a parameter is the
+/// same step as the parameter.
 class Place {
 public:
     /// A parameter, an index into a list, or the name of a member of a document.
@@ -66,9 +66,9 @@ public:
     bool empty() const { return steps_.empty(); }
 
     bool begins_with(const Place& outer) const;
-    /// The same place seen from inside `outer`, or the whole of it where this place does not lie in it.
+    /// The same place relative to `outer`, or the whole of it if this place does not lie in it.
     Place inside(const Place& outer) const;
-    /// This place, where `inner` is seen from it.
+    /// The place `inner`, which is relative to this place, relative to the same origin as this place.
     Place around(const Place& inner) const;
 
     friend bool operator==(const Place& one, const Place& other) {

@@ -10,11 +10,11 @@
 
 namespace blossom {
 
-/// A rational number in lowest terms with a positive denominator; zero is 0/1. Equal values are equal
-/// objects.
+/// A rational number in lowest terms with a positive denominator; zero is 0/1. Equal values have equal
+/// representations.
 ///
-/// Cost: each operation reduces its result, one gcd of numbers of its size. Work that combines many numbers
-/// belongs on integers over one common denominator: see `RationalVector`.
+/// Cost: each operation reduces its result with one gcd of numbers of its size. Computations that combine
+/// many numbers use integers over one common denominator: see `RationalVector`.
 class Rational {
 public:
     Rational() = default;
@@ -52,7 +52,7 @@ public:
 private:
     friend struct RationalAccess;
 
-    /// Already in lowest terms with a positive denominator.
+    /// Marks a quotient that is in lowest terms and has a positive denominator.
     struct Reduced {};
     Rational(Integer numerator, Integer denominator, Reduced)
         : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {}
@@ -67,8 +67,8 @@ Rational abs(Rational value);
 /// base^exponent, with 0^0 = 1.
 Rational pow(const Rational& base, std::size_t exponent);
 
-/// (left a + right b) / divisor in lowest terms. Cost: a gcd of the denominators of a and b, and one of the
-/// numerator and each factor of the denominator, where single operations would reduce four times. Errors:
+/// (left a + right b) / divisor in lowest terms. Cost: one gcd of the denominators of a and b, and one of the
+/// numerator and each factor of the denominator; single operations would reduce four times. Errors:
 /// `zero_denominator`.
 Rational combination(const Integer& left, const Rational& a, const Integer& right, const Rational& b,
                      const Integer& divisor);

@@ -8,16 +8,16 @@
 
 namespace blossom {
 
-/// Rational numbers held as integers over one common denominator: element i is numerators()[i] /
+/// Rational numbers stored as integers over one common denominator: element i is numerators()[i] /
 /// denominator().
 ///
-/// This is what the kernels work on: they combine numerators and never invert a denominator. The denominator
-/// is positive; the numerators may share a factor with it until `make_canonical` is called, so that a chain
-/// of operations reduces once. Equality is equality of the numbers.
+/// Kernels combine the numerators and never invert a denominator. The denominator is positive. The numerators
+/// may share a factor with it until `make_canonical` is called, so that a chain of operations reduces only
+/// once. Equality is equality of the numbers.
 class RationalVector {
 public:
     RationalVector() = default;
-    /// Clears the denominators. Cost: one lcm and one product an element.
+    /// Clears the denominators. Cost: one lcm and one product per element.
     explicit RationalVector(std::span<const Rational> values);
     /// Errors: `zero_denominator`.
     RationalVector(std::vector<Integer> numerators, Integer denominator);
@@ -26,9 +26,9 @@ public:
     bool empty() const { return numerators_.empty(); }
     const std::vector<Integer>& numerators() const { return numerators_; }
     const Integer& denominator() const { return denominator_; }
-    /// Positive numbers whose product is the denominator, as it came about: those that the denominators of
-    /// the numbers given brought in one after the other, and what it was divided by since. For reductions,
-    /// which are cheaper by short factors; there is one alone when nothing is known.
+    /// Positive numbers whose product is the denominator, in the order in which they arose: the factors that
+    /// the denominators of the given numbers contributed, and later divisors. Reductions are cheaper by short
+    /// factors. The list is the denominator alone if nothing else is known.
     std::span<const Integer> denominator_factors() const {
         return factors_.empty() ? std::span(&denominator_, 1) : std::span(factors_);
     }
@@ -38,11 +38,11 @@ public:
 
     /// Other numerators over the same denominator.
     RationalVector over_same_denominator(std::vector<Integer> numerators) const;
-    /// Element i times weights[i mod weights.size()] / divisor, with divisor > 0; nothing is reduced.
+    /// Element i times weights[i mod weights.size()] / divisor, with divisor > 0; the result is not reduced.
     RationalVector weighted(std::span<const Integer> weights, const Integer& divisor) const;
 
-    /// Divides by the greatest common divisor of the denominator and all numerators: the least common
-    /// denominator.
+    /// Divides by the greatest common divisor of the denominator and all numerators, which leaves the least
+    /// common denominator.
     void make_canonical();
 
     friend bool operator==(const RationalVector& a, const RationalVector& b);
@@ -50,10 +50,10 @@ public:
 private:
     std::vector<Integer> numerators_;
     Integer denominator_ = 1;
-    std::vector<Integer> factors_;  ///< of the denominator, none of them 1; empty when it is the only one
+    std::vector<Integer> factors_;  ///< none of them 1; empty if only the denominator itself is known
 };
 
-/// The largest bit length among `values`; 0 when there is none.
+/// The largest bit length among `values`; 0 if there are none.
 std::size_t greatest_bit_length(std::span<const Integer> values);
 
 }  // namespace blossom

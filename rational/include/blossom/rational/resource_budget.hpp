@@ -13,11 +13,11 @@
 
 namespace blossom {
 
-/// What the thread may still use. Without a budget nothing is limited.
+/// What remains for this thread. Without a budget nothing is limited.
 struct ThreadResources {
     static constexpr std::int64_t unlimited = std::numeric_limits<std::int64_t>::max() / 4;
 
-    std::int64_t words_until_check = unlimited;  ///< the time and the whole work are checked at 0
+    std::int64_t words_until_check = unlimited;  ///< time and total work are checked when this reaches 0
     std::int64_t words_after_check = unlimited;
     std::int64_t bytes = unlimited;
     std::int64_t nanoseconds = unlimited;  ///< of processor time
@@ -26,12 +26,11 @@ struct ThreadResources {
 };
 extern constinit thread_local ThreadResources thread_resources;
 
-/// Limits what this thread uses as long as the object lives, by `Limits::work`, `memory` and `timeout`.
+/// Limits what this thread uses during the lifetime of the object, by `Limits::work`, `memory` and `timeout`.
 ///
-/// Work is counted where numbers are made: in arithmetic beyond 64 bits, in the kernels, which count before
-/// they start, and in allocations. Memory is counted by programs that replace `operator new`, see
-/// `take_bytes`. A budget within another one ends no later than the outer one, and what it uses counts there
-/// too.
+/// Work is counted by arithmetic beyond 64 bits, by the kernels before they start, and by allocations. Memory
+/// is counted in programs that replace `operator new`, see `take_bytes`. A budget inside another one ends no
+/// later than the outer one, and its use counts for both.
 class ResourceBudget {
 public:
     /// `limits` must outlive the budget.
@@ -50,7 +49,7 @@ private:
 /// Checks the work and the time of this thread. Errors: `limit_exceeded`.
 void check_resources();
 
-/// Counts word operations. Cost: a subtraction; now and then the processor time is read.
+/// Counts word operations. Cost: a subtraction; sometimes also a reading of the processor time.
 /// Errors: `limit_exceeded` if the budget of this thread is used up.
 inline void spend_work(std::uint64_t words) {
     constexpr auto most = static_cast<std::uint64_t>(ThreadResources::unlimited);
@@ -58,13 +57,13 @@ inline void spend_work(std::uint64_t words) {
     if (thread_resources.words_until_check < 0) check_resources();
 }
 
-/// The word operations of a product of numbers of so many words each.
+/// The word operations of a product of two numbers of a and b words.
 constexpr std::uint64_t words_of_product(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t longest_schoolbook = 256;
     return std::max(a, b) * std::min({a, b, longest_schoolbook});
 }
 
-/// A budget is used up, as what `operator new` may throw.
+/// The exception that `operator new` throws when a budget is used up.
 class ResourcesExceeded : public std::bad_alloc {
 public:
     enum class Resource { work, memory, time };
@@ -82,7 +81,8 @@ private:
 /// them. What is refused is given back. Errors: `ResourcesExceeded`.
 [[gnu::cold]] void check_taken(std::int64_t bytes, std::int64_t words);
 
-/// Counts bytes that this thread takes, and the work of taking them, for a replacement of `operator new`.
+/// Counts bytes that this thread allocates, and the work of allocating them, in a replacement of `operator
+/// new`.
 /// Errors: `ResourcesExceeded`.
 inline void take_bytes(std::size_t bytes) {
     constexpr std::int64_t words_of_allocation = 16;
@@ -94,20 +94,21 @@ inline void take_bytes(std::size_t bytes) {
     thread_resources.words_until_check -= words;
     if (thread_resources.bytes < 0 || thread_resources.words_until_check < 0) check_taken(amount, words);
 }
-/// Bytes that are given back.
+/// Counts bytes that this thread releases.
 inline void give_back_bytes(std::size_t bytes) noexcept {
     thread_resources.bytes += static_cast<std::int64_t>(bytes);
 }
 
-/// What a lack of memory is for the person who asked: `limit_exceeded`, with the limit if there was one.
+/// A lack of memory as an error of the library: `limit_exceeded`, with the name of the limit if one was
+/// exceeded.
 Error resource_error(const std::bad_alloc& problem);
 
-/// From now on, large numbers take their memory with `operator new`, so that a lack of memory is an
-/// exception. For programs, before they compute: the number library GMP ends the process otherwise.
+/// Makes large numbers allocate with `operator new` from now on, so that a lack of memory is an exception. A
+/// program calls it before it computes; otherwise GMP ends the process.
 void allocate_numbers_with_new();
 
-/// Registers what this thread keeps for large numbers until it ends. Without this call the first large number
-/// does it, and the C library ends the process if memory is lacking then.
+/// Registers the storage that this thread keeps for large numbers until it ends. Otherwise the first large
+/// number does it, and the C library ends the process if memory is lacking then.
 void prepare_thread_for_numbers();
 
 }  // namespace blossom

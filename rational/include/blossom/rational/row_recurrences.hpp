@@ -7,21 +7,21 @@
 #include <utility>
 #include <vector>
 
-/// The recurrences in which every entry of a row becomes a combination of itself and one neighbour. They are
-/// written for any commutative ring; for integers an overload runs the same recurrence on fixed-width
-/// words.
+/// Recurrences in which every entry of a row becomes a combination of itself and one neighbour. They are
+/// templates over any commutative ring; the overloads for integers run the same recurrences on words of fixed
+/// width.
 
 namespace blossom {
 
 namespace row_recurrences {
 
-/// A row over any ring R that is constructible from an int.
+/// A row over a ring R that is constructible from an int.
 template <class R>
 class RingRow {
 public:
     explicit RingRow(std::vector<R> entries) : entries_(std::move(entries)) {}
 
-    /// The weights of the level that follows.
+    /// Sets the weights of the next level.
     void set_weights(const R& own, const R& neighbours) {
         own_ = &own;
         neighbours_ = &neighbours;
@@ -62,7 +62,7 @@ void fold(Row& row, std::span<const R> left, std::span<const R> right) {
 }
 
 /// The triangle over entries 0..n whose levels all have these weights; edges(i) is called when the entries
-/// 0..i are those of level n - i, from i = n down to 0.
+/// 0..i are those of level n - i, for i from n down to 0.
 template <class Row, class R>
 void shrink(Row& row, std::size_t n, const R& left, const R& right, const auto& edges) {
     edges(n);
@@ -76,16 +76,16 @@ void shrink(Row& row, std::size_t n, const R& left, const R& right, const auto& 
 }  // namespace row_recurrences
 
 /// The edges of a triangle over n + 1 entries: `left[i]` is the first entry of level i, `right[i]` the last
-/// one of level n - i.
+/// entry of level n - i.
 struct TriangleEdges {
     std::vector<Integer> left;
     std::vector<Integer> right;
 };
 
 /// The edges of the triangle over `row` whose levels all map neighbours (x, y) to left x + right y: the
-/// control points of both parts of a curve that is subdivided.
+/// control points of the two parts of a subdivided curve.
 ///
-/// Cost: n^2 / 2 multiply-adds, on words of the width that the level needs.
+/// Cost: n^2 / 2 multiply-adds, on words of the width that each level needs.
 TriangleEdges triangle_edges(std::span<const Integer> row, const Integer& left, const Integer& right);
 
 /// The coefficients of prod_i (constants[i] + slopes[i] X), lowest first, n + 1 of them for n factors.
@@ -102,7 +102,7 @@ std::vector<R> product_of_linear_factors(std::span<const R> constants, std::span
 }
 
 /// The apex of the triangle over `row` (n + 1 entries) whose level i maps neighbours (x, y) to left[i] x +
-/// right[i] y. This is de Casteljau's algorithm with the weights of each level given.
+/// right[i] y. This is de Casteljau's algorithm with separate weights per level.
 ///
 /// Cost: n^2 / 2 multiply-adds in R.
 template <class R>

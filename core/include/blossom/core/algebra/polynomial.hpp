@@ -10,14 +10,15 @@ namespace blossom {
 
 /// A polynomial over Q in one variable, dense, as integers over one common denominator.
 ///
-/// An element of the ring Q[t]: its degree is the actual one, and there are no leading zeros; the zero
-/// polynomial has no coefficients and degree 0. A formal degree belongs to a map, see `PolynomialCurve`.
+/// It is an element of the ring Q[t]: its degree is the actual degree, and there are no leading zeros. The
+/// zero polynomial has no coefficients and degree 0. A formal degree belongs to a map, see `PolynomialCurve`.
 class Polynomial {
 public:
     Polynomial() = default;
     Polynomial(const Rational& constant);  // NOLINT(google-explicit-constructor): a constant is a polynomial
     Polynomial(int constant) : Polynomial(Rational(constant)) {}  // NOLINT(google-explicit-constructor)
-    /// Lowest first; leading zeros are dropped, and the common denominator is made the least.
+    /// The coefficients are given lowest first; leading zeros are dropped, and the denominator is reduced to
+    /// the least.
     explicit Polynomial(const RationalVector& coefficients);
     explicit Polynomial(std::span<const Rational> coefficients) : Polynomial(RationalVector(coefficients)) {}
     /// t^k.
@@ -25,7 +26,7 @@ public:
 
     bool is_zero() const { return coefficients_.empty(); }
     std::size_t degree() const { return is_zero() ? 0 : coefficients_.size() - 1; }
-    /// degree() + 1 of them, or none for zero.
+    /// The degree() + 1 coefficients, or none for zero.
     const RationalVector& coefficients() const { return coefficients_; }
     /// The coefficient of t^k; 0 beyond the degree.
     Rational operator[](std::size_t k) const {
@@ -38,7 +39,7 @@ public:
     Polynomial& operator*=(const Polynomial& other) { return *this = *this * other; }
     friend Polynomial operator+(const Polynomial& a, const Polynomial& b);
     friend Polynomial operator-(const Polynomial& a, const Polynomial& b);
-    /// Cost: that of `product` of the numerators.
+    /// Cost: one `product` of the numerators.
     friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
     friend Polynomial operator-(const Polynomial& a);
     friend bool operator==(const Polynomial&, const Polynomial&) = default;
@@ -54,18 +55,18 @@ private:
 /// P(Q(t)) by Horner's rule. Cost: deg P products of polynomials.
 Polynomial compose(const Polynomial& outer, const Polynomial& inner);
 
-/// P'. The derivative of order k of a map is `derivative` of the map.
+/// P'. The function `derivative` of a map gives derivatives of any order.
 Polynomial derivative(const Polynomial& polynomial);
 
 /// Quotient and remainder: a = quotient * b + remainder with the remainder of smaller degree, or zero.
 /// Errors: `division_by_zero`.
 std::pair<Polynomial, Polynomial> divide(const Polynomial& a, const Polynomial& b);
 
-/// a / b where b divides a. Errors: `inexact_division` if it does not, `division_by_zero`.
+/// a / b where b divides a. Errors: `inexact_division` if b does not divide a, `division_by_zero`.
 Polynomial divide_exactly(const Polynomial& a, const Polynomial& b);
 
 /// The monic greatest common divisor, by a primitive remainder sequence; gcd(0, 0) = 0.
-/// Cost: (deg a)(deg b) operations on integers whose bits grow with the degrees.
+/// Cost: (deg a)(deg b) operations on integers whose length grows with the degrees.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
 /// base^exponent, with 0^0 = 1.

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-/// Between the monomial and the Bernstein basis, for any commutative ring R that contains the integers. These
-/// do not pass through elementary symmetric functions, so that control points are an independent source for
-/// de Casteljau.
+/// Conversions between the monomial and the Bernstein basis, over any commutative ring R that contains the
+/// integers. They do not use elementary symmetric functions, so that control points are an independent source
+/// for de Casteljau's algorithm.
 
 namespace blossom::constructions {
 
@@ -14,7 +14,7 @@ namespace blossom::constructions {
 template <class R>
 std::vector<R> substitute_line(std::span<const R> coefficients, const Integer& a, const Integer& d,
                                const Integer& q) {
-    // NOLINTBEGIN(performance-unnecessary-copy-initialization): R need not be Integer
+    // NOLINTBEGIN(performance-unnecessary-copy-initialization): R can be another ring than Integer
     const R constant(a);
     const R slope(d);
     // NOLINTEND(performance-unnecessary-copy-initialization)
@@ -30,8 +30,8 @@ std::vector<R> substitute_line(std::span<const R> coefficients, const Integer& a
     return result;
 }
 
-/// The Bernstein coefficients over [a/q, b/q] of a polynomial in the monomial basis:
-/// substitute t = (a + (b - a) s) / q, divide by binomials, then add at every node of a triangle.
+/// The Bernstein coefficients over [a/q, b/q] of a polynomial in the monomial basis: substitute t = (a + (b -
+/// a) s) / q, divide by binomials, then add at every node of a triangle.
 ///
 /// Cost: n^2 multiply-adds and n^2 / 2 additions. Source: Goldman, figure 11(b). Statement: goldman-fig11b.
 template <class R>
@@ -48,8 +48,8 @@ Quotients<R> bernstein_from_monomial(std::span<const R> coefficients, const Inte
     return result;
 }
 
-/// The coefficients of sum_k P_k C(n, k) s^k (1 - s)^(n-k) in powers of s, C(n, k) Delta^k P_0: subtract at
-/// every node of a triangle, multiply by binomials.
+/// The coefficients C(n, k) Delta^k P_0 of sum_k P_k C(n, k) s^k (1 - s)^(n-k) in powers of s: subtract at
+/// every node of a triangle, then multiply by binomials.
 ///
 /// Cost: n^2 / 2 subtractions. Source: Goldman, figure 11(a). Statement: goldman-fig11a.
 template <class R>
@@ -64,8 +64,8 @@ std::vector<R> local_monomial_from_bernstein(std::span<const R> control_points) 
     return local;
 }
 
-/// The monomial coefficients of a polynomial in the Bernstein basis over [a/q, b/q]: the local ones with
-/// s = (q t - a) / (b - a) substituted.
+/// The monomial coefficients of a polynomial in the Bernstein basis over [a/q, b/q]: the local coefficients
+/// with s = (q t - a) / (b - a) substituted.
 ///
 /// Cost: n^2 / 2 subtractions and n^2 multiply-adds. Source: Goldman, exercise 10c. Statement:
 /// goldman-ex-10c.

@@ -20,10 +20,11 @@ struct DifferenceAt {
 /// How smoothly two polynomial maps meet at a parameter, or along a face.
 template <class Arguments>
 struct ContactAt {
-    /// The greatest k such that all derivatives of order at most k are equal there, -1 if the values are not;
-    /// none if the maps are the same.
+    /// The greatest k such that all derivatives of order at most k are equal; -1 if the values differ,
+    /// nullopt if the maps are equal.
     std::optional<std::ptrdiff_t> order;
-    /// The first blossom value that differs: for order k with k + 1 arguments that are not there.
+    /// The first blossom value that differs: for order k, one with k + 1 arguments away from the parameter or
+    /// face.
     std::optional<DifferenceAt<Arguments>> first_difference;
 
     bool is_infinite() const { return !order; }

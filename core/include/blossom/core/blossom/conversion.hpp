@@ -24,7 +24,7 @@ BezierCurve control_points(const BezierCurve& curve, const Interval& interval, c
 /// goldman-fig11a.
 PolynomialCurve monomial_form(const BezierCurve& curve, const Limits& limits = {});
 
-/// The same of whichever of the two a map is.
+/// The same for a map in either representation.
 BezierCurve control_points(const PolynomialMap& map, const Interval& interval, const Limits& limits = {});
 PolynomialCurve monomial_form(const PolynomialMap& map, const Limits& limits = {});
 

@@ -7,8 +7,9 @@
 
 namespace blossom {
 
-/// P(t) = p(t, ..., t), by Horner's rule on integers. Cost: n multiply-adds a coordinate, on n h bits for t
-/// of h bits. Errors: `limit_exceeded`. Source: Goldman, axiom (iii). Statement: goldman-axiom-diag.
+/// P(t) = p(t, ..., t), by Horner's rule on integers. Cost: n multiply-adds per coordinate, on numbers of n h
+/// bits for t of h bits. Errors: `limit_exceeded`. Source: Goldman, axiom (iii). Statement:
+/// goldman-axiom-diag.
 Coordinates evaluate(const PolynomialCurve& curve, const Parameter& t, const Limits& limits = {});
 
 /// The same from control points, by Horner's rule in the pair (t - a, b - t); t may lie outside the interval.

@@ -13,28 +13,28 @@ namespace blossom {
 /// the blossom value with i_k copies of elements[k]. Elements may be points, vectors or any homogeneous
 /// arguments.
 ///
-/// Elements are exchanged one at a time, as in Gauss's elimination, each exchange by de Casteljau's pyramid.
-/// Cost: C(n + s, s + 1) combinations of points for each element that differs from its predecessor. Errors:
-/// `degenerate_simplex`, naming elements that are linearly dependent; `wrong_arity`, `mismatched_dimensions`,
-/// with places below `Part::elements`; `limit_exceeded`. Source: DeRose, section 5. Statements:
-/// derose-tri-points, derose-tensor-allresults.
+/// Elements are exchanged one at a time, as in Gaussian elimination, each by one pyramid of de Casteljau's
+/// algorithm. Cost: C(n + s, s + 1) combinations of points for each element that differs from the old one.
+/// Errors: `degenerate_simplex`, naming elements that are linearly dependent; `wrong_arity`,
+/// `mismatched_dimensions`, with places below `Part::elements`; `limit_exceeded`. Source: DeRose, section 5.
+/// Statements: derose-tri-points, derose-tensor-allresults.
 BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<const Coordinates> elements,
                        const Limits& limits = {});
 
-/// The s + 1 patches into which a point of one factor divides its simplex: in the i-th the point replaces
-/// vertex i. For a segment they are over [t, b] and [a, t].
+/// The s + 1 patches into which a point of one factor divides its simplex: in the i-th patch, the point
+/// replaces vertex i. For a segment they are over [t, b] and [a, t].
 ///
-/// One pyramid serves all of them. Cost: C(n + s, s + 1) combinations of points. Errors: `not_affine` unless
-/// the coordinates of the point have the sum 1; `degenerate_simplex` naming the face that contains it when a
-/// coordinate is 0; `mismatched_dimensions`, `limit_exceeded`. Source: DeRose, section 5.2. Statement:
-/// derose-tri-subdiv.
+/// One pyramid gives all of them. Cost: C(n + s, s + 1) combinations of points. Errors: `not_affine` unless
+/// the sum of the coordinates of the point is 1; `degenerate_simplex` if a coordinate is 0, naming the face
+/// that contains the point; `mismatched_dimensions`, `limit_exceeded`. Source: DeRose, section 5.2.
+/// Statement: derose-tri-subdiv.
 std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor, const Coordinates& point,
                                    const Limits& limits = {});
 
-/// The 2^s patches into which the midpoints of the edges divide the simplex of one factor: for a triangle the
-/// three at the corners and the one between the midpoints.
+/// The 2^s patches into which the midpoints of the edges divide the simplex of one factor: for a triangle,
+/// the three at the corners and the one between the midpoints.
 ///
-/// `elements[k]` of a piece are the barycentric coordinates of its vertices. Cost: that of `with_frame` a
+/// `elements[k]` of a piece are the barycentric coordinates of its vertex k. Cost: that of `with_frame` per
 /// piece. Errors: `limit_exceeded`. Source: Edelsbrunner and Grayson, Edgewise subdivision of a simplex
 /// (2000).
 struct MidpointPiece {

@@ -9,9 +9,9 @@
 
 namespace blossom {
 
-/// A patch prepared to be evaluated at many points: its coefficients as a homogeneous polynomial in the
-/// coordinates of each factor, that is the control points times multinomial coefficients. Copies share what
-/// was prepared.
+/// A patch prepared for evaluation at many points: its coefficients as a homogeneous polynomial in the
+/// coordinates of each factor, which are the control points times multinomial coefficients. Copies share the
+/// prepared data.
 ///
 /// Source: Fernandez-Jambrina, section 2. Statements: fj-tri-def, fj-tensor-matrix.
 class PatchValues {
@@ -21,16 +21,16 @@ public:
 
     std::size_t dimension() const { return forms_.rows(); }
 
-    /// The same as `evaluate`. Cost: s + 2 multiplications for each control point of each factor, and one
-    /// multiply-add for each control point and coordinate, in words while they provably suffice and modulo
-    /// primes beyond. Errors: `not_affine` for another mass than 1, `wrong_arity`, `mismatched_dimensions`;
+    /// The value that `evaluate` gives. Cost: s + 2 multiplications per control point of each factor, and one
+    /// multiply-add per control point and coordinate; in words if they provably suffice, otherwise modulo
+    /// primes. Errors: `not_affine` for a mass other than 1, `wrong_arity`, `mismatched_dimensions`;
     /// `limit_exceeded`.
     Coordinates operator()(const PatchPoint& point) const;
     /// The values at all points, dimension() coordinates each, one after the other, on `jobs` threads. The
-    /// places of errors lie below `Part::at / i`.
+    /// places of errors are below `Part::at / i`.
     std::vector<Rational> at(std::span<const PatchPoint> points, std::size_t jobs = 1) const;
-    /// The same into memory of the caller. `results` is unspecified after an error of a value. Errors as
-    /// well: `mismatched_dimensions` unless there are points.size() * dimension() results.
+    /// The same in memory that the caller provides. `results` is unspecified after an error. Additional
+    /// error: `mismatched_dimensions` unless there are points.size() * dimension() results.
     void at(std::span<const PatchPoint> points, std::span<Rational> results, std::size_t jobs = 1) const;
 
 private:

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-/// The three constructions of a blossom, each written once for any commutative ring R that contains the
-/// integers: the same code runs on integers (values) and on symbolic polynomials (proofs for all arguments).
-/// None of them divides: a result is numerators in R over one integer.
+/// The three constructions of a blossom as templates over any commutative ring R that contains the integers:
+/// the same code runs on integers (values) and on symbolic polynomials (proofs for all arguments). None of
+/// them divides: a result is numerators in R over one integer.
 
 namespace blossom {
 
@@ -24,14 +24,14 @@ struct HomogeneousPair {
     friend bool operator==(const HomogeneousPair&, const HomogeneousPair&) = default;
 };
 
-/// One value in R^d / denominator.
+/// A value in R^d, divided by a denominator.
 template <class R>
 struct Quotients {
     std::vector<R> numerators;
     Integer denominator = 1;
 };
 
-/// One row a coordinate.
+/// One row per coordinate.
 template <class R>
 using Rows = std::span<const std::span<const R>>;
 
@@ -53,7 +53,7 @@ Quotients<R> normalised_coefficients(std::span<const R> coefficients) {
 
 /// The blossom by elementary symmetric functions: p(u_1..u_n) = sum_k c_k e_k(u) / C(n, k).
 ///
-/// `coefficients`: n + 1 monomial coefficients a coordinate, lowest first; n arguments.
+/// `coefficients`: n + 1 monomial coefficients per coordinate, lowest first; n arguments.
 /// Cost: n^2 / 2 multiply-adds for the e_k, n per coordinate.
 /// Source: Goldman, proposition 1; DeRose, equation (3). Statements: goldman-prop1, derose-eq3, goldman-thm2.
 template <class R>
@@ -82,11 +82,11 @@ void accumulate_product(R& sum, const R& a, const R& b) {
     sum += a * b;
 }
 
-/// Arguments, each once, with their multiplicities.
+/// Distinct arguments with their multiplicities.
 template <class Argument>
 using Groups = std::vector<std::pair<Argument, std::size_t>>;
 
-/// Equal arguments as one with its multiplicity.
+/// Groups equal arguments.
 template <class Argument>
 Groups<Argument> grouped(std::span<const Argument> arguments) {
     Groups<Argument> groups;
@@ -113,8 +113,8 @@ void add_argument(std::vector<R>& sum, const std::vector<R>& argument) {
 }
 
 /// The sum over all sub-multisets S of `groups` of (-1)^(n-|S|) * prod C(m_i, j_i) * term(partial + sum of S,
-/// size + |S|), by halves: the partial sums stay of one size, and those of a symbolic ring cancel early. A
-/// term without entries is zero.
+/// size + |S|), by halves: the partial sums stay of similar size, and those of a symbolic ring cancel early.
+/// A term without entries is zero.
 template <class R, class Argument, class Term>
 std::vector<R> alternating_sum(std::span<const std::pair<Argument, std::size_t>> groups,
                                const Argument& partial, std::size_t size, const Term& term) {
@@ -124,7 +124,7 @@ std::vector<R> alternating_sum(std::span<const std::pair<Argument, std::size_t>>
     Argument sum = partial;
     Integer binomial = 1;
     for (std::size_t j = 0; j <= multiplicity; ++j) {
-        // What there is so far changes its sign with each step.
+        // The partial sum changes its sign in each step.
         std::vector<R> values = alternating_sum<R, Argument>(groups.subspan(1), sum, size + j, term);
         if (values.size() < total.size()) values.resize(total.size(), R(0));
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -139,11 +139,11 @@ std::vector<R> alternating_sum(std::span<const std::pair<Argument, std::size_t>>
     return total;
 }
 
-/// The blossom by the polarization inverse formula, which uses the polynomial only as something to evaluate:
-/// (1/n!) sum over subsets S of (-1)^(n-|S|) F(sum of S), where F(u, v) = v^n P(u/v) is the homogeneous
-/// polynomial. For points this is the affine form (1/n!) sum_N (-1)^(n-N) N^n sum P(mean of N arguments).
+/// The blossom by the polarization inverse formula, which only evaluates the polynomial: (1/n!) sum over
+/// subsets S of (-1)^(n-|S|) F(sum of S), where F(u, v) = v^n P(u/v) is the homogeneous polynomial. For
+/// points this is the affine form (1/n!) sum_N (-1)^(n-N) N^n sum P(mean of N arguments).
 ///
-/// `form(pair)` gives F, one entry per coordinate. The empty subset counts only for n = 0, where F is
+/// `form(pair)` gives F, one entry per coordinate. The empty subset contributes only for n = 0, where F is
 /// constant. Cost: prod(m_i + 1) evaluations, m_i the multiplicities of the arguments; 2^n for distinct ones.
 /// Source: Fernandez-Jambrina, theorem 1 and corollary 1, equations (18) and (20). Statements: fj-thm1,
 /// fj-cor1.
@@ -155,8 +155,8 @@ Quotients<R> by_polarization(Form&& form, std::span<const HomogeneousPair<R>> ar
             factorial(arguments.size())};
 }
 
-/// sum_S (-1)^(n-|S|) (sum of S)^k over the subsets S of the arguments with N points, k = 0..n, for each N:
-/// argument by argument, (s + u)^k = sum_j C(k, j) u^(k-j) s^j.
+/// sum_S (-1)^(n-|S|) (sum of S)^k over the subsets S of the arguments with N points, k = 0..n, for each N;
+/// computed one argument after the other by (s + u)^k = sum_j C(k, j) u^(k-j) s^j.
 ///
 /// Cost: n^4 / 4 multiply-adds.
 template <class R>
@@ -186,11 +186,11 @@ std::vector<std::vector<R>> signed_power_sums(std::span<const HomogeneousPair<R>
     return sums;
 }
 
-/// The polarization inverse formula with the terms of equally many points taken together: those of N points
-/// are sum_k c_k (N mass)^(n-k) sum_S (-1)^(n-|S|) (sum of S)^k, so that power sums over subsets suffice and
-/// no subset is looked at by itself.
+/// The polarization inverse formula with the terms of equal numbers of points combined: those of N points are
+/// sum_k c_k (N mass)^(n-k) sum_S (-1)^(n-|S|) (sum of S)^k, so that power sums over subsets suffice and no
+/// single subset is enumerated.
 ///
-/// `coefficients`: n + 1 monomial coefficients a coordinate, lowest first; all masses are 0 or the same.
+/// `coefficients`: n + 1 monomial coefficients per coordinate, lowest first; all nonzero masses are equal.
 /// Cost: n^4 / 4 multiply-adds. Source: Fernandez-Jambrina, equation (20). Statement: fj-cor1.
 template <class R>
 Quotients<R> by_regrouped_polarization(Rows<R> coefficients, std::span<const HomogeneousPair<R>> arguments) {
@@ -215,10 +215,10 @@ Quotients<R> by_regrouped_polarization(Rows<R> coefficients, std::span<const Hom
 }
 
 /// The blossom by de Casteljau's algorithm with one argument per level, from control points over [a/q, b/q]:
-/// on the level of (u, v) neighbours are combined with left / (b - a) and right / (b - a), left = b v - q u
-/// and right = q u - a v.
+/// on the level of (u, v), neighbours are combined with the weights left / (b - a) and right / (b - a), where
+/// left = b v - q u and right = q u - a v.
 ///
-/// Cost: n^2 / 2 multiply-adds a coordinate.
+/// Cost: n^2 / 2 multiply-adds per coordinate.
 /// Source: DeRose, figure 6; Goldman, figures 3 and 7. Statements: derose-fig6, goldman-fig3, goldman-fig7.
 template <class R>
 Quotients<R> by_casteljau(Rows<R> control_points, const Integer& a, const Integer& b, const Integer& q,

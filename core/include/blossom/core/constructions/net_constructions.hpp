@@ -9,13 +9,13 @@
 #include <utility>
 #include <vector>
 
-/// The constructions of a blossom over a product of simplices, each written once for any commutative ring R
-/// that contains the integers, as for curves in `constructions.hpp`. A net is a row of elements of R in the
-/// order of `NetShape`, for one coordinate of the map.
+/// The constructions of a blossom over a product of simplices, as templates over any commutative ring R that
+/// contains the integers, like those for curves in `constructions.hpp`. A net is a row of elements of R in
+/// the order of `NetShape`, for one coordinate of the map.
 
 namespace blossom {
 
-/// A homogeneous argument of one factor over R: s + 1 coordinates with respect to its vertices.
+/// A homogeneous argument of one factor over R: s + 1 coordinates with respect to the vertices.
 template <class R>
 using Tuple = std::vector<R>;
 
@@ -25,10 +25,10 @@ using TupleLists = std::vector<std::vector<Tuple<R>>>;
 
 namespace constructions {
 
-/// One step of de Casteljau's algorithm in one factor: the net of the blossom with one argument given, entry
-/// i of degree n - 1 being sum_k weights[k] * entry (i + e_k) of degree n.
+/// One step of de Casteljau's algorithm in one factor: the net of the blossom with one argument fixed. Entry
+/// i of degree n - 1 is sum_k weights[k] * entry (i + e_k) of degree n.
 ///
-/// Cost: (s + 1) multiply-adds an entry of the result. Source: DeRose, section 5.1; Fernandez-Jambrina,
+/// Cost: (s + 1) multiply-adds per entry of the result. Source: DeRose, section 5.1; Fernandez-Jambrina,
 /// section 2. Statements: derose-tri-eval, fj-tri-blossom.
 template <class R>
 std::vector<R> fold(const NetShape& shape, std::size_t factor, std::span<const R> net,
@@ -54,11 +54,11 @@ std::vector<R> fold(const NetShape& shape, std::size_t factor, std::span<const R
     return folded;
 }
 
-/// The blossom by de Casteljau's algorithm, one argument of one factor a level: n arguments in a factor of
-/// degree n.
+/// The blossom by de Casteljau's algorithm with one argument of one factor per level; a factor of degree n
+/// has n arguments.
 ///
-/// Cost: for one simplex C(n + s, s + 1) entries of s + 1 multiply-adds; factors with more behind them are
-/// folded last, when the net has become small.
+/// Cost: for one simplex C(n + s, s + 1) entries of s + 1 multiply-adds; factors with many entries behind
+/// them come last, when the net is small.
 template <class R>
 R folded_to_value(NetShape shape, std::vector<R> net, const TupleLists<R>& arguments) {
     for (std::size_t factor = shape.factors(); factor-- > 0;) {
@@ -74,8 +74,8 @@ R folded_to_value(NetShape shape, std::vector<R> net, const TupleLists<R>& argum
 /// x_s) of points they are the symmetric functions of points, over barycentric coordinates the weights of the
 /// control points.
 ///
-/// `power` are the coefficients of what is multiplied by the forms. Cost: (s + 1) multiply-adds for every
-/// multi-index of each degree on the way.
+/// `power` holds the coefficients of the polynomial that is multiplied by the forms. Cost: (s + 1)
+/// multiply-adds per multi-index of each degree on the way.
 template <class R>
 std::vector<R> times_linear_forms(std::size_t dimension, std::size_t degree, std::vector<R> power,
                                   std::span<const Tuple<R>> forms) {
@@ -92,7 +92,7 @@ std::vector<R> times_linear_forms(std::size_t dimension, std::size_t degree, std
     return power;
 }
 
-/// base^0, ..., base^n. A ring may have a faster way of its own.
+/// base^0, ..., base^n. A ring may overload this with a faster algorithm.
 template <class R>
 std::vector<R> powers(const R& base, std::size_t n) {
     std::vector<R> row(1, R(1));
@@ -100,8 +100,8 @@ std::vector<R> powers(const R& base, std::size_t n) {
     return row;
 }
 
-/// prod_k x_k^(i_k) for every multi-index i of a degree. Cost: s multiplications an index, after n of each
-/// coordinate.
+/// prod_k x_k^(i_k) for every multi-index i of a degree. Cost: s multiplications per index, and n per
+/// coordinate for its powers.
 template <class R>
 std::vector<R> monomials(const Tuple<R>& x, std::size_t degree) {
     std::vector<std::vector<R>> factors;
@@ -117,7 +117,7 @@ std::vector<R> monomials(const Tuple<R>& x, std::size_t degree) {
     return products;
 }
 
-/// sum_k row[k] x^k y^(n-k) for each row. A ring may have a faster way of its own.
+/// sum_k row[k] x^k y^(n-k) for each row. A ring may overload this with a faster algorithm.
 template <class R>
 std::vector<R> form_values(const std::vector<std::vector<R>>& rows, const R& x, const R& y) {
     std::vector<R> values;
@@ -126,9 +126,8 @@ std::vector<R> form_values(const std::vector<std::vector<R>>& rows, const R& x, 
     return values;
 }
 
-/// The sum of the entries of a net, each multiplied by the weight of its index in every factor.
-/// `weights`: one list per factor. Cost: one multiply-add per entry, and fewer for the factors before the
-/// last.
+/// The sum of the entries of a net, each multiplied by the weight of its index in every factor. `weights` has
+/// one list per factor. Cost: one multiply-add per entry, and fewer for the factors before the last.
 template <class R>
 R contracted(std::vector<R> net, std::span<const std::vector<R>> weights) {
     for (std::size_t factor = weights.size(); factor-- > 0;) {
@@ -144,8 +143,8 @@ R contracted(std::vector<R> net, std::span<const std::vector<R>> weights) {
 }
 
 /// The sum over all sub-multisets S_f of the arguments of every factor f of prod_f (-1)^(n_f - |S_f|) times
-/// form(sums, sizes), with one tuple a factor: the sum of S_f, zero for the empty set, and its size. Where
-/// `form` is a homogeneous polynomial this is n_1! ... n_r! times its blossom, of which it is only evaluated:
+/// form(sums, sizes), with one tuple per factor: the sum of S_f, zero for the empty set, and its size. If
+/// `form` is a homogeneous polynomial, this is n_1! ... n_r! times its blossom, computed from values only:
 /// the inverse formula applied in one factor after the other.
 ///
 /// `form` gives one entry per coordinate, or none for zero. Cost: prod (m_i + 1) calls, m_i the
@@ -169,8 +168,8 @@ std::vector<R> polarized(const NetShape& shape, const std::vector<Groups<Tuple<R
     return descend(descend, 0);
 }
 
-/// The levels of de Casteljau's pyramid in one factor with the same argument on each: level r is the net of
-/// degree n - r of the blossom with r arguments given.
+/// The levels of de Casteljau's pyramid in one factor with the same argument on each level: level r is the
+/// net of degree n - r of the blossom with r arguments fixed.
 ///
 /// Cost: C(n + s, s + 1) entries of s + 1 multiply-adds for one simplex.
 template <class R>
@@ -184,11 +183,11 @@ std::vector<std::vector<R>> pyramid(NetShape shape, std::size_t factor, std::spa
     return levels;
 }
 
-/// The net over the frame whose element `vertex` is replaced by the argument of the pyramid: entry i is that
-/// of level i_vertex at i - i_vertex e_vertex. Where the argument was multiplied by `scale`, the result is
+/// The net over the frame in which the argument of the pyramid replaces the element `vertex`: entry i is
+/// entry i - i_vertex e_vertex of level i_vertex. If the argument was multiplied by `scale`, the result is
 /// scale^n times the net.
 ///
-/// Cost: one product an entry. Source: DeRose, section 5.2. Statement: derose-tri-subdiv.
+/// Cost: one product per entry. Source: DeRose, section 5.2. Statement: derose-tri-subdiv.
 template <class R>
 std::vector<R> with_vertex_replaced(const NetShape& shape, std::size_t factor, std::size_t vertex,
                                     const std::vector<std::vector<R>>& levels, const Integer& scale = 1) {

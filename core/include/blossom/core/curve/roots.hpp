@@ -12,8 +12,8 @@
 
 namespace blossom {
 
-/// One real root: lower == upper for a root that is rational and so known exactly; otherwise the open
-/// interval (lower, upper) contains this root, no other root, and its ends are not roots.
+/// One real root. If lower == upper, the root is rational and equal to both; otherwise the open interval
+/// (lower, upper) contains this root and no other, and its ends are not roots.
 struct Root {
     Rational lower;
     Rational upper;
@@ -46,15 +46,15 @@ std::vector<std::pair<Polynomial, std::size_t>> squarefree_factors(const Polynom
 ///
 /// The rational roots of each squarefree factor are found by `rational_roots` and divided out. The others are
 /// isolated by subdivision of the control polygon at the midpoint: the number of sign changes of the polygon
-/// exceeds the number of roots by an even number, so that 0 and 1 decide. The polygons are rounded to 128
-/// bits with a bound of the errors, and are computed again exactly where it leaves this open. Clusters of
-/// close roots are approached by Newton's steps, which gain twice as many bits each time, and are kept only
-/// when the signs prove them. Intervals are refined until they are shorter than 1 / |leading coefficient| or
-/// 2^-32, and with `width` > 0 to at most this length.
+/// exceeds the number of roots by an even number, so that 0 and 1 are conclusive. The polygons are rounded to
+/// 128 bits with an error bound, and recomputed exactly if the bound leaves a sign change undecided. Clusters
+/// of close roots are approached by Newton steps, which double the number of bits gained each time and are
+/// kept only if the signs prove them. Intervals are refined until they are shorter than 1 / |leading
+/// coefficient| or 2^-32, and, if `width` > 0, not longer than `width`.
 ///
-/// Cost: O(n^2) additions of words per subdivision, about as many subdivisions as there are roots times the
-/// logarithm of the bits that tell them apart, and O(n) products per step of the refinement, which doubles
-/// the bits. Errors: `division_by_zero` for the zero polynomial, whose roots are all numbers;
+/// Cost: O(n^2) additions of words per subdivision; the number of subdivisions is about the number of roots
+/// times the logarithm of the bits that separate them; and O(n) products per step of the refinement, which
+/// doubles the bits. Errors: `division_by_zero` for the zero polynomial, whose roots are all numbers;
 /// `limit_exceeded`. Source: Goldman, exercise 11; Eigenwillig, Kettner, Krandick, Mehlhorn, Schmitt and
 /// Wolpert, "A Descartes algorithm for polynomials with bit-stream coefficients", for the rounding;
 /// Sagraloff, "When Newton meets Descartes", for the clusters. Statement: goldman-ex-11.

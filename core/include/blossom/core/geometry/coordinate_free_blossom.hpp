@@ -17,12 +17,13 @@ namespace blossom::geometry {
 using PointLists = std::vector<std::vector<Point>>;
 using VectorLists = std::vector<std::vector<Vector>>;
 
-/// The blossom of a polynomial map between affine spaces: points of the domain in, a point of the range out,
-/// symmetric and affine in the arguments of each factor. Vectors among the arguments make the value a vector.
+/// The blossom of a polynomial map between affine spaces. It takes points of the domain to a point of the
+/// range, and is symmetric and affine in the arguments of each factor. If a vector is among the arguments,
+/// the value is a vector.
 ///
 /// The domain is one simplex, or a product of simplices that may lie in different spaces (tensor products);
-/// arguments are any points of the spaces, inside or outside. Source: DeRose, section 6. Statements:
-/// derose-adt-blossom, derose-adt-list.
+/// arguments are any points of the spaces, inside or outside the simplices. Source: DeRose, section 6.
+/// Statements: derose-adt-blossom, derose-adt-list.
 class Blossom {
 public:
     /// The blossom with these values at the vertices of a simplex, in the order of `NetShape`.
@@ -33,8 +34,8 @@ public:
     /// The same over a product of simplices, with one degree per factor.
     static Blossom from_bezier_net(std::vector<Simplex> domain, std::span<const std::size_t> degrees,
                                    std::span<const Point> net, const Limits& limits = {});
-    /// The blossom of one segment of a B-spline curve: the polynomial on span i of the knots, by its control
-    /// points. `line` is a space of dimension 1. Errors: `wrong_arity`, `outside_domain`,
+    /// The blossom of one segment of a B-spline curve: of the polynomial on span i of the knots, given by its
+    /// control points. `line` is a space of dimension 1. Errors: `wrong_arity`, `outside_domain`,
     /// `mismatched_dimensions`, `different_spaces`.
     static Blossom from_bspline(const Space& line, const KnotVector& knots,
                                 std::span<const Point> control_points, std::size_t span,
@@ -44,10 +45,10 @@ public:
     static Blossom from_polynomial(const Space& domain, const Space& range, std::size_t degree,
                                    std::span<const SparsePolynomial> coordinates, const Limits& limits = {});
     /// The blossom of a map that can be evaluated, by the inverse formula from its values on the simplex:
-    /// exact when the map is a polynomial of that degree. Source: Fernandez-Jambrina, equation (23).
+    /// exact if the map is a polynomial of this degree. Source: Fernandez-Jambrina, equation (23).
     static Blossom from_values(const Simplex& domain, std::size_t degree,
                                const std::function<Point(const Point&)>& map, const Limits& limits = {});
-    /// An affine map as the blossom of one argument that it is.
+    /// An affine map as a blossom of one argument.
     static Blossom from_affine_map(const AffineMap& map);
 
     const std::vector<Simplex>& domain() const { return domain_; }
@@ -56,23 +57,23 @@ public:
     /// The control net over the simplices of the domain.
     const BezierPatch& patch() const { return patch_; }
 
-    /// The value at as many points as the degree. Errors: `wrong_arity`, `different_spaces`,
-    /// `outside_domain` for a point outside the affine hull of its simplex. Source: DeRose, section 6,
-    /// BlossomEvaluate.
+    /// The value at n points, n the degree. Errors: `wrong_arity`, `different_spaces`, `outside_domain` for a
+    /// point outside the affine hull of its simplex. Source: DeRose, section 6, BlossomEvaluate.
     Point operator()(std::span<const Point> arguments) const;
     Point operator()(const PointLists& arguments) const;
-    /// The value with at least one vector among the arguments. Errors besides: `wrong_arity` for no vector.
+    /// The value with at least one vector among the arguments. Additional error: `wrong_arity` if there is no
+    /// vector.
     Vector operator()(std::span<const Point> points, std::span<const Vector> vectors) const;
     Vector operator()(const PointLists& points, const VectorLists& vectors) const;
 
-    /// The map: the value with all arguments equal, one point a factor.
+    /// The value of the map: all arguments are equal, with one point per factor.
     Point evaluate(const Point& point) const;
     Point evaluate(std::span<const Point> point) const;
     /// The derivative of order k at a point in k directions, n! / (n - k)! times a value; zero for k > n.
     Vector derivative(const Point& at, std::span<const Vector> directions) const;
 
-    /// The control net over another simplex, with i_k copies of vertex k: every restriction, subdivision and
-    /// conversion is this. Errors: `different_spaces`, `wrong_arity` for a domain of several factors.
+    /// The control net over another simplex, with i_k copies of vertex k; every restriction, subdivision and
+    /// conversion is such a net. Errors: `different_spaces`, `wrong_arity` for a domain of several factors.
     std::vector<Point> bezier_net(const Simplex& simplex) const;
 
 private:

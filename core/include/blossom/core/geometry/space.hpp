@@ -10,7 +10,7 @@
 #include <vector>
 
 /// The abstract data types of affine geometry: spaces, their points and vectors, simplices, affine maps and
-/// blossoms, free of coordinates once points have been made. Source: DeRose, Goldman, Lounsbery: A Tutorial
+/// blossoms. Coordinates are needed only to create points. Source: DeRose, Goldman, Lounsbery: A Tutorial
 /// Introduction to Blossoming, section 6.
 
 namespace blossom::geometry {
@@ -18,17 +18,17 @@ namespace blossom::geometry {
 class Point;
 class Vector;
 
-/// An affine space over Q. Each one made is a space of its own, with points that do not mix with those of any
-/// other, of whatever dimension; a copy is the same space.
+/// An affine space over Q. Each constructed space is distinct: its points cannot be combined with those of
+/// another space, even of the same dimension. A copy is the same space.
 class Space {
 public:
-    /// `name` is for messages.
+    /// Messages use `name`.
     explicit Space(std::size_t dimension, std::string name = "");
 
     std::size_t dimension() const { return description_->dimension; }
     const std::string& name() const { return description_->name; }
 
-    /// Errors: `mismatched_dimensions` for another number of coordinates.
+    /// Errors: `mismatched_dimensions` if the number of coordinates is not the dimension.
     Point point(Coordinates coordinates) const;
     Vector vector(Coordinates coordinates) const;
     Point origin() const;
@@ -50,7 +50,7 @@ public:
     const Space& space() const { return space_; }
     const Coordinates& coordinates() const { return coordinates_; }
 
-    /// Errors, as for all operations on two of them: `different_spaces`.
+    /// Errors of this and all other operations on two vectors: `different_spaces`.
     friend Vector operator+(const Vector& a, const Vector& b);
     friend Vector operator-(const Vector& a, const Vector& b);
     friend Vector operator-(const Vector& a);
@@ -66,8 +66,7 @@ private:
     Coordinates coordinates_;
 };
 
-/// A point of a space. There is no sum of points and no multiple of a point: `affine_combination` is what
-/// makes sense of both.
+/// A point of a space. Points cannot be added or multiplied; see `affine_combination`.
 class Point {
 public:
     const Space& space() const { return space_; }
@@ -89,8 +88,8 @@ private:
 
 /// sum weights[i] points[i] with weights of sum 1, a point that does not depend on the origin.
 ///
-/// Errors: `not_affine` for another sum, `different_spaces`, `wrong_arity` for no point or another number of
-/// weights. Source: DeRose, equation (1). Statement: derose-affine-comb.
+/// Errors: `not_affine` if the sum is not 1, `different_spaces`, `wrong_arity` if there is no point or
+/// another number of weights. Source: DeRose, equation (1). Statement: derose-affine-comb.
 Point affine_combination(std::span<const Point> points, std::span<const Rational> weights);
 
 /// Errors: `different_spaces`, naming both.

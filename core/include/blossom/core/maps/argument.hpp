@@ -8,7 +8,7 @@
 
 namespace blossom {
 
-/// A vector of the affine line: a difference of parameters, mass 0 as an argument of a blossom.
+/// A vector of the affine line: a difference of parameters, with mass 0 as an argument of a blossom.
 struct Direction {
     Rational value;
 
@@ -17,9 +17,9 @@ struct Direction {
     friend bool operator==(const Direction&, const Direction&) = default;
 };
 
-/// A point of the affine line: a parameter value, mass 1 as an argument of a blossom.
+/// A point of the affine line: a parameter value, with mass 1 as an argument of a blossom.
 ///
-/// Points are not added: a sum of parameters does not compile, their difference is a `Direction`.
+/// The sum of two parameters does not compile; their difference is a `Direction`.
 struct Parameter {
     Parameter(Rational parameter) : value(std::move(parameter)) {}  // NOLINT(google-explicit-constructor)
     template <std::integral Word>
@@ -32,7 +32,7 @@ struct Parameter {
     friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
-/// delta = (1, 0), the unit vector whose presence in a blossom differentiates (Goldman, section 4.2).
+/// delta = (1, 0), the unit vector; each occurrence in a blossom differentiates once (Goldman, section 4.2).
 inline const Direction delta{1};
 
 /// An argument of a homogeneous blossom: Goldman's pair (u, v), where the mass v is 1 for a point and 0 for a
@@ -50,7 +50,7 @@ struct Argument {
     friend bool operator==(const Argument&, const Argument&) = default;
 };
 
-/// k copies of `repeated` behind `arguments`.
+/// `arguments` followed by k copies of `repeated`.
 std::vector<Argument> with_copies(std::vector<Argument> arguments, std::size_t k, const Argument& repeated);
 
 }  // namespace blossom

@@ -9,10 +9,10 @@
 namespace blossom {
 
 /// A polynomial map t -> Q^d of formal degree n by its control polygon over [a, b]:
-/// P(t) = sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n. It may be evaluated anywhere.
+/// P(t) = sum_k P_k C(n, k) (b - t)^(n-k) (t - a)^k / (b - a)^n. It can be evaluated at any t.
 class BezierCurve {
 public:
-    /// n + 1 control points. Errors: those of `PointArray`, with places below `Part::control_points`.
+    /// Takes n + 1 control points. Errors: those of `PointArray`, with places below `Part::control_points`.
     explicit BezierCurve(std::span<const Coordinates> control_points, Interval interval = {});
     BezierCurve(PointArray control_points, Interval interval);
 

@@ -10,7 +10,7 @@
 namespace blossom {
 
 /// One argument per factor: s + 1 coordinates with respect to the vertices of the simplex. Their sum is the
-/// mass, 1 for a point and 0 for a vector; any other sum is a homogeneous argument too.
+/// mass, 1 for a point and 0 for a vector; any other sum is a homogeneous argument.
 using PatchPoint = std::vector<Coordinates>;
 
 /// The arguments of a blossom over a product of simplices: one list per factor, as long as its degree.
@@ -26,8 +26,8 @@ using PatchArguments = std::vector<std::vector<Coordinates>>;
 /// derose-tri-points, fj-tri-def.
 class BezierPatch {
 public:
-    /// Points in the order of `NetShape`. Errors: `incomplete_net` unless there are as many as the shape has;
-    /// those of `PointArray`; the places lie below `Part::control_net`.
+    /// Takes points in the order of `NetShape`. Errors: `incomplete_net` unless there are as many as the
+    /// shape has; those of `PointArray`. The places are below `Part::control_net`.
     BezierPatch(NetShape shape, std::span<const Coordinates> control_net);
     BezierPatch(NetShape shape, PointArray control_net);
 
@@ -43,10 +43,10 @@ private:
 };
 
 /// Errors: `wrong_arity` unless there is one list per factor, as long as its degree; `mismatched_dimensions`
-/// unless each argument has s + 1 coordinates. The places lie below `Part::arguments`.
+/// unless each argument has s + 1 coordinates. The places are below `Part::arguments`.
 void require_arguments(const NetShape& shape, const PatchArguments& arguments);
 
-/// `copies` of one argument in each factor.
+/// In each factor, as many copies of its argument as its degree.
 PatchArguments diagonal(const NetShape& shape, const PatchPoint& point);
 
 }  // namespace blossom

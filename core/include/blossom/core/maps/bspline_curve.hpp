@@ -10,24 +10,24 @@
 
 namespace blossom {
 
-/// A piecewise polynomial map into Q^d of degree n: on each non-empty span of its knots the polynomial whose
-/// blossom has the control points as values at n consecutive knots.
+/// A piecewise polynomial map into Q^d of degree n. On each non-empty span of its knots, the control points
+/// are the values of the polynomial's blossom at n consecutive knots.
 ///
-/// Unlike the few points of a Bezier curve, the control points keep their own denominators: a common one of
-/// ten thousand unrelated points would have as many digits as all of them together. Source: DeRose,
-/// section 4.6. Statements: derose-46-cubic-scheme, hart-four-points.
+/// Unlike those of a Bezier curve, the control points keep their own denominators: a common denominator of
+/// ten thousand unrelated points would have as many digits as all of them together. Source: DeRose, section
+/// 4.6. Statements: derose-46-cubic-scheme, hart-four-points.
 class BSplineCurve {
 public:
     /// Errors: those of `KnotVector`; `mismatched_dimensions`, below `Part::control_points`.
     BSplineCurve(std::size_t degree, std::vector<Rational> knots, std::vector<Coordinates> control_points);
-    /// Errors: `wrong_arity` unless there are as many points as the knots are for; `mismatched_dimensions`.
+    /// Errors: `wrong_arity` unless the number of points is that of the knot vector; `mismatched_dimensions`.
     BSplineCurve(KnotVector knots, std::vector<Coordinates> control_points);
 
     std::size_t degree() const { return knots_.degree(); }
     std::size_t dimension() const { return control_points_.front().size(); }
     const KnotVector& knots() const { return knots_; }
     const std::vector<Coordinates>& control_points() const { return control_points_; }
-    /// The n + 1 control points that make up a span.
+    /// The n + 1 control points that determine the polynomial on a span.
     std::span<const Coordinates> points_of(std::size_t span) const {
         return std::span(control_points_).subspan(knots_.first_point(span), degree() + 1);
     }
@@ -39,7 +39,7 @@ private:
     std::vector<Coordinates> control_points_;
 };
 
-/// The domain.
+/// The interval of a spline is its domain.
 inline std::optional<Interval> own_interval(const BSplineCurve& curve) { return curve.knots().domain(); }
 
 }  // namespace blossom

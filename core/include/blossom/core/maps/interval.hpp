@@ -4,10 +4,10 @@
 
 namespace blossom {
 
-/// A parameter interval [a, b] with a != b; a > b is allowed and means the reversed parametrisation.
+/// A parameter interval [a, b] with a != b; a > b means the reversed parametrisation.
 class Interval {
 public:
-    /// [0, 1].
+    /// The interval [0, 1].
     Interval() : b_(1) {}
     /// Errors: `empty_interval` if a == b.
     Interval(Rational a, Rational b);

@@ -9,13 +9,14 @@
 
 namespace blossom {
 
-/// Which knots a knot vector lists; the number of knots tells them apart.
+/// Which knots a knot vector lists. The number of knots distinguishes the conventions.
 enum class KnotConvention {
-    textbook,  ///< points + degree + 1 of them
-    polar,     ///< one fewer at each end, points + degree - 1: those that occur in blossoms; not for degree 0
+    textbook,  ///< points + degree + 1 knots
+    /// the knots that occur in blossoms, points + degree - 1: one fewer at each end; not for degree 0
+    polar,
 };
 
-/// A knot and how often it is repeated.
+/// A knot and its multiplicity.
 struct KnotMultiplicity {
     Rational knot;
     std::size_t multiplicity = 0;
@@ -29,16 +30,16 @@ void require_knots(std::span<const Rational> knots, std::size_t degree);
 
 /// The knots t_0 <= t_1 <= ... of a B-spline of degree n with a number of control points.
 ///
-/// All indices are those of the knots as given. With `first = 1` in the textbook convention and 0 in the
-/// polar one, control point j is the blossom value at its window t_(j+first), ..., t_(j+first+n-1), and the
-/// domain reaches from t_(first+n-1) to t_(first+points-1). A span i is [t_i, t_(i+1)] within the domain.
-/// Source: DeRose, section 4.6; Hart, "B-splines". Statements: derose-46-cubic-scheme, hart-bspline-segments,
+/// All indices are those of the given knots. With `first = 1` in the textbook convention and 0 in the polar
+/// one, control point j is the blossom value at its window t_(j+first), ..., t_(j+first+n-1), and the domain
+/// is [t_(first+n-1), t_(first+points-1)]. Span i is [t_i, t_(i+1)] within the domain. Source: DeRose,
+/// section 4.6; Hart, "B-splines". Statements: derose-46-cubic-scheme, hart-bspline-segments,
 /// hart-extra-knots.
 class KnotVector {
 public:
     /// Errors: `wrong_arity` for fewer than degree + 1 points; `bad_knots` if the number of knots fits
-    /// neither convention, if they decrease, if one has a multiplicity above degree + 1, or if the domain is
-    /// a single point.
+    /// neither convention, if the knots decrease, if one has a multiplicity above degree + 1, or if the
+    /// domain is a single point.
     KnotVector(std::size_t degree, std::vector<Rational> knots, std::size_t points);
 
     std::size_t degree() const { return degree_; }
@@ -48,26 +49,26 @@ public:
     const Rational& operator[](std::size_t i) const { return knots_[i]; }
     std::size_t size() const { return knots_.size(); }
 
-    /// The domain reaches from knot begin_index() to knot end_index(); further knots may be equal to them.
+    /// The domain is [knot begin_index(), knot end_index()]; further knots may be equal to these.
     std::size_t begin_index() const { return degree_ + first() - 1; }
     std::size_t end_index() const { return points_ + first() - 1; }
     Interval domain() const { return {knots_[begin_index()], knots_[end_index()]}; }
 
-    /// The non-empty span with t_i <= t < t_(i+1); at the end of the domain the last non-empty one.
+    /// The non-empty span with t_i <= t < t_(i+1); at the end of the domain, the last non-empty span.
     /// Cost: one bisection. Errors: `outside_domain`.
     std::size_t span_at(const Rational& t) const;
-    /// The non-empty span with t_i < t <= t_(i+1); at the beginning of the domain the first non-empty one.
+    /// The non-empty span with t_i < t <= t_(i+1); at the beginning of the domain, the first non-empty span.
     std::size_t span_before(const Rational& t) const;
     /// All non-empty spans of the domain, in order.
     std::vector<std::size_t> spans() const;
     /// Errors: `outside_domain` unless `span` is a non-empty span of the domain.
     void require_span(std::size_t span) const;
 
-    /// The 2n knots t_(i-n+1), ..., t_(i+n) on which the blossom of span i stands.
+    /// The 2n knots t_(i-n+1), ..., t_(i+n) on which the blossom of span i depends.
     std::span<const Rational> around(std::size_t span) const {
         return std::span(knots_).subspan(span + 1 - degree_, 2 * degree_);
     }
-    /// The first of the n + 1 control points that make up span i.
+    /// The first of the n + 1 control points that determine span i.
     std::size_t first_point(std::size_t span) const { return span - begin_index(); }
     /// The index of the first knot of the window of control point j.
     std::size_t window_index(std::size_t point) const { return point + first(); }
@@ -76,7 +77,7 @@ public:
         return std::span(knots_).subspan(window_index(point), degree_);
     }
 
-    /// How often t is a knot; 0 if it is none.
+    /// The multiplicity of t among the knots; 0 if t is not a knot.
     std::size_t multiplicity(const Rational& t) const;
     /// The distinct knots in order.
     std::vector<KnotMultiplicity> distinct() const;

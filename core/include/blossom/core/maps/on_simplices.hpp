@@ -8,9 +8,9 @@
 
 namespace blossom {
 
-/// The one idea of a polynomial map into Q^d: points in the shape of a net on a product of simplices, where a
-/// curve is one segment. They are control points, with respect to vertices, or coefficients, with respect to
-/// an origin and unit vectors.
+/// A polynomial map into Q^d as points in the shape of a net on a product of simplices; a curve is one
+/// segment. The points are control points, with respect to vertices, or coefficients, with respect to an
+/// origin and unit vectors.
 template <class Map>
 concept OnSimplices = requires(const Map& map) {
     { map.dimension() } -> std::same_as<std::size_t>;
@@ -18,7 +18,7 @@ concept OnSimplices = requires(const Map& map) {
     { points_of(map) } -> std::same_as<const PointArray&>;
 };
 
-/// Of the one of several representations that a map has.
+/// The same for a map in one of several representations.
 template <class... Maps>
 decltype(auto) shape_of(const std::variant<Maps...>& map) {
     return std::visit([](const auto& one) -> decltype(auto) { return shape_of(one); }, map);

@@ -11,18 +11,18 @@
 
 namespace blossom {
 
-/// A polynomial map t -> Q^d of formal degree n, by its n + 1 monomial coefficients, lowest first.
+/// A polynomial map t -> Q^d of formal degree n by its n + 1 monomial coefficients, lowest first.
 ///
-/// The formal degree is the number of arguments of the blossom; it is at least the actual degree, and part of
+/// The formal degree is the number of arguments of the blossom. It is at least the actual degree, and part of
 /// the value: t of degree 1 and t of degree 2 are different maps with different blossoms (Goldman, section
 /// 2).
 class PolynomialCurve {
 public:
-    /// The formal degree is `degree`, or by default the number of coefficients less one.
+    /// The formal degree is `degree`, or by default the number of coefficients minus one.
     /// Errors: `degree_too_low` if a coefficient beyond `degree` is not zero; those of `PointArray`.
     explicit PolynomialCurve(std::span<const Coordinates> coefficients,
                              std::optional<std::size_t> degree = {});
-    /// One polynomial a coordinate; the formal degree is by default the greatest actual one.
+    /// Takes one polynomial per coordinate; the formal degree is by default the greatest actual degree.
     explicit PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree = {});
     /// The scalar map of one polynomial.
     explicit PolynomialCurve(const Polynomial& polynomial, std::optional<std::size_t> degree = {});
@@ -36,14 +36,14 @@ public:
     /// Coordinate j as a polynomial.
     Polynomial coordinate(std::size_t j) const;
 
-    /// Equal as maps of a formal degree.
+    /// Equality includes the formal degree.
     friend bool operator==(const PolynomialCurve&, const PolynomialCurve&) = default;
 
 private:
     PointArray coefficients_;
 };
 
-/// One polynomial a coordinate.
+/// One polynomial per coordinate.
 std::vector<Polynomial> coordinates_of(const PolynomialCurve& curve);
 
 }  // namespace blossom

@@ -14,7 +14,7 @@
 
 namespace blossom {
 
-/// A curve that is one polynomial, in one of the two representations that every algorithm takes.
+/// A polynomial curve in one of the two representations that every algorithm takes.
 using PolynomialMap = std::variant<PolynomialCurve, BezierCurve>;
 
 inline std::size_t degree_of(const PolynomialMap& map) {
@@ -24,7 +24,7 @@ inline std::size_t dimension_of(const PolynomialMap& map) {
     return std::visit([](const auto& curve) { return curve.dimension(); }, map);
 }
 
-/// A curve is one segment.
+/// The shape of a curve is one segment.
 inline NetShape shape_of(const PolynomialCurve& curve) { return NetShape::segment(curve.degree()); }
 inline NetShape shape_of(const BezierCurve& curve) { return NetShape::segment(curve.degree()); }
 inline const PointArray& points_of(const PolynomialCurve& curve) { return curve.coefficients(); }
@@ -33,19 +33,19 @@ inline const PointArray& points_of(const BezierCurve& curve) { return curve.cont
 inline PolynomialMap polynomial_map(const PolynomialCurve& curve, const Limits& = {}) { return curve; }
 inline PolynomialMap polynomial_map(const BezierCurve& curve, const Limits& = {}) { return curve; }
 
-/// The interval that a curve brings with it; none where it has no such interval.
+/// The interval of a curve that has one; otherwise nullopt.
 inline std::optional<Interval> own_interval(const PolynomialCurve&) { return std::nullopt; }
 inline std::optional<Interval> own_interval(const BezierCurve& curve) { return curve.interval(); }
 
-/// What the points of a representation are as values of the blossom p of formal degree n. Coefficients:
-/// C(n, k) p(0^(n-k), delta^k). Control points: p(a^(n-k), b^k). Source: Goldman, theorem 4 and equation
-/// (4.4). Statements: goldman-thm4, goldman-eq44.
+/// The points of a representation as values of the blossom p of formal degree n. Coefficients: C(n, k)
+/// p(0^(n-k), delta^k). Control points: p(a^(n-k), b^k). Source: Goldman, theorem 4 and equation (4.4).
+/// Statements: goldman-thm4, goldman-eq44.
 std::vector<StatedValue> stated_values(const PolynomialCurve& curve);
 std::vector<StatedValue> stated_values(const BezierCurve& curve);
 
-/// A representation of a curve that is one polynomial: it knows its formal degree, its dimension, its own
-/// interval, what its points are as values of the blossom, and how it is converted to a `PolynomialMap`.
-/// Everything that is done with one polynomial, from evaluation to degree reduction, follows from these.
+/// A representation of a polynomial curve. It has a formal degree, a dimension, an optional interval, its
+/// points as values of the blossom, and a conversion to `PolynomialMap`. All operations on polynomial curves,
+/// from evaluation to degree reduction, use only these.
 template <class Curve>
 concept OnePolynomial = requires(const Curve& curve, const Limits& limits) {
     { curve.degree() } -> std::same_as<std::size_t>;
@@ -55,7 +55,7 @@ concept OnePolynomial = requires(const Curve& curve, const Limits& limits) {
     { polynomial_map(curve, limits) } -> std::same_as<PolynomialMap>;
 };
 
-/// The own interval of a curve, and [0, 1] where it has none.
+/// The interval of a curve, or [0, 1] if it has none.
 Interval interval_of(const auto& curve) { return own_interval(curve).value_or(Interval()); }
 
 }  // namespace blossom

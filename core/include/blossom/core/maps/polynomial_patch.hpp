@@ -11,20 +11,22 @@
 namespace blossom {
 
 /// A polynomial map in several variables by its monomial coefficients. The variables are grouped: the first
-/// s_0 of them belong to factor 0, in which the map has the formal total degree n_0, and so on. One group is
-/// a map with simplex blossom, whose arguments are points; one variable a group is a tensor product.
+/// s_0 of them belong to factor 0, in which the map has the formal total degree n_0, and so on. One group
+/// gives a map with a simplex blossom, whose arguments are points; groups of one variable each give a tensor
+/// product.
 ///
-/// The coefficient of x_1^(i_1) ... x_s^(i_s) stands at (i_0, i_1, ..., i_s), i_0 = n - i_1 - ... - i_s being
-/// the exponent of the mass that makes the polynomial homogeneous: coefficients have the shape of a control
-/// net. An argument is (mass, x_1, ..., x_s), see `point_argument` and `vector_argument`. Source: DeRose,
-/// theorem 3. Statement: derose-thm3.
+/// The coefficient of x_1^(i_1) ... x_s^(i_s) has the index (i_0, i_1, ..., i_s), where i_0 = n - i_1 - ... -
+/// i_s is the exponent of the mass that makes the polynomial homogeneous: coefficients have the shape of a
+/// control net. An argument is (mass, x_1, ..., x_s), see `point_argument` and `vector_argument`. Source:
+/// DeRose, theorem 3. Statement: derose-thm3.
 class PolynomialPatch {
 public:
-    /// Coefficients in the order of `NetShape`. Errors: as for `BezierPatch`, below `Part::coefficients`.
+    /// Takes coefficients in the order of `NetShape`. Errors: as for `BezierPatch`, below
+    /// `Part::coefficients`.
     PolynomialPatch(NetShape shape, PointArray coefficients);
-    /// One polynomial a coordinate, in the variables 0, 1, ... Errors: `degree_too_low` if a term has a
-    /// degree above that of its factor; `wrong_arity` for no polynomial or a variable beyond those of the
-    /// shape; `limit_exceeded`.
+    /// Takes one polynomial per coordinate, in the variables 0, 1, ... Errors: `degree_too_low` if a term has
+    /// a degree above that of its factor; `wrong_arity` if there is no polynomial, or a variable beyond those
+    /// of the shape; `limit_exceeded`.
     PolynomialPatch(NetShape shape, std::span<const SparsePolynomial> coordinates, const Limits& limits = {});
 
     const NetShape& shape() const { return shape_; }
@@ -40,14 +42,14 @@ private:
     PointArray coefficients_;
 };
 
-/// (1, x_1, ..., x_s), a point as an argument.
+/// (1, x_1, ..., x_s): a point as an argument.
 Coordinates point_argument(std::span<const Rational> point);
-/// (0, x_1, ..., x_s), a vector as an argument.
+/// (0, x_1, ..., x_s): a vector as an argument.
 Coordinates vector_argument(std::span<const Rational> vector);
 
-/// The same polynomial with its variables grouped otherwise: from a total degree to one degree per variable
-/// and back. Errors: `degree_too_low` if a term has a degree above that of its factor; `wrong_arity` unless
-/// the dimensions have the same sum; `limit_exceeded`.
+/// The same polynomial with another grouping of its variables: from a total degree to one degree per variable
+/// or the reverse. Errors: `degree_too_low` if a term has a degree above that of its factor; `wrong_arity`
+/// unless the dimensions have the same sum; `limit_exceeded`.
 PolynomialPatch regrouped(const PolynomialPatch& patch, const NetShape& shape, const Limits& limits = {});
 
 }  // namespace blossom

@@ -10,10 +10,10 @@
 
 namespace blossom {
 
-/// What a representation of a map says by one of its points: point = multiple * p(arguments), p the blossom.
+/// A point of a representation as a value of the blossom p of its map: point = multiple * p(arguments).
 struct StatedValue {
-    std::string_view name;  ///< what points of its kind are called, "control point"
-    std::size_t index;      ///< among those
+    std::string_view name;  ///< the name of points of this kind, "control point"
+    std::size_t index;      ///< among the points of this kind
     std::vector<Argument> arguments;
     Integer multiple;
     Coordinates point;

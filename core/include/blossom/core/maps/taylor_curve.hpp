@@ -5,7 +5,7 @@
 
 namespace blossom {
 
-/// A polynomial map by its Taylor coefficients at a centre: P(t) = sum_k m_k (t - center)^k, n + 1 of them.
+/// A polynomial map by its n + 1 Taylor coefficients at a centre: P(t) = sum_k m_k (t - center)^k.
 struct TaylorCurve {
     Rational center;
     PointArray coefficients;
@@ -17,14 +17,14 @@ struct TaylorCurve {
 };
 
 /// m_k = P^(k)(center) / k! = C(n, k) p(center^(n-k), delta^k); the formal degree is kept.
-/// Cost: n^2 multiply-adds a coordinate. Errors: `limit_exceeded`.
+/// Cost: n^2 multiply-adds per coordinate. Errors: `limit_exceeded`.
 /// Source: Goldman, exercise 10b. Statements: goldman-ex-10b, goldman-thm7.
 TaylorCurve taylor_form(const PolynomialCurve& curve, const Rational& center, const Limits& limits = {});
 
-/// The monomial coefficients at 0, the inverse of `taylor_form`.
+/// The monomial coefficients at 0: the inverse of `taylor_form`.
 PolynomialCurve monomial_form(const TaylorCurve& curve, const Limits& limits = {});
 
-/// As a representation of one polynomial: `monomial_form`, without an interval.
+/// The polynomial map, by `monomial_form`; it has no interval.
 inline PolynomialMap polynomial_map(const TaylorCurve& curve, const Limits& limits = {}) {
     return monomial_form(curve, limits);
 }

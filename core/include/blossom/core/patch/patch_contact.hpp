@@ -12,17 +12,18 @@
 
 namespace blossom {
 
-/// A patch with the simplices of its factors.
+/// A patch with the vertices of its simplices.
 struct PlacedPatch {
     BezierPatch patch;
     std::vector<BarycentricFrame> frames;
 };
 
-/// First difference at k + 1 vertices off the face, and vertices of the face, of the left patch.
+/// The contact of two patches; its first difference is at k + 1 vertices off the face and at vertices of the
+/// face, all of the left patch.
 using PatchContact = ContactAt<PatchArguments>;
 using PatchDifference = DifferenceAt<PatchArguments>;
 
-/// A face of a product of simplices: for each factor which of the vertices span it.
+/// A face of a product of simplices: for each factor, the vertices that span it.
 using Face = std::vector<std::vector<std::size_t>>;
 
 /// Where two domains meet.
@@ -40,10 +41,10 @@ struct SharedFace {
 /// `not_adjacent` for intervals without a common point, and for simplices without a common vertex.
 SharedFace shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right);
 
-/// The contact of two patches along a face of the left domain, decided by their blossoms: order k exactly
-/// when f and g agree with at most k arguments anywhere and the others on the face. Blossoms are affine in
-/// each argument, so that the vertices of the left domain decide: the control points of both maps over it
-/// with at most k vertices off the face.
+/// The contact of two patches along a face of the left domain, decided by their blossoms: it has order k or
+/// more if and only if f and g agree with at most k arguments anywhere and the others on the face. Since
+/// blossoms are affine in each argument, it suffices to compare the control points of both maps over the left
+/// domain with at most k vertices off the face.
 ///
 /// The degrees are raised to the greater ones. Cost: that of the net of the right patch over the simplices of
 /// the left one. Errors: `mismatched_dimensions`, `wrong_arity`; `limit_exceeded`. Source: DeRose, theorem 2
@@ -51,9 +52,9 @@ SharedFace shared_face(std::span<const BarycentricFrame> left, std::span<const B
 PatchContact contact(const PlacedPatch& left, const PlacedPatch& right, const Face& face,
                      const Limits& limits = {});
 
-/// The contact of the projected maps A/w and B/v, whose weights are the last coordinates, decided by that of
-/// the polynomial maps A v and B w: their difference vanishes on the face to the same order, since neither
-/// weight vanishes everywhere on it. The first difference is one of blossom values of A v and B w.
+/// The contact of the projected maps A/w and B/v, whose weights are the last coordinates. It is the contact
+/// of the polynomial maps A v and B w: their difference vanishes on the face to the same order, since neither
+/// weight vanishes on the whole face. The first difference is one of blossom values of A v and B w.
 ///
 /// Cost: the products of nets, and a contact in the sums of the degrees. Errors: `zero_weight` if a weight
 /// vanishes on the whole face; as for `contact`. Source: DeRose, theorem 2 and section 5.
@@ -62,7 +63,7 @@ PatchContact projected_contact(const PlacedPatch& left, const PlacedPatch& right
 
 /// A contact and its reason as a sentence.
 std::string to_string(const PatchContact& contact);
-/// The same of projected maps.
+/// The same for projected maps.
 std::string projected_contact_text(const PatchContact& contact);
 
 }  // namespace blossom

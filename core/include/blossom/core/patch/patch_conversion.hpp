@@ -9,18 +9,18 @@
 
 namespace blossom {
 
-/// The control net of a polynomial over a product of simplices, one frame a factor: P_i is the blossom at i_k
-/// copies of vertex k.
+/// The control net of a polynomial over a product of simplices, with one frame per factor: P_i is the blossom
+/// value at i_k copies of vertex k.
 ///
-/// The coefficients divided by multinomial coefficients are the net over the origin and the unit vectors;
-/// `with_frame` does the rest. Errors: `mismatched_dimensions` for a frame of another dimension than its
-/// factor; `limit_exceeded`. Source: DeRose, section 5. Statements: derose-tri-points,
+/// The coefficients divided by multinomial coefficients are the net over the origin and the unit vectors,
+/// from which `with_frame` computes the result. Errors: `mismatched_dimensions` if the dimension of a frame
+/// is not that of its factor; `limit_exceeded`. Source: DeRose, section 5. Statements: derose-tri-points,
 /// derose-tensor-allresults.
 BezierPatch control_net(const PolynomialPatch& patch, std::span<const BarycentricFrame> frames,
                         const Limits& limits = {});
 
-/// The monomial coefficients of a map given over a product of simplices, the inverse of `control_net`: the
-/// net over the origin and the unit vectors times multinomial coefficients.
+/// The monomial coefficients of a patch over a product of simplices, the inverse of `control_net`: the net
+/// over the origin and the unit vectors times multinomial coefficients.
 PolynomialPatch monomial_form(const BezierPatch& patch, std::span<const BarycentricFrame> frames,
                               const Limits& limits = {});
 

@@ -12,18 +12,18 @@
 
 namespace blossom {
 
-/// A tensor product of B-splines in any number of directions: a grid of control points, each row of which in
-/// any direction is a spline curve over the knots of that direction.
+/// A tensor product of B-splines in any number of directions: a grid of control points. Each row of the grid
+/// in any direction is a spline curve over the knots of this direction.
 ///
-/// The points follow each other with the index of the last direction moving fastest. On each box of spans the
-/// map is one polynomial, whose blossom has the control points as values at consecutive knots in every
-/// direction. A rational (NURBS) one has its weight as last coordinate, see `rational_curve.hpp`. Every
-/// algorithm is that for curves applied along the rows. Source: DeRose, section 5; Fernandez-Jambrina,
-/// equation (9). Statements: derose-tensor-allresults, fj-eq9.
+/// The index of the last direction changes fastest in the sequence of points. On each box of spans the map is
+/// one polynomial, and the control points are the values of its blossom at consecutive knots in every
+/// direction. A rational (NURBS) map has its weight as last coordinate, see `rational_curve.hpp`. Every
+/// algorithm is the algorithm for curves, applied along the rows. Source: DeRose, section 5;
+/// Fernandez-Jambrina, equation (9). Statements: derose-tensor-allresults, fj-eq9.
 class TensorBSpline {
 public:
-    /// Errors: `wrong_arity` for no direction or another number of points than the knots are for;
-    /// `mismatched_dimensions`; the places lie below `Part::control_points`.
+    /// Errors: `wrong_arity` if there is no direction, or if the number of points does not match the knots;
+    /// `mismatched_dimensions`. The places are below `Part::control_points`.
     TensorBSpline(std::vector<KnotVector> knots, std::vector<Coordinates> control_points);
 
     std::size_t directions() const { return knots_.size(); }
@@ -40,34 +40,33 @@ private:
 };
 
 /// The blossom of the polynomial on a box of spans, one per direction, at any arguments, one list per
-/// direction: the values of the rows of the last direction, then of those in the one before, and so on.
+/// direction: first the values of the rows in the last direction, then in the one before, and so on.
 ///
 /// Cost: for degrees n the (n + 1)^d points of the box, n^2 / 2 combinations per row. Errors: `wrong_arity`,
 /// `outside_domain`, `limit_exceeded`. Source: Fernandez-Jambrina, equation (9).
 Coordinates segment_blossom(const TensorBSpline& spline, std::span<const std::size_t> spans,
                             std::span<const std::vector<Argument>> arguments, const Limits& limits = {});
 
-/// The spans with the parameters, to their right, at the end of a domain the last. Errors: `outside_domain`
+/// The spans to the right of the parameters; at the end of a domain, the last span. Errors: `outside_domain`
 /// at `Part::at / d`, `wrong_arity`.
 std::vector<std::size_t> spans_at(const TensorBSpline& spline, std::span<const Rational> parameters);
 
-/// The value at parameters, on the spans to their right, at the end of a domain on the last. Errors: as
-/// there, `outside_domain` at `Part::at / d`.
+/// The value at parameters, on the spans of `spans_at`. Errors: as for `spans_at`.
 Coordinates evaluate(const TensorBSpline& spline, std::span<const Rational> parameters,
                      const Limits& limits = {});
 
-/// The partial derivative of order orders[d] in each direction: n! / (n - k)! times the blossom with k unit
-/// vectors in each; zero where k > n.
+/// The partial derivative of order orders[d] in direction d: n! / (n - k)! times the blossom with k unit
+/// vectors in each direction; zero if k > n.
 Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t> orders,
                        std::span<const Rational> parameters, const Limits& limits = {});
 
-/// The same map over more knots in one direction, by Boehm's algorithm on every row. Cost, errors: that of
-/// the rows, see `insert_knots_boehm`.
+/// The same map over more knots in one direction, by Boehm's algorithm on every row. Cost and errors: those
+/// of `insert_knots_boehm` per row.
 TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
                            std::span<const Rational> knots, const Limits& limits = {});
 
-/// The polynomial on a box of spans as a Bezier patch over it, by the points at the ends of the spans.
-/// Errors: `outside_domain`, `limit_exceeded`.
+/// The polynomial on a box of spans as a Bezier patch over this box. Errors: `outside_domain`,
+/// `limit_exceeded`.
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,
                            const Limits& limits = {});
 

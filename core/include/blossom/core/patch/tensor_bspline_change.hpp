@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-// Tensor products of B-splines made of others: each is the operation on curves, applied to every row of
-// control points in a direction. Cost, errors: those of the rows.
+// Operations on tensor products of B-splines: each applies the operation on curves to every row of control
+// points in a direction. Cost and errors: those of the rows.
 
 namespace blossom {
 
@@ -18,7 +18,7 @@ namespace blossom {
 TensorBSpline elevate(const TensorBSpline& spline, std::size_t direction, std::size_t r,
                       const Limits& limits = {});
 
-/// The map before and behind a parameter of one direction. See `split` in spline_split.hpp.
+/// The parts of the map before and behind a parameter of one direction. See `split` in spline_split.hpp.
 std::pair<TensorBSpline, TensorBSpline> split(const TensorBSpline& spline, std::size_t direction,
                                               const Rational& u, const Limits& limits = {});
 
@@ -26,18 +26,18 @@ std::pair<TensorBSpline, TensorBSpline> split(const TensorBSpline& spline, std::
 TensorBSpline restricted(const TensorBSpline& spline, std::size_t direction, const Interval& interval,
                          const Limits& limits = {});
 
-/// The partial derivative of order orders[d] in each direction, of degree n - k there or zero of degree 0.
-/// See `derivative_curve` in de_boor.hpp. Errors: `wrong_arity` unless there is one order a direction.
+/// The partial derivative of order k = orders[d] in direction d, of degree n - k there, or zero of degree 0.
+/// See `derivative_curve` in de_boor.hpp. Errors: `wrong_arity` unless there is one order per direction.
 TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std::size_t> orders,
                                 const Limits& limits = {});
 
-/// A Bezier patch over a box as a tensor product with n + 1 knots at each end. The box has increasing or
-/// reversed intervals. Errors: `mismatched_dimensions` for a patch that is no tensor product.
+/// A Bezier patch over a box as a tensor product with n + 1 knots at each end. The intervals of the box are
+/// increasing or reversed. Errors: `mismatched_dimensions` if the patch is not a tensor product.
 TensorBSpline bspline_of(const PlacedPatch& patch, const Limits& limits = {});
 
-/// The non-empty spans of every direction in all combinations, the last direction fastest: the boxes on which
-/// the map is one polynomial. Errors: `limit_exceeded` when the Bezier patches over all of them would have
-/// too many numbers.
+/// All combinations of one non-empty span per direction, the last direction fastest: the boxes on which the
+/// map is one polynomial. Errors: `limit_exceeded` if the Bezier patches over all of them would have too many
+/// numbers.
 std::vector<std::vector<std::size_t>> boxes_of(const TensorBSpline& spline, const Limits& limits = {});
 
 /// `bezier_segment` with its box.

@@ -7,16 +7,17 @@
 
 namespace blossom {
 
-/// The contact of the polynomials on the two sides of a parameter of one direction, the least of those along
-/// it in all boxes of the other directions; infinite where the parameter is not a knot.
+/// The least contact of the polynomials on the two sides of a parameter of one direction, over all boxes of
+/// the other directions; infinite if the parameter is not a knot.
 ///
-/// Cost: that of the contact of two Bezier patches for each box along the parameter. Errors: `outside_domain`
-/// unless it lies strictly inside the domain of the direction; `limit_exceeded`. Source: DeRose, theorem 2
-/// and section 5.
+/// Cost: that of the contact of two Bezier patches per box along the parameter. Errors: `outside_domain`
+/// unless the parameter is strictly inside the domain of the direction; `limit_exceeded`. Source: DeRose,
+/// theorem 2 and section 5.
 PatchContact contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
                      const Limits& limits = {});
 
-/// The same of a rational map, see `projected_contact` in patch_contact.hpp. Errors besides: `zero_weight`.
+/// The same for a rational map, see `projected_contact` in patch_contact.hpp. Additional error:
+/// `zero_weight`.
 PatchContact projected_contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
                                const Limits& limits = {});
 

@@ -11,7 +11,7 @@
 
 namespace blossom {
 
-/// What a function is on one span.
+/// A function on one span.
 struct PolynomialPiece {
     std::size_t span = 0;
     Interval interval;
@@ -21,12 +21,12 @@ struct PolynomialPiece {
 };
 
 /// The B-spline basis function N_j within the domain: the scalar curve whose control point j is 1 and all
-/// others 0, as one polynomial in t for each non-empty span on which it has influence. It is 0 on all others.
+/// others 0, as one polynomial in t for each non-empty span on which it is not zero.
 ///
-/// As a divided difference of a truncated power, of which each knot has its own polynomial: a piece is the
-/// sum of those of the knots behind it. Cost: at most n + 1 Taylor shifts, and as many sums of polynomials.
-/// Errors: `wrong_arity` if there is no point j; `limit_exceeded`. Source: Curry and Schoenberg, "On Polya
-/// frequency functions IV", 1966. Statements: hart-four-points, hart-three-at-knot.
+/// The function is a divided difference of truncated powers, to which each knot contributes one polynomial: a
+/// piece is the sum of the contributions of the knots behind it. Cost: at most n + 1 Taylor shifts, and as
+/// many sums of polynomials. Errors: `wrong_arity` if there is no point j; `limit_exceeded`. Source: Curry
+/// and Schoenberg, "On Polya frequency functions IV", 1966. Statements: hart-four-points, hart-three-at-knot.
 std::vector<PolynomialPiece> basis_function(const KnotVector& knots, std::size_t point,
                                             const Limits& limits = {});
 

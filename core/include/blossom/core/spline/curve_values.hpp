@@ -12,22 +12,22 @@
 
 namespace blossom {
 
-/// A curve prepared to be evaluated at many parameters: P(t) = p(t, ..., t). Copies share what was prepared.
+/// A curve prepared for evaluation at many parameters: P(t) = p(t, ..., t). Copies share the prepared data.
 class CurveValues {
 public:
     explicit CurveValues(const PolynomialCurve& curve, const Limits& limits = {});
-    /// By its monomial coefficients. Errors: `limit_exceeded`.
+    /// Prepares the monomial coefficients of the curve. Errors: `limit_exceeded`.
     explicit CurveValues(const BezierCurve& curve, const Limits& limits = {});
 
     std::size_t dimension() const;
 
-    /// The same as `evaluate`. Cost: n multiply-adds in words while they provably suffice, and products of
-    /// halves of n h bits, h the bits of t, beyond. Errors: `limit_exceeded`.
+    /// The value that `evaluate` gives. Cost: n multiply-adds in words if they provably suffice, otherwise
+    /// products of halves of n h bits, h the bits of t. Errors: `limit_exceeded`.
     Coordinates operator()(const Parameter& t) const;
     /// The values at all parameters, dimension() coordinates each, one after the other, on `jobs` threads.
     std::vector<Rational> at(std::span<const Rational> parameters, std::size_t jobs = 1) const;
-    /// The same into memory of the caller, whose large numbers are reused. `results` holds none of the
-    /// parameters, and is unspecified after an error of a value. Errors as well: `mismatched_dimensions`
+    /// The same in memory that the caller provides, whose large numbers are reused. `results` must not
+    /// contain a parameter, and is unspecified after an error. Additional error: `mismatched_dimensions`
     /// unless there are parameters.size() * dimension() results.
     void at(std::span<const Rational> parameters, std::span<Rational> results, std::size_t jobs = 1) const;
 
@@ -37,21 +37,21 @@ private:
     std::shared_ptr<const Forms> forms_;
 };
 
-/// A B-spline curve prepared in the same way: each of its segments, when it is first asked for, by its Taylor
-/// coefficients at the integer below the segment.
+/// A B-spline curve prepared in the same way: each segment, at its first use, by its Taylor coefficients at
+/// the integer below it.
 class SplineValues {
 public:
     explicit SplineValues(const BSplineCurve& curve, const Limits& limits = {});
 
     std::size_t dimension() const;
 
-    /// The same as `de_boor`. Cost: a bisection and n multiply-adds a coordinate once the segment is
-    /// prepared. Errors: `outside_domain`, `limit_exceeded`.
+    /// The value that `de_boor` gives. Cost: a bisection, and n multiply-adds per coordinate once the segment
+    /// is prepared. Errors: `outside_domain`, `limit_exceeded`.
     Coordinates operator()(const Parameter& t) const;
     /// The values at all parameters, dimension() coordinates each, one after the other, on `jobs` threads.
     std::vector<Rational> at(std::span<const Rational> parameters, std::size_t jobs = 1) const;
-    /// The same into memory of the caller, whose large numbers are reused. `results` holds none of the
-    /// parameters, and is unspecified after an error of a value. Errors as well: `mismatched_dimensions`
+    /// The same in memory that the caller provides, whose large numbers are reused. `results` must not
+    /// contain a parameter, and is unspecified after an error. Additional error: `mismatched_dimensions`
     /// unless there are parameters.size() * dimension() results.
     void at(std::span<const Rational> parameters, std::span<Rational> results, std::size_t jobs = 1) const;
 

@@ -9,31 +9,32 @@
 
 namespace blossom {
 
-/// The same curve over the knots with these among them, by the Oslo algorithm where there are many for each
-/// segment, by Boehm's otherwise; the result is the same. Cost, errors and order of the knots as below.
+/// The same curve with additional knots, by the Oslo algorithm if there are many per segment, otherwise by
+/// Boehm's algorithm; both give the same result. Cost, errors and order of the knots: see below.
 BSplineCurve insert_knots(const BSplineCurve& curve, std::span<const Rational> knots,
                           const Limits& limits = {});
 
-/// The same curve over the knots with one more at `knots[0]`, one more at `knots[1]` and so on, by Boehm's
-/// algorithm one knot after the other.
+/// The same curve with the additional knots `knots[0]`, `knots[1]`, ..., by Boehm's algorithm, one knot after
+/// the other.
 ///
 /// For a knot x in span i with control points P_0..P_n, the points between the first and the last are
-/// replaced by the first level of de Boor's triangle at x: f(x, t_l, ..., t_(l+n-2)), where each is a
-/// combination of two old neighbours. The new knots may come in any order and repeat. Cost for k knots and m
-/// points: n combinations of points per knot in one pass over the points, O(m + k n), each reduced once per
-/// coordinate, and a sort. Errors:
-/// `outside_domain`; `bad_knots` if a multiplicity would exceed degree + 1; the place is `Part::knots / i`.
-/// `limit_exceeded`. Source: DeRose, section 4.7; Hart, "Boehm". Statements: derose-boehm-new,
-/// derose-boehm-repeat, hart-knot-insertion.
+/// replaced by the first level of de Boor's triangle at x: f(x, t_l, ..., t_(l+n-2)), each of which is a
+/// combination of two adjacent old points. The new knots may be given in any order and may repeat. Cost for k
+/// knots and m points: n combinations of points per knot in one pass over the points, O(m + k n), each
+/// reduced once per coordinate, and a sort. Errors: `outside_domain`; `bad_knots` if a multiplicity would
+/// exceed degree + 1; the place is `Part::knots / i`. `limit_exceeded`. Source: DeRose, section 4.7; Hart,
+/// "Boehm". Statements: derose-boehm-new, derose-boehm-repeat, hart-knot-insertion.
 BSplineCurve insert_knots_boehm(const BSplineCurve& curve, std::span<const Rational> knots,
                                 const Limits& limits = {});
 
-/// The same curve over the same knots, by the Oslo algorithm: every new control point whose window of n new
-/// knots contains an inserted one is the blossom value at that window, of a segment at the inserted knot.
+/// The same curve with the same additional knots, by the Oslo algorithm: every new control point whose window
+/// of n new knots contains an inserted one is the value at this window of the blossom of a segment at the
+/// inserted knot.
 ///
 /// Cost for k knots and m points: n^2 / 2 combinations of integers for each of at most k n new points, O(m +
-/// k n^3), and one reduction per coordinate; k + n new points where all knots lie in one segment. Errors and
-/// order of the knots as for `insert_knots_boehm`. Source: DeRose, section 4.7. Statement: derose-oslo.
+/// k n^3), and one reduction per coordinate; if all knots lie in one segment, there are k + n new points.
+/// Errors and order of the knots: as for `insert_knots_boehm`. Source: DeRose, section 4.7. Statement:
+/// derose-oslo.
 BSplineCurve insert_knots_oslo(const BSplineCurve& curve, std::span<const Rational> knots,
                                const Limits& limits = {});
 

@@ -10,20 +10,21 @@
 namespace blossom {
 
 /// Bezier curves on adjacent intervals as one B-spline with the least knot multiplicities, in the textbook
-/// convention with n + 1 knots at each end; n is the greatest degree, to which the others are raised.
+/// convention with n + 1 knots at each end. n is the greatest degree of the curves, to which the others are
+/// raised.
 ///
-/// The knot between two curves that meet with order k gets multiplicity n - k, so that it is absent where
-/// both are the same polynomial. Control point j is the blossom value, at its window of n knots, of any curve
-/// on which it has influence. The intervals increase; each may be given reversed. One curve alone becomes a
-/// spline of one segment. Cost for m curves: O(m n) blossom values, and O(m n^2) more for the raising.
-/// Errors: `wrong_arity` for no curve; `not_adjacent`, `mismatched_dimensions`, with places below `Part::maps
-/// / i`; `limit_exceeded`. Source: DeRose, theorem 2 and section 4.6. Statement: derose-thm2.
+/// The knot between two curves that meet with order k gets multiplicity n - k; there is none if both are the
+/// same polynomial. Control point j is the blossom value, at its window of n knots, of any curve on which it
+/// has influence. The intervals increase from curve to curve; each may be given reversed. A single curve
+/// becomes a spline of one segment. Cost for m curves: O(m n) blossom values, and O(m n^2) for raising the
+/// degrees. Errors: `wrong_arity` for no curve; `not_adjacent`, `mismatched_dimensions`, with places below
+/// `Part::maps / i`; `limit_exceeded`. Source: DeRose, theorem 2 and section 4.6. Statement: derose-thm2.
 BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits = {});
 
-/// The same over given knots of degree n, the greatest of the curves or more: `knots` may have further knots
-/// and higher multiplicities than the least.
+/// The same over given knots of degree n, at least the greatest degree of the curves. `knots` may contain
+/// additional knots and higher multiplicities than the least.
 ///
-/// Errors besides: `bad_knots` if the domain of the knots is not made up by the intervals; `not_continuous`,
+/// Additional errors: `bad_knots` if the intervals do not make up the domain of the knots; `not_continuous`,
 /// naming the knot and the blossom values that differ, if two curves meet with an order below n -
 /// multiplicity; `degree_too_low` if n is below the degree of a curve.
 BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, const Limits& limits = {});

@@ -7,19 +7,19 @@
 
 namespace blossom {
 
-/// The curve before and behind u: insertion until u is an n-fold knot gives the control point f(u, ..., u),
-/// with which the one ends and the other begins. Where the curve jumps, at a knot of multiplicity n + 1, each
-/// has its own.
+/// The parts of the curve before and behind u. Insertion until u has multiplicity n gives the control point
+/// f(u, ..., u), which ends the first part and begins the second. Where the curve jumps, at a knot of
+/// multiplicity n + 1, the two points differ.
 ///
-/// The convention is kept: u becomes the end of the knots with multiplicity n + 1 in the textbook convention,
-/// n in the polar one. Cost for m points: O(m + n^2) points. Errors: `outside_domain` unless u lies strictly
-/// inside the domain; `limit_exceeded`. Source: Hart, "De Boor". Statement: hart-deboor-subdivide.
+/// The convention is kept: u becomes an end knot of multiplicity n + 1 in the textbook convention, n in the
+/// polar one. Cost for m points: O(m + n^2) points. Errors: `outside_domain` unless u is strictly inside the
+/// domain; `limit_exceeded`. Source: Hart, "De Boor". Statement: hart-deboor-subdivide.
 std::pair<BSplineCurve, BSplineCurve> split(const BSplineCurve& curve, const Rational& u,
                                             const Limits& limits = {});
 
-/// The curve over [a, b] alone, two splits. Ends that are those of the domain leave their side as it is.
-/// Errors: `outside_domain` unless [a, b] lies in the domain and a < b; `limit_exceeded`. Source: Hart, "De
-/// Boor". Statement: hart-deboor-subdivide.
+/// The curve over [a, b] only, by two splits. An end that is also an end of the domain leaves the knots on
+/// its side unchanged. Errors: `outside_domain` unless [a, b] lies in the domain and a < b; `limit_exceeded`.
+/// Source: Hart, "De Boor". Statement: hart-deboor-subdivide.
 BSplineCurve restricted(const BSplineCurve& curve, const Interval& interval, const Limits& limits = {});
 
 /// The same curve with its ends as often as the convention has room for them, n + 1 or n times, and no knots

@@ -5,23 +5,23 @@
 #include <string>
 #include <vector>
 
-/// The cases of a decision in groups, for those who write them down.
+/// Groups of the cases of a decision, for display.
 
 namespace blossom::proofs {
 
 using Cases = std::vector<const CaseDecision*>;
 
-/// Those with this verdict, in order.
+/// The cases with this verdict, in order.
 Cases cases_with(const Decision& decision, Verdict verdict);
 
-/// Proved cases that need the same.
+/// Proved cases with the same conditions.
 struct CaseGroup {
-    std::vector<std::string> needed;  ///< "a != b": what must not vanish, apart from what the block assumes
+    std::vector<std::string> needed;  ///< "a != b": what must not vanish beyond the assumptions of the block
     Cases cases;
 };
 std::vector<CaseGroup> groups_by_condition(const Decision& decision);
 
-/// The values first, ..., last of the only parameter of some cases.
+/// The consecutive values first, ..., last of the only parameter of some cases.
 struct Run {
     long long first;
     long long last;

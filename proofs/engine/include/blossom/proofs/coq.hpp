@@ -7,12 +7,12 @@
 
 namespace blossom::proofs {
 
-/// What a file of such lemmas begins with.
+/// The first lines of a file of such lemmas.
 std::string coq_preamble();
 
-/// A proved case as a lemma of Coq over Q, closed by `field`: coefficients and variables are universally
-/// quantified, divisors assumed different from zero, blossoms written out as sums over subsets of their
-/// arguments. None for a case with hypotheses or with a map of several variables, and for one longer than
+/// A proved case as a lemma of Coq over Q, with a proof by `field`: coefficients and variables are
+/// universally quantified, divisors are assumed nonzero, and blossoms are written as sums over subsets of
+/// their arguments. nullopt for a case with hypotheses, with a map of several variables, or longer than
 /// `longest` characters.
 std::optional<std::string> coq_lemma(const ProvedCase& proved, const std::string& name,
                                      std::size_t longest = 20'000);

@@ -14,8 +14,8 @@ struct Warning {
     std::string message;
 };
 
-/// Names of a block that nothing declares and that occur once, or resemble a name that is known: each stands
-/// for any number, and may be misspelt. None for a strict block, where such a name is an error. Cost: the
+/// Undeclared names of a block that occur only once or resemble a known name. Such a name denotes an
+/// arbitrary number, and may be misspelt. A strict block has none, because there it is an error. Cost: the
 /// square of the number of names. Errors: those of the declarations.
 std::vector<Warning> doubtful_names(const Block& block);
 

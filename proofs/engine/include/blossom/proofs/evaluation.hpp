@@ -10,8 +10,8 @@
 
 namespace blossom::proofs {
 
-/// Values of nodes where every symbol has a number: exact arithmetic from the definitions. Only what is
-/// differentiated is expanded.
+/// Values of nodes if every symbol has a number, computed exactly from the definitions. Only the operands of
+/// derivatives are expanded.
 class Evaluator {
 public:
     Evaluator(const GroundBlock& block, std::span<const Rational> symbols)

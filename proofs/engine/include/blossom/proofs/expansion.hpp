@@ -12,11 +12,11 @@ namespace blossom::proofs {
 
 /// Expands nodes to rational functions of the symbols: symbol i is variable i.
 ///
-/// Blossoms in one variable are the engine's own construction, run on symbolic arguments; over simplices they
-/// are the definition, `polar_form`.
+/// Blossoms in one variable are computed by the engine's own construction on symbolic arguments, those over
+/// simplices by their definition, `polar_form`.
 ///
-/// What a node comes to is given up when all that is made of it is there, and sums take their summands one
-/// after the other: of a sum over many values only a few are there at a time.
+/// The value of a node is dropped after its last use, and sums add their summands one after the other, so
+/// that only a few summands of a long sum exist at a time.
 ///
 /// Errors: `division_by_zero` with the offset of the quotient; `limit_exceeded`.
 class Expander {
@@ -26,7 +26,7 @@ public:
           limits_(limits),
           own_field_(std::make_unique<FractionField>(limits)),
           field_(*own_field_) {}
-    /// Expands in the field of another one, with polynomials in the place of some symbols.
+    /// Expands in the field of another expander, with polynomials substituted for some symbols.
     Expander(const Expander& other, std::map<std::size_t, SparsePolynomial> replaced)
         : block_(other.block_),
           limits_(other.limits_),
@@ -40,13 +40,13 @@ private:
     struct Frame {
         NodeId node;
         std::vector<NodeId> operands;
-        std::size_t next = 0;            ///< the operand that is needed next
-        std::optional<FractionSum> sum;  ///< of those before, in a sum
+        std::size_t next = 0;            ///< the next operand that is needed
+        std::optional<FractionSum> sum;  ///< of the previous operands, if the node is a sum
     };
 
     void count_uses();
     Frame opened(NodeId node);
-    /// What a node has come to, for one of its uses.
+    /// The value of a node, for one of its uses.
     Fraction use(NodeId node);
     void give_up_use(NodeId node);
     Fraction expanded(const Node& node);
@@ -59,7 +59,7 @@ private:
     FractionField& field_;
     std::map<std::size_t, SparsePolynomial> replaced_;
     std::vector<std::optional<Fraction>> known_;
-    std::vector<std::size_t> uses_;  ///< that are still to come
+    std::vector<std::size_t> uses_;  ///< the remaining uses of each node
     std::vector<bool> was_known_;
 };
 

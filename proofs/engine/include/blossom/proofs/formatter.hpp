@@ -7,9 +7,8 @@
 namespace blossom::proofs {
 
 /// The text in canonical form: one space around `+`, `-`, `==` and `!=`, none around `*`, `/` and `^`, only
-/// the parentheses that are needed, blocks separated by one empty line, comments where they were. It reads
-/// back as the same document, and is its own canonical form. Errors: the first error of `document`, if it has
-/// one.
+/// necessary parentheses, one empty line between blocks, comments at their places. It parses to the same
+/// document, and is its own canonical form. Errors: the first error of `document`, if it has one.
 std::string formatted(const Document& document);
 
 std::string to_text(const Expression& expression);

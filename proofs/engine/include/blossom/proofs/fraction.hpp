@@ -11,11 +11,10 @@
 
 namespace blossom::proofs {
 
-/// A product of factors of a field: the number of each, in order, and its exponent.
+/// A product of factors of a field: the numbers of the factors, in order, and their exponents.
 using Factors = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// A rational function: a polynomial over a product of factors of the field it belongs to; denominators are
-/// never multiplied out.
+/// A rational function: a polynomial over a product of factors of its field. Denominators are never expanded.
 struct Fraction {
     SparsePolynomial numerator;
     Factors denominator;
@@ -23,15 +22,15 @@ struct Fraction {
     bool is_zero() const { return numerator.is_zero(); }
 };
 
-/// The field of rational functions of any number of variables over Q, with its arithmetic and the factors
-/// that have stood in a denominator: these are the conditions of what was computed.
+/// The field of rational functions in any number of variables over Q, with its arithmetic and the factors
+/// that have occurred in a denominator: these are the conditions of the computation.
 ///
-/// Fractions come out without a factor that stands in numerator and denominator, if their operands are such.
-/// Only what can cancel is tried: in a product the factors of one denominator in the other numerator, in a
-/// sum those that occur in two denominators equally often.
+/// If no factor occurs in both the numerator and the denominator of the operands, this also holds for the
+/// result. Only possible cancellations are tried: in a product, the factors of one denominator in the other
+/// numerator; in a sum, those that occur in two denominators with the same exponent.
 ///
 /// Every operation predicts its cost and counts it: `limit_exceeded` beyond `expansion_terms` terms of one
-/// polynomial or `expansion_work` term operations of all together.
+/// polynomial or `expansion_work` term operations of all polynomials together.
 class FractionField {
 public:
     explicit FractionField(const Limits& limits) : limits_(limits) {}
@@ -47,13 +46,13 @@ public:
         return a;
     }
 
-    /// d a / d x_variable. Cost: a product for each factor of the denominator.
+    /// d a / d x_variable. Cost: one product per factor of the denominator.
     Fraction derivative(const Fraction& a, std::size_t variable);
 
-    /// Whether a = b for all values of the variables where no denominator vanishes.
+    /// Whether a = b for all values of the variables for which no denominator vanishes.
     bool equal(const Fraction& a, const Fraction& b) { return difference(a, b).is_zero(); }
     Fraction difference(const Fraction& a, const Fraction& b);
-    /// The same fraction without factors that stand in numerator and denominator.
+    /// The same fraction without factors that occur in both numerator and denominator.
     Fraction reduced(Fraction a);
 
     /// numerators[i] / denominator are the fractions, over their least common denominator.
@@ -64,24 +63,24 @@ public:
     Common over_common_denominator(std::span<const Fraction> fractions);
 
     SparsePolynomial product(const SparsePolynomial& a, const SparsePolynomial& b);
-    /// Accounts for a computation that makes polynomials of so many terms with so many operations.
+    /// Counts a computation of polynomials with so many terms by so many operations.
     void spend(std::size_t terms, std::size_t work);
 
-    /// A polynomial as a product of factors of the field, numbered, and a number. Factors that are variables,
-    /// differences of variables, powers and known ones are found; what remains is one factor.
+    /// A polynomial as a number times a product of factors of the field. It recognises variables, differences
+    /// of variables, powers and known factors; the remainder is one factor.
     struct Factorisation {
         Rational unit;
         Factors factors;
     };
     Factorisation factorise(const SparsePolynomial& polynomial);
-    /// The polynomial divided by every one of these factors as often as it goes.
+    /// The polynomial divided by each of these factors as often as possible.
     SparsePolynomial stripped(SparsePolynomial polynomial, const std::set<std::size_t>& factors);
     const std::vector<SparsePolynomial>& factors() const { return factors_; }
 
 private:
-    /// Divides by a factor as often as it goes and `most` times at the most; how often it went.
+    /// Divides `rest` by a factor as often as possible, at most `most` times, and returns how often.
     std::size_t divide_out(SparsePolynomial& rest, const SparsePolynomial& factor, std::size_t most);
-    /// Takes from `factors` what divides the numerator, and divides that by it.
+    /// Divides the numerator by those factors that divide it, and removes these from `factors`.
     void cancel(SparsePolynomial& numerator, Factors& factors);
     std::size_t number_of(const SparsePolynomial& factor);
     void split_powers(const SparsePolynomial& rest, Factorisation& result);
@@ -93,8 +92,8 @@ private:
     std::vector<SparsePolynomial> factors_;
 };
 
-/// A sum of fractions as they come. Those over one denominator are added up by halves, for n of them the
-/// logarithm of n passes over their terms; then all are brought over the least common denominator.
+/// A sum of fractions, added one at a time. Fractions over the same denominator are added by halves, with
+/// log(n) passes over the terms of n fractions; finally all are brought over the least common denominator.
 class FractionSum {
 public:
     explicit FractionSum(FractionField& field) : field_(&field) {}
@@ -105,7 +104,7 @@ public:
 private:
     struct Group {
         Factors denominator;
-        std::vector<SparsePolynomial> partial_sums;  ///< number i of 2^i summands, or 0
+        std::vector<SparsePolynomial> partial_sums;  ///< element i is a sum of 2^i summands, or 0
     };
     SparsePolynomial sum_of(const SparsePolynomial& a, const SparsePolynomial& b);
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// What a file of the identity language says, as it is written: the tree that the parser makes, the formatter
-/// prints and grounding turns into one identity for each choice of the integer parameters.
+/// The tree of a file of the identity language. The parser makes it, the formatter prints it, and grounding
+/// turns it into one identity for each choice of the integer parameters.
 
 namespace blossom::proofs {
 
@@ -14,7 +14,7 @@ enum class ExpressionKind {
     name,        ///< name; children: the indices of t_3, t_{i,j}
     negative,    ///< -x
     sum,         ///< x + y - z; name: the signs between the children, "+-"
-    product,     ///< x * y / z; name: likewise, "*/"
+    product,     ///< x * y / z; name: the signs, "*/"
     power,       ///< x ^ y
     pair,        ///< <u, v>
     point,       ///< (x, y): the point with these coordinates
@@ -29,8 +29,7 @@ enum class ExpressionKind {
     family,      ///< t_i : i in 1..n, i != k; name: i; children: the member; groups: range, excluded, sets
 };
 
-/// An expression with the place where it begins, in bytes from the beginning of the text. The place does not
-/// take part in comparison.
+/// An expression and its position, in bytes from the beginning of the text. Comparison ignores the position.
 struct Expression {
     ExpressionKind kind = ExpressionKind::number;
     std::size_t offset = 0;
@@ -59,8 +58,8 @@ enum class StatementKind {
     parameter,  ///< for: ranges[0]
     map,     ///< names; expressions: the degrees; dimension: that of `on simplex s`; net and frame, if given
     point,   ///< expressions: names and runs; dimension
-    vector,  ///< the same
-    frame,   ///< the same, names only
+    vector,  ///< as for point
+    frame,   ///< as for point, with names only
     number,  ///< expressions: names and runs
     polynomial,  ///< names: P and its variables; expressions: the degrees; left: the polynomial
     raise,       ///< names: p, q; expressions: the degrees
@@ -68,7 +67,7 @@ enum class StatementKind {
     assume,      ///< left != right
     given,       ///< left == right, ranges, quantified
     claim,       ///< left == right, ranges
-    refute,      ///< left == right, ranges; some: false in one case is enough
+    refute,      ///< left == right, ranges; some: one false case suffices
 };
 
 /// One line of a block.
@@ -77,12 +76,12 @@ struct Statement {
     std::size_t offset = 0;
     std::vector<std::string> names;
     std::vector<Expression> expressions;
-    std::vector<Expression> dimension;  ///< none or one
+    std::vector<Expression> dimension;  ///< at most one
     std::vector<Expression> sides;      ///< left, or left and right
     std::vector<Range> ranges;
     std::vector<Expression> quantified;  ///< of `given ... for all x, y_1..y_k`
     std::string net;                     ///< of `map q degree n on simplex s net c over r, s, t`
-    std::vector<Expression> frame;       ///< the points that stand there
+    std::vector<Expression> frame;       ///< the points of the frame in such a line
     bool some = false;                   ///< of `refute some`
 
     friend bool operator==(const Statement& a, const Statement& b) {
@@ -92,15 +91,15 @@ struct Statement {
     }
 };
 
-/// A block: `theorem ID "title"` and the lines up to the next. The lines before the first head, if any, form
-/// a block without id. Comparison leaves places and the text as written aside.
+/// A block: `theorem ID "title"` and the lines up to the next one. Lines before the first head form a block
+/// without id. Comparison ignores positions and the original text.
 struct Block {
     std::string id;
     std::string title;
     std::size_t offset = 0;
     bool has_head = false;
     bool strict = false;  ///< every name must be declared
-    std::string text;     ///< as written, from the head to the next block
+    std::string text;     ///< the original text, from the head to the next block
     std::vector<Statement> statements;
 
     friend bool operator==(const Block& a, const Block& b) {
@@ -112,7 +111,7 @@ struct Block {
 /// A comment, from `#` to the end of its line.
 struct Comment {
     std::size_t offset = 0;
-    bool own_line = false;  ///< nothing but blanks before it
+    bool own_line = false;  ///< whether only blanks precede it in its line
     std::string text;
 };
 

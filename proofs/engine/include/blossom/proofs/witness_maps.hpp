@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-/// The maps of a counterexample: how their degrees and variables are written.
+/// Degrees and variables of the maps of a counterexample, as text.
 
 namespace blossom::proofs {
 

@@ -18,7 +18,7 @@ const Clause* Counting::fitting_clause(std::uint32_t abbreviation, const std::ve
         for (std::size_t i = 0; i < indices.size() && fits; ++i) {
             fits = !clause.patterns[i] || integer(*clause.patterns[i], outer) == indices[i];
         }
-        // A name that stands twice is one integer.
+        // A name that occurs twice denotes one integer.
         std::map<std::uint32_t, long long> named;
         for (std::size_t i = 0, name = 0; i < indices.size() && fits; ++i) {
             if (!clause.patterns[i])

@@ -47,7 +47,7 @@ std::string name_of_member(const std::string& family, const std::vector<long lon
 Counting::Counting(const Reading& reading, std::vector<long long> parameters)
     : reading_(reading), parameters_(std::move(parameters)), work_(reading.limits()) {}
 
-// What is known of abbreviations holds for one choice of all parameters.
+// Known values of abbreviations hold only for one choice of all parameters.
 void Counting::push_parameter(long long value) {
     parameters_.push_back(value);
     known_.clear();
@@ -194,7 +194,7 @@ long long Counting::integer(NodeId id, Scope& scope) {
     const Node& node = reading_.node(id);
     if (node.form == Form::name && node.meaning == Meaning::local) return scope[node.target].integer;
     const Rational found = value(id, scope);
-    // Room to add to what is found without an overflow.
+    // Leaves room for additions to the result without overflow.
     constexpr long long most = 1LL << 40;
     const std::optional<std::int64_t> word = found.numerator().to_int64();
     if (!found.is_integer() || !word || *word > most || *word < -most) {

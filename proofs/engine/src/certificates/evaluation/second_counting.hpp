@@ -19,8 +19,8 @@ namespace blossom::proofs::second {
 
 using IntegerSet = std::vector<long long>;  ///< increasing; or the images of 1..n under a permutation
 
-/// What a binder has bound: an integer (or the place of a value), a set, or a set of sets, which live as long
-/// as the binder runs.
+/// The value that a binder has bound: an integer (or the position of a value), a set, or a set of sets. Sets
+/// must outlive the binder.
 struct Slot {
     long long integer = 0;
     const IntegerSet* set = nullptr;
@@ -28,7 +28,7 @@ struct Slot {
 };
 using Scope = std::vector<Slot>;
 
-/// Calls a function when it goes, also because of an error.
+/// Calls a function at the end of a scope, also after an error.
 template <class Function>
 class AtEnd {
 public:
@@ -43,7 +43,7 @@ private:
     Function function_;
 };
 
-/// Bounds what an evaluation may do.
+/// Limits the work of an evaluation.
 class WorkLimit {
 public:
     explicit WorkLimit(const Limits& limits) : limits_(limits) {}
@@ -55,7 +55,7 @@ public:
         spend_work(words_of_step * count);
     }
 
-    /// One call within another for as long as it lives.
+    /// Counts one nested call during its lifetime.
     class Level {
     public:
         explicit Level(WorkLimit& work) : work_(work) {
@@ -71,14 +71,14 @@ public:
         Level& operator=(Level&&) = delete;
         ~Level() { --work_.depth_; }
 
-        static constexpr std::size_t most_nesting = 200;  ///< what a stack of 8 MiB bears in every build
+        static constexpr std::size_t most_nesting = 200;  ///< fits a stack of 8 MiB in every build
 
     private:
-        static constexpr std::size_t deepest = 10;  ///< calls within calls for one bracket
+        static constexpr std::size_t deepest = 10;  ///< nested calls per bracket
         WorkLimit& work_;
     };
 
-    /// Abbreviations within abbreviations, which take more of the stack than other calls.
+    /// Limits nested abbreviations, which need more of the stack than other calls.
     void require_few_abbreviations(std::size_t count) const {
         if (count > 2 * std::min(limits_.nesting, Level::most_nesting)) exceeded("nesting", limits_.nesting);
     }
@@ -93,7 +93,7 @@ private:
     std::size_t depth_ = 0;
 };
 
-/// The integers, sets and conditions of one case, which need no field.
+/// The integers, sets and conditions of one case, for which no field is needed.
 class Counting {
 public:
     Counting(const Reading& reading, std::vector<long long> parameters);
@@ -103,19 +103,19 @@ public:
     void pop_parameter();
     WorkLimit& work() { return work_; }
 
-    /// The value of an expression of kind integer, which may have a denominator.
+    /// The value of an expression of kind integer, which can have a denominator.
     Rational value(NodeId id, Scope& scope);
-    /// Errors: `wrong_kind` unless it is an integer.
+    /// The same, as an integer. Errors: `wrong_kind` if it is not an integer.
     long long integer(NodeId id, Scope& scope);
-    /// The same from 0 to `limit`.
+    /// The same, from 0 to `limit`.
     std::size_t count(NodeId id, Scope& scope, std::size_t limit, const char* what);
     std::vector<long long> integers(const std::vector<NodeId>& ids, Scope& scope);
     bool holds(NodeId condition, Scope& scope);
     IntegerSet set(NodeId id, Scope& scope);
 
-    /// Calls `body` for every member of the domain, which is bound to the slot.
+    /// Calls `body` for every member of the domain, bound to the slot.
     void each(NodeId domain, std::uint32_t slot, Scope& scope, const std::function<void()>& body);
-    /// The members that a family of arguments runs through.
+    /// The members over which a family of arguments ranges.
     IntegerSet family_members(const Node& family, Scope& scope);
     /// Calls `body` for every choice of the ranges, whose names have the slots 0, 1, ...
     void each_range(const std::vector<Range>& ranges, Scope& scope, const std::function<void()>& body);
@@ -123,9 +123,9 @@ public:
     /// The first clause that fits, and its scope with the names of its patterns.
     const Clause* fitting_clause(std::uint32_t abbreviation, const std::vector<long long>& indices,
                                  Scope& scope);
-    /// Whether a member which no clause fits is an error: some pattern has a name.
+    /// Whether a member that fits no clause is an error, because some pattern has a name.
     bool needs_clause(std::uint32_t abbreviation, std::size_t indices) const;
-    /// Whether a declared family has this member, as far as its lines say.
+    /// Whether the lines of a declared family declare this member.
     bool is_declared(const Declaration& declaration, const std::vector<long long>& indices);
 
     std::size_t dimension(const Declaration& declaration);
@@ -142,7 +142,7 @@ private:
                           const std::function<void()>& body);
     void each_choice_of(const std::vector<Range>& ranges, std::size_t place, Scope& scope,
                         const std::function<void()>& body);
-    /// 1..n or the set that is meant.
+    /// 1..n, or the given set.
     IntegerSet ground_set(NodeId id, Scope& scope);
 
     const Reading& reading_;
@@ -152,7 +152,7 @@ private:
     std::set<std::vector<long long>> in_work_;
 };
 
-/// Throws `limit_exceeded` when the product of numbers like these has too many digits.
+/// Errors: `limit_exceeded` if the product of two such numbers has too many digits.
 void require_short_product(const Rational& a, const Rational& b, const Limits& limits);
 
 /// base^exponent for any integer exponent. Errors: `division_by_zero`; `limit_exceeded` beyond limits.digits.

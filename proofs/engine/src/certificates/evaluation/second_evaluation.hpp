@@ -1,6 +1,6 @@
 #pragma once
 
-// The class and what its members do.
+// The class `Evaluation` and the definitions of its members.
 #include "second_evaluation_class.hpp"
 #include "second_evaluation_derivatives.hpp"
 #include "second_evaluation_lines.hpp"

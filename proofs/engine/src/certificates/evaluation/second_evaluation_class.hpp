@@ -19,20 +19,19 @@
 
 namespace blossom::proofs::second {
 
-/// Both sides of a claim, and its hypotheses and assumptions, as elements of a field, by plain recursion over
-/// the tree.
+/// Both sides of a claim, its hypotheses and its assumptions as elements of a field, by recursion over the
+/// tree.
 ///
 /// A Field has `using Element = ...`, a regular type, and these members:
 ///
-/// - `number(Rational)`, `symbol(name)` and `bound(name)` give elements. Each symbol is requested one time
-/// per evaluation,
-///   each bound variable one time per case and call of `hypotheses()`;
+/// - `number(Rational)`, `symbol(name)` and `bound(name)` give elements. Each symbol is requested once per
+/// evaluation, each bound variable once per case and call of `hypotheses()`;
 /// - `sum(a, b)`, `product(a, b)`, `negative(a)`, `quotient(a, b)` and `power(a, exponent)`;
 /// - `derivative(f, at, order)` of a function of an element;
-/// - `coefficients(f, degree)`: those of the polynomial f, lowest first;
+/// - `coefficients(f, degree)`: the coefficients of the polynomial f, lowest first;
 /// - `is_zero(a)`.
 ///
-/// After an error that the field or the evaluation throws it may only be destroyed.
+/// After an exception from the field or the evaluation, the evaluation may only be destroyed.
 template <class Field>
 class Evaluation {
 public:
@@ -43,28 +42,28 @@ public:
 
     Element left();
     Element right();
-    /// left - right == 0 for each case of each `given` line, in order.
+    /// left - right == 0 for each case of each line `given`, in order.
     std::vector<std::pair<Element, Element>> hypotheses();
-    /// The same for one line; bound variables are asked for anew with each call.
+    /// The same for one line; each call requests bound variables again.
     std::vector<std::pair<Element, Element>> hypotheses(std::size_t line);
-    /// left != right for each case of each `assume` line, in order.
+    /// left != right for each case of each line `assume`, in order.
     std::vector<std::pair<Element, Element>> assumptions();
 
 private:
-    /// Coordinates and mass; `unit_mass` if the mass is 1 from the way it is written.
+    /// Coordinates and mass; `unit_mass` if the syntax shows that the mass is 1.
     struct Geometric {
         std::vector<Element> coordinates;
         Element mass;
         bool unit_mass = false;
     };
     using Value = std::variant<Element, Geometric>;
-    using Key = std::vector<long long>;  ///< indices, then the place of the name or of the abbreviation
+    using Key = std::vector<long long>;  ///< indices, then the position of the name or of the abbreviation
     using Function = std::function<Element(const Element&)>;
     struct Repeated {
         Geometric argument;
         std::size_t count = 0;
     };
-    /// What depends on the values of free symbols and is worth keeping.
+    /// Results that depend on the values of free symbols and are worth keeping.
     struct Known {
         std::map<Key, Value> abbreviations;
         std::map<std::uint32_t, std::vector<Element>> coefficients;  ///< of maps
@@ -108,11 +107,12 @@ private:
     std::vector<Element> free_coefficients(const MapDeclaration& map, const MapShape& shape);
     std::vector<Element> raised_coefficients(const MapDeclaration& map, const MapShape& shape);
     std::vector<Element> net_coefficients(const MapDeclaration& map, const MapShape& shape);
-    /// The barycentric coordinates as linear forms in the coordinates and the mass, which stands last.
+    /// The barycentric coordinates as linear forms in the coordinates and, last, the mass.
     std::vector<std::vector<Element>> net_forms(const MapDeclaration& map, std::size_t dimension);
     Element net_value(const MapDeclaration& map, const Key& indices);
     std::vector<Element> polynomial_coefficients(const MapDeclaration& map, const MapShape& shape);
-    /// The coefficients by the variables from `variable` on, at the values of those before it in `scope`.
+    /// The coefficients with respect to the variables from `variable` on, at the values in `scope` of the
+    /// previous ones.
     std::vector<Element> coefficients_from(const MapDeclaration& map, const MapShape& shape,
                                            std::size_t variable, std::size_t degree, Scope& scope);
     Element map_value(const Node& node, Scope& scope);
@@ -123,7 +123,7 @@ private:
     std::vector<Element> value_weights(const Direction& direction, const Geometric& at);
     std::vector<Element> blossom_weights(const Direction& direction, const std::vector<Repeated>& arguments,
                                          std::size_t offset);
-    /// sum over all exponents of coefficient times the product of the weights of the directions
+    /// The sum over all exponents of the coefficient times the weights of the directions.
     Element contract(std::uint32_t map, const std::vector<std::vector<Element>>& weights);
     void require_dimension(const Geometric& value, std::size_t dimension, std::size_t offset) const;
     bool has_unit_mass(const Geometric& value);
@@ -143,7 +143,7 @@ private:
     Geometric bound_value(const Quantified& quantified, const std::string& name);
 
     // Variables: second_evaluation_lines.hpp.
-    // An abbreviation sees the variables of the place where it is used. A map never does.
+    // An abbreviation sees the variables at the place of its use, a map never does.
     std::size_t begin_variables();
     std::size_t add_variable(Key key, Geometric value);
     void assign_variable(std::size_t place, const Element& value);
@@ -165,10 +165,10 @@ private:
     std::map<Key, Element> symbols_;
     std::map<std::uint32_t, std::vector<Element>> free_maps_;
     std::map<std::uint32_t, MapShape> shapes_;
-    std::vector<Geometric> variables_;  ///< of polynomials and of `for all`; scopes hold places among them
-    std::vector<Key> variable_keys_;    ///< their names
-    std::size_t first_visible_ = 0;     ///< of the variables
-    Known* map_layer_ = nullptr;        ///< of `known_`, for what is known of maps; if none, the first
+    std::vector<Geometric> variables_;  ///< of polynomials and of `for all`; scopes refer to them by position
+    std::vector<Key> variable_keys_;    ///< the names of `variables_`
+    std::size_t first_visible_ = 0;     ///< the first element of `variables_` that is visible
+    Known* map_layer_ = nullptr;        ///< the element of `known_` for maps; the first one if null
     std::map<Key, std::size_t> bound_members_;
     std::vector<std::uint32_t> maps_in_work_;
     std::map<Key, Geometric> points_;

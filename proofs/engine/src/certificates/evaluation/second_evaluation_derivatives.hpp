@@ -124,7 +124,7 @@ typename Field::Element Evaluation<Field>::derivative(const Node& node, Scope& s
         key.push_back(static_cast<long long>(variable.text));
     }
     const Element kept = number(node.children[1], scope);
-    // What is known of abbreviations and maps may contain the symbol, at its old value.
+    // Known values of abbreviations and maps may contain the symbol with its old value.
     return field_.derivative(
         [&](const Element& value) {
             const AtEnd restore([&, layer = map_layer_] {

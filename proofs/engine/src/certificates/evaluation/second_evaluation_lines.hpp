@@ -93,7 +93,7 @@ std::size_t Evaluation<Field>::add_variable(Key key, Geometric value) {
     return variables_.size() - 1;
 }
 
-// What is known of abbreviations may contain the variable, at its old value.
+// Known values of abbreviations may contain the variable with its old value.
 template <class Field>
 void Evaluation<Field>::assign_variable(std::size_t place, const Element& value) {
     variables_[place].coordinates.front() = value;

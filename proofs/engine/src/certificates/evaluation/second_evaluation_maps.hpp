@@ -68,7 +68,7 @@ std::vector<typename Field::Element> Evaluation<Field>::free_coefficients(const 
     return found;
 }
 
-// The same polynomial: the monomials that are new have the coefficient 0.
+// The same polynomial: the coefficients of additional monomials are 0.
 template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::raised_coefficients(const MapDeclaration& map,
                                                                             const MapShape& shape) {
@@ -103,8 +103,8 @@ std::vector<typename Field::Element> Evaluation<Field>::polynomial_coefficients(
     }
 }
 
-// On a simplex `degree` is what the variables before have left. A coefficient of the later variables is a
-// polynomial in this one.
+// On a simplex, `degree` is what remains of the degree after the previous variables. A coefficient of the
+// later variables is a polynomial in this one.
 template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::coefficients_from(const MapDeclaration& map,
                                                                           const MapShape& shape,

@@ -71,9 +71,8 @@ typename Field::Element Evaluation<Field>::blossom(const Node& node, Scope& scop
     return contract(node.target, weights);
 }
 
-// The polar form of x^e m^(n-|e|) is the sum over all ways to take coordinate 1 from e_1 of the arguments,
-// and so on, and the mass from the rest, divided by the number of these ways. Argument after argument all
-// exponents are kept together.
+// The polar form of x^e m^(n-|e|) is the mean over all ways to take coordinate 1 from e_1 of the arguments,
+// and so on, and the mass from the others. The sums for all exponents are updated argument by argument.
 template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::blossom_weights(
     const Direction& direction, const std::vector<Repeated>& arguments, std::size_t offset) {
@@ -161,8 +160,8 @@ std::vector<std::vector<typename Field::Element>> Evaluation<Field>::net_forms(c
     return forms;
 }
 
-// F is the sum of multinomial * c_i * l_0^i_0 ... l_s^i_s in the barycentric forms l. The products of powers
-// of l_1, ..., l_s are found from their predecessors as lists of coefficients by x_1, ..., x_s.
+// F is the sum of multinomial * c_i * l_0^i_0 ... l_s^i_s in the barycentric forms l. Each product of powers
+// of l_1, ..., l_s is computed from its predecessor, as a list of coefficients of monomials in x_1, ..., x_s.
 template <class Field>
 std::vector<typename Field::Element> Evaluation<Field>::net_coefficients(const MapDeclaration& map,
                                                                          const MapShape& shape) {

@@ -149,8 +149,8 @@ typename Field::Element Evaluation<Field>::determinant(const Node& node, Scope& 
     return determinant_of(matrix);
 }
 
-// Row by row for every set of columns, without a division: minors[set] is the determinant of the first rows
-// and these columns.
+// Row by row for every set of columns, without division: minors[set] is the determinant of the first rows and
+// these columns.
 template <class Field>
 typename Field::Element Evaluation<Field>::determinant_of(const std::vector<std::vector<Element>>& matrix) {
     const std::size_t size = matrix.size();
@@ -182,7 +182,7 @@ typename Field::Element Evaluation<Field>::basis(const Node& node, Scope& scope)
     return basis_function(node, j, static_cast<long long>(degree), span, at).value_or(zero());
 }
 
-// Nothing where the function vanishes on the span whatever the knots are: its denominators are not formed.
+// Does nothing if the function vanishes on the span for all knots: then its denominators are not formed.
 template <class Field>
 std::optional<typename Field::Element> Evaluation<Field>::basis_function(const Node& node, long long j,
                                                                          long long degree, long long span,

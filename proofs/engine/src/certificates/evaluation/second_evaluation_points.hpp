@@ -96,7 +96,8 @@ typename Evaluation<Field>::Geometric Evaluation<Field>::geometric_terms(const N
             add_to(total, geometric(node.children[i], scope), node.flags[i], node);
         return total;
     }
-    // From left to right: numbers in front of the first vector or pair are one number, and so one point.
+    // From left to right: the numbers before the first vector or pair are one number, and therefore one
+    // point.
     Element number_in_front = number(node.children[0], scope);
     std::size_t i = 1;
     for (; !is_geometric(node.children[i]); ++i) {
@@ -143,8 +144,8 @@ typename Evaluation<Field>::Geometric Evaluation<Field>::geometric_iteration(con
     return {std::vector<Element>(size, zero()), zero(), false};
 }
 
-// From the way it is written, since nothing may be evaluated for an empty sum. Abbreviations that use
-// themselves say nothing.
+// From the syntax, because nothing can be evaluated for an empty sum. Abbreviations that use themselves give
+// no information.
 template <class Field>
 std::optional<std::size_t> Evaluation<Field>::dimension(NodeId id, const Scope& scope, std::size_t depth) {
     const Node& node = reading_.node(id);

@@ -68,7 +68,8 @@ void Counting::each(NodeId domain, std::uint32_t slot, Scope& scope, const std::
     }
 }
 
-// In lexicographic order: the last place that can move up does, and those behind it follow closely.
+// In lexicographic order: the last member that can increase does so, and the members behind it take the next
+// values.
 void Counting::each_subset(const Node& subsets, std::uint32_t slot, Scope& scope,
                            const std::function<void()>& body) {
     const IntegerSet ground = ground_set(subsets.children[0], scope);
@@ -91,7 +92,7 @@ void Counting::each_subset(const Node& subsets, std::uint32_t slot, Scope& scope
     }
 }
 
-// Partitions are strings of growth: member i goes to one of the blocks that there are, or to the next.
+// Partitions as restricted growth strings: each member goes to an existing block or to a new one.
 void Counting::each_partition(const Node& partitions, std::uint32_t slot, Scope& scope,
                               const std::function<void()>& body) {
     const IntegerSet ground = ground_set(partitions.children[0], scope);

@@ -226,7 +226,7 @@ AlgebraNumber Algebra::inverse_by_series(const AlgebraNumber& a, std::size_t lev
     return joined(parts, level);
 }
 
-// x with a x == 1: column k of the matrix has a times the k-th element of the basis.
+// Solves a x == 1 for x: column k of the matrix is a times the k-th element of the basis.
 AlgebraNumber Algebra::inverse_by_system(const AlgebraNumber& a, std::size_t level) const {
     const std::size_t size = levels_[level].size;
     require_within(size, 256, "numbers", "the dimension of an algebra with roots");

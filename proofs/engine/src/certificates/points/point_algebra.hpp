@@ -15,7 +15,7 @@
 namespace blossom::proofs::second {
 
 /// An element of a tower of algebras over Q: its coordinates in the basis of the lowest algebra of the tower
-/// that has it, without zeros at the end. A rational number needs no memory beyond the object.
+/// that contains it, without trailing zeros. A rational number needs no additional memory.
 class AlgebraNumber {
 public:
     AlgebraNumber() = default;
@@ -39,19 +39,19 @@ private:
     std::vector<Rational> rest_;
 };
 
-/// Q, with generators adjoined one after the other. The basis of a level is that of the level below times 1,
-/// w, ..., w^(d-1), so that what needs no w has the same coordinates as below.
+/// Q with generators adjoined one after the other. The basis of a level is the basis of the level below times
+/// 1, w, ..., w^(d-1), so that elements without w keep their coordinates.
 class Algebra {
 public:
     explicit Algebra(const Limits& limits) : limits_(limits) {}
 
-    /// w with w^degree == 0.
+    /// Adjoins w with w^degree == 0.
     AlgebraNumber adjoin_nilpotent(std::size_t degree);
-    /// `count` generators all whose products are zero.
+    /// Adjoins `count` generators whose products are all zero.
     std::vector<AlgebraNumber> adjoin_first_order(std::size_t count);
-    /// A root w of w^d + c_(d-1) w^(d-1) + ... + c_0, lowest first, d of them.
+    /// Adjoins a root w of w^d + c_(d-1) w^(d-1) + ... + c_0; the d coefficients are given lowest first.
     AlgebraNumber adjoin_root(std::vector<AlgebraNumber> lower_coefficients);
-    /// Takes back the last level. Elements that need it may not be used any more.
+    /// Removes the last level. Elements that need it must not be used any more.
     void drop_level() { levels_.pop_back(); }
     std::size_t levels() const { return levels_.size(); }
     /// The coefficients of 1, w, ... of the last level, as many as its degree.
@@ -98,17 +98,17 @@ private:
     Limits limits_;
     std::vector<Level> levels_;
     mutable std::size_t work_ = 0;      ///< products of coordinates
-    mutable std::size_t inverted_ = 0;  ///< one more than the highest level of an element that was inverted
+    mutable std::size_t inverted_ = 0;  ///< one more than the highest level of an inverted element
 };
 
-/// Random numbers that do not depend on the platform.
+/// Pseudorandom numbers that do not depend on the platform.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed) : state_(seed) {}
 
     std::uint64_t next();
     std::uint64_t below(std::uint64_t count) { return next() % count; }
-    /// A small number that is none of 0, 1, -1 and seldom one of the last.
+    /// A small number other than 0, 1 and -1, rarely equal to a recent one.
     Rational number();
 
 private:
@@ -116,7 +116,7 @@ private:
     std::uint64_t last_ = 0;
 };
 
-/// The field of an evaluation at one point: symbols have the values that they were given, others random ones.
+/// The field of an evaluation at one point: symbols have given values, or random ones.
 class PointField {
 public:
     using Element = AlgebraNumber;
@@ -137,14 +137,14 @@ public:
 
     Algebra& algebra() { return algebra_; }
     RandomNumbers& random() { return random_; }
-    /// The symbols that were asked for, in the order of the first time.
+    /// The requested symbols, in the order of their first request.
     const std::vector<std::string>& symbols() const { return order_; }
     bool knows(const std::string& name) const { return values_.contains(name); }
     const Element& value(const std::string& name) const { return values_.at(name); }
     void set(const std::string& name, Element value);
-    /// Whether symbols without a value are an error instead of random.
+    /// From now on, symbols without a value are an error.
     void require_values() { closed_ = true; }
-    /// Called for each symbol that is asked for: what a line depends on.
+    /// Calls `watcher` for each requested symbol, to find the symbols on which a line depends.
     void watch(std::function<void(const std::string&)> watcher) { watcher_ = std::move(watcher); }
 
 private:

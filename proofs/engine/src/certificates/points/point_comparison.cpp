@@ -34,7 +34,7 @@ std::vector<std::string> symbols_of(const std::vector<Step>& steps) {
     return symbols;
 }
 
-/// Evaluates both sides; nothing when they agree.
+/// Evaluates both sides; nullopt if they agree.
 std::optional<std::string> difference_of_sides(const Reading& reading, const Case& which, PointField& field) {
     Evaluation<PointField> evaluation(reading, which, field);
     const AlgebraNumber left = evaluation.left();
@@ -86,7 +86,7 @@ Comparison confirm(const Reading& reading, const Case& which,
                    const std::vector<std::pair<std::string, Rational>>& values,
                    const std::vector<std::string>& algebraic, const std::vector<Step>& hint) {
     Comparison comparison;
-    constexpr std::size_t turns = 12;  // enough to meet all roots of an equation of low degree
+    constexpr std::size_t turns = 12;  // enough to try all roots of an equation of low degree
     for (std::size_t turn = 0; turn < (algebraic.empty() ? 1 : turns); ++turn) {
         PointField field(reading.limits(), turn + 1);
         for (const auto& [name, value] : values) field.set(name, value);

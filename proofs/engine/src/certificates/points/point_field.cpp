@@ -9,7 +9,7 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// A level of the algebra for as long as it lives.
+/// A level of the algebra that exists during its lifetime.
 class PassingLevel {
 public:
     explicit PassingLevel(Algebra& algebra) : algebra_(algebra) {}
@@ -67,8 +67,8 @@ AlgebraNumber PointField::derivative(const std::function<Element(const Element&)
     return algebra_.product(algebra_.parts(image)[order], Rational(factorial(order)));
 }
 
-// The first coefficients of f near a point are those of the polynomial if f is one, which its value elsewhere
-// confirms.
+// Computes the first coefficients of f near a point. They are those of f if f is a polynomial, which its
+// value at another point confirms.
 std::vector<AlgebraNumber> PointField::coefficients(const std::function<Element(const Element&)>& f,
                                                     std::size_t degree) {
     const std::size_t level = algebra_.levels();

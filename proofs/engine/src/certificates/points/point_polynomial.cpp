@@ -13,7 +13,7 @@ void drop_zeros(PointPolynomial& polynomial) {
     while (!polynomial.empty() && polynomial.back().is_zero()) polynomial.pop_back();
 }
 
-/// Quotient and remainder; the leading coefficient of the divisor must have an inverse.
+/// Quotient and remainder; the leading coefficient of the divisor must be invertible.
 std::pair<PointPolynomial, PointPolynomial> divided(const Algebra& algebra, PointPolynomial dividend,
                                                     const PointPolynomial& divisor) {
     if (dividend.size() < divisor.size()) return {PointPolynomial(), std::move(dividend)};
@@ -71,8 +71,8 @@ std::optional<Integer> square_root_of(const Integer& n) {
 
 }  // namespace
 
-// The extended algorithm of Euclid for t^n and the series, stopped in the middle: von zur Gathen, Gerhard,
-// Modern Computer Algebra, section 5.7.
+// The extended Euclidean algorithm for t^n and the series, stopped halfway: von zur Gathen, Gerhard, Modern
+// Computer Algebra, section 5.7.
 std::optional<PointPolynomial> numerator_of_series(const Algebra& algebra,
                                                    const std::vector<AlgebraNumber>& series) {
     const std::size_t length = series.size();
@@ -91,7 +91,7 @@ std::optional<PointPolynomial> numerator_of_series(const Algebra& algebra,
         cofactor_before = std::move(cofactor);
         cofactor = std::move(next_cofactor);
     }
-    // One coefficient to spare says that the fraction is no accident.
+    // One spare coefficient shows that the fraction is not accidental.
     if (remainder.empty() || remainder.size() + cofactor.size() > length) return std::nullopt;
     return remainder;
 }
@@ -160,7 +160,7 @@ std::vector<Rational> rational_roots(const PointPolynomial& polynomial) {
     return found;
 }
 
-// Horner's rule.
+// By Horner's rule.
 DividedByRoot divided_by_root(const Algebra& algebra, const PointPolynomial& polynomial,
                               const AlgebraNumber& root) {
     DividedByRoot result;

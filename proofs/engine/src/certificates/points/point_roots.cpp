@@ -15,8 +15,8 @@ constexpr std::size_t length_of_series = 12;
 
 }  // namespace
 
-// Equations that are linear in a symbol come first: what is solved by a root takes a symbol that they may
-// need.
+// Equations that are linear in a symbol come first, because solving another one by a root uses up a symbol
+// that they may need.
 std::optional<PointSearch::Equation> PointSearch::unsolved(std::vector<Equation> equations) {
     while (!equations.empty()) {
         const auto solves = [&](bool only_linear) {
@@ -64,7 +64,7 @@ bool PointSearch::solve_by_root(const Equation& equation, bool only_linear) {
     });
 }
 
-// The symbols of the equation, and those of the equations that were solved for one of them, and so on.
+// The symbols of the equation, those of the equations solved for one of them, and so on.
 std::vector<std::string> PointSearch::candidates(const Equation& equation) const {
     std::vector<std::string> reached;
     std::set<std::string> seen;
@@ -102,8 +102,8 @@ std::optional<PointPolynomial> PointSearch::numerator(const Equation& equation, 
     return numerator_of_series(field_.algebra(), terms);
 }
 
-// The equation near the value of the symbol. What was solved before follows the symbol: each step of Newton's
-// iteration makes one more coefficient right.
+// The equation as a series near the value of the symbol. The solved symbols follow: each step of Newton's
+// iteration gives one more correct coefficient.
 std::vector<AlgebraNumber> PointSearch::series(const Equation& equation, const std::string& symbol) {
     std::vector<std::vector<AlgebraNumber>> inverse = derivatives_of_solved();
     Algebra& algebra = field_.algebra();
@@ -124,8 +124,8 @@ bool PointSearch::all_solved_hold() {
                                [&](const Solved& solved) { return residual(solved.equation).is_zero(); });
 }
 
-// The inverse of the matrix of the derivatives of the solved equations by the symbols that they were solved
-// for.
+// The inverse of the matrix of the derivatives of the solved equations with respect to the symbols for which
+// they were solved.
 std::vector<std::vector<AlgebraNumber>> PointSearch::derivatives_of_solved() {
     const std::size_t size = solved_.size();
     if (size == 0) return {};
@@ -180,8 +180,8 @@ bool PointSearch::move_to(const std::string& symbol, const AlgebraNumber& value,
     return done;
 }
 
-// What was solved before, at another value of a symbol: at once if it is linear, otherwise one by one from
-// the last.
+// Solves the earlier equations at another value of a symbol: at once if they are linear, otherwise one by one
+// from the last.
 bool PointSearch::solve_again() {
     if (all_solved_hold()) return true;
     try {
@@ -210,8 +210,8 @@ bool PointSearch::solve_again() {
     return false;
 }
 
-// A rational root, one of the roots adjoined before or its negative, or a root of what is left without them,
-// by turns: an equation that splits has points of several sorts.
+// A rational root, a root that was adjoined before or its negative, or a root of the remaining factor, in
+// turn: an equation that factors has several kinds of points.
 AlgebraNumber PointSearch::some_root(const PointPolynomial& polynomial) {
     Algebra& algebra = field_.algebra();
     std::vector<AlgebraNumber> roots;

@@ -113,8 +113,8 @@ std::string PointSearch::solve_linear(const std::vector<std::size_t>& lines) {
     return unknowns.size() == count ? problem : solve_linear_for(lines, unknowns);
 }
 
-// Numbers that are not fixed by other equations and in which all lines are linear, together with the values
-// of maps.
+// Adds to the values of maps those numbers that no other equation determines and in which all lines are
+// linear.
 void PointSearch::add_linear_numbers(const std::vector<std::size_t>& lines,
                                      std::vector<std::string>& unknowns) {
     std::vector<std::string> others;
@@ -124,8 +124,8 @@ void PointSearch::add_linear_numbers(const std::vector<std::size_t>& lines,
             if (++lines_of[name] == 1) others.push_back(name);
         }
     }
-    // The factors of a product cannot be unknown together. What many lines have comes first, and every turn
-    // another order.
+    // The factors of a product cannot both be unknown. Symbols that occur in many lines come first, and every
+    // turn uses another order.
     std::ranges::stable_sort(others, std::greater(), [&](const std::string& name) { return lines_of[name]; });
     if (!others.empty())
         std::ranges::rotate(others, others.begin() + static_cast<long>(turn_ % others.size()));
@@ -174,7 +174,7 @@ bool PointSearch::is_linear(const std::vector<std::size_t>& lines, const std::ve
     return true;
 }
 
-// The equations in the distances from the values that the unknowns have now.
+// The equations in the distances of the unknowns from their current values.
 std::vector<std::vector<AlgebraNumber>> PointSearch::linear_rows(std::size_t line,
                                                                  const std::vector<std::string>& unknowns) {
     Algebra& algebra = field_.algebra();
@@ -202,7 +202,8 @@ std::string PointSearch::solve_linear_for(const std::vector<std::size_t>& lines,
                                           const std::vector<std::string>& unknowns) {
     LinearSystem system(field_.algebra(), unknowns.size());
     for (const std::size_t line : lines) {
-        // A line with bound variables is one equation for each of their values, until they say nothing new.
+        // A line with bound variables gives one equation for each of their values, until these add no
+        // information.
         const bool repeats = !reading_.hypotheses()[line].for_all.empty();
         std::size_t idle = 0;
         while (idle < (repeats ? 2U : 1U)) {

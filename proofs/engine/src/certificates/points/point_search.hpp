@@ -17,19 +17,19 @@ namespace blossom::proofs::second {
 /// Moves a random point to one that satisfies the hypotheses of a case.
 class PointSearch {
 public:
-    /// `dependent` are symbols to solve for before others; `turn` chooses among several roots.
+    /// `dependent` lists symbols to solve for before others; `turn` selects one of several roots.
     PointSearch(const Reading& reading, const Case& which, PointField& field,
                 std::vector<std::string> dependent, std::size_t turn);
 
-    /// Only these symbols may be moved.
+    /// From now on, only these symbols may be moved.
     void move_only(std::set<std::string> names) { movable_ = std::move(names); }
-    /// Whether equations in values of maps are solved one by one like others, because they are not linear.
+    /// From now on, equations in values of maps are solved one by one like others, because they are not
+    /// linear.
     void solve_all_by_roots() { by_roots_ = true; }
 
-    /// Empty if all hypotheses and assumptions hold now, otherwise what is wrong.
+    /// Returns "" if all hypotheses and assumptions hold now, otherwise what is wrong.
     std::string run();
-    /// The same, with the equations of `steps` solved in the place of the hypotheses, which are verified
-    /// then.
+    /// The same, but the equations of `steps` are solved instead of the hypotheses, which are then verified.
     std::string follow(const std::vector<Step>& steps);
 
 private:
@@ -48,8 +48,8 @@ private:
     void find_symbols();
     bool may_move(const std::string& name) const;
 
-    // One equation after the other.
-    /// With `only_linear` nothing is done where every symbol has more than one root.
+    // Solves one equation.
+    // With `only_linear`, it does nothing if every symbol has more than one root.
     bool solve_by_root(const Equation& equation, bool only_linear);
     std::optional<Equation> unsolved(std::vector<Equation> equations);
     std::vector<std::string> candidates(const Equation& equation) const;
@@ -62,7 +62,7 @@ private:
     bool solve_again();
     bool all_solved_hold();
 
-    // All equations at once.
+    // Solves all equations together.
     std::string solve_linear(const std::vector<std::size_t>& lines);
     std::vector<std::string> map_values(const std::vector<std::size_t>& lines) const;
     void add_linear_numbers(const std::vector<std::size_t>& lines, std::vector<std::string>& unknowns);
@@ -85,7 +85,8 @@ private:
     std::size_t turn_;
     bool by_roots_ = false;
     std::optional<std::set<std::string>> movable_;
-    std::vector<std::vector<std::string>> symbols_;  ///< of each line, in the order in which they occur
+    /// the symbols of each line, in the order in which they occur
+    std::vector<std::vector<std::string>> symbols_;
     std::vector<Solved> solved_;
     std::vector<AlgebraNumber> generators_;  ///< roots that were adjoined
     std::set<std::string> fixed_;            ///< symbols of equations that are solved by roots

@@ -31,7 +31,7 @@ std::string PointSearch::follow(const std::vector<Step>& steps) {
     return verify();
 }
 
-/// One whose relation has no symbol of the others.
+/// A step whose relation contains no symbol of the other steps.
 std::optional<std::size_t> PointSearch::independent_step(const std::vector<Step>& steps) const {
     const auto depends = [&](const Step& step) {
         return std::ranges::any_of(steps, [&](const Step& other) {

@@ -10,11 +10,11 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// One level of nesting for as long as it lives.
+/// Counts one level of nesting during its lifetime.
 class NestingLevel {
 public:
     NestingLevel(std::size_t& depth, const Limits& limits, std::size_t offset) : depth_(depth) {
-        constexpr std::size_t most = 1000;  // what the stack bears
+        constexpr std::size_t most = 1000;  // fits the stack
         if (++depth_ > std::min(limits.nesting, most)) {
             --depth_;
             throw limit_error("the expressions within expressions exceed", "nesting", limits.nesting, {},

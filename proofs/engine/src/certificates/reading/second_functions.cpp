@@ -10,7 +10,7 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// A function whose arguments are expressions and nothing else.
+/// A function whose arguments are only expressions.
 struct PlainFunction {
     std::string_view name;
     Form form;
@@ -79,7 +79,7 @@ NodeId Parser::parse_iteration(Form form, std::size_t offset) {
     return result;
 }
 
-// The names of rows and columns are bound in the entry only; they are kept as the first two children.
+// The names of rows and columns are bound only in the entry; they are kept as the first two children.
 NodeId Parser::parse_determinant(std::size_t offset) {
     expect_mark("(");
     const std::size_t row_offset = next().offset;

@@ -8,8 +8,8 @@
 
 namespace blossom::proofs::second {
 
-// The least kinds for which every line is right, since an abbreviation may use itself: integers are numbers,
-// and what nothing else is known of stays below both.
+// The least kinds for which every line is correct, since an abbreviation may use itself. Integers are
+// numbers; an unknown kind is below both.
 void NameTable::decide_kinds() {
     std::size_t work = 0;
     do {
@@ -152,7 +152,7 @@ Kind NameTable::infer_name(const Node& name) {
     }
 }
 
-// Where every pattern is a constant, a member that no clause fits is a free number.
+// If every pattern is a constant, a member that fits no clause is a free number.
 Kind NameTable::kind_of_abbreviation(const Node& name) const {
     const Abbreviation& let = reading_.abbreviations_[name.target];
     if (let.bare || let.kind > Kind::integer) return let.kind;

@@ -105,7 +105,7 @@ void Parser::parse_line() {
     if (take_word("given")) return parse_statement(Statement::Kind::given, offset);
     if (take_word("claim")) return parse_statement(Statement::Kind::claim, offset);
     if (take_word("refute")) {
-        // A claim may begin with a number named some.
+        // A claim may begin with a number named `some`.
         const bool of_some = is_word("some") && (after(1).kind != TokenKind::mark || after(1).text == "(" ||
                                                  after(1).text == "<" || after(1).text == "-");
         if (of_some) ++place_;

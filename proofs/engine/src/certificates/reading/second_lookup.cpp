@@ -30,7 +30,7 @@ void NameTable::resolve(NodeId id) {
     }
 }
 
-// By place: what is resolved may not add nodes, but may move their children.
+// By index: resolving a child adds no nodes, but may move the children in memory.
 void NameTable::resolve_each_child(NodeId id) {
     std::size_t place = 0;
     while (place < node(id).children.size()) resolve(node(id).children[place++]);
@@ -64,7 +64,7 @@ void NameTable::resolve_name(NodeId id) {
         name.kind = locals_[slot].kind;
         return;
     }
-    // Only a name that runs may hide the vector.
+    // Only a running name may hide the vector.
     if (reading_.names_[name.text] == "delta") {
         name.form = Form::unit_vector;
         return;

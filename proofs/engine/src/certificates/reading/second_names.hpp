@@ -24,8 +24,8 @@ private:
         std::uint32_t target = 0;
     };
     struct FamilyName {
-        std::optional<std::uint32_t> own;        ///< declaration of members
-        std::optional<std::uint32_t> inherited;  ///< declaration of the bare name
+        std::optional<std::uint32_t> own;        ///< the declaration of members
+        std::optional<std::uint32_t> inherited;  ///< the declaration of the bare name
         std::optional<std::uint32_t> abbreviation;
         bool is_net = false;
     };
@@ -61,7 +61,7 @@ private:
     Kind kind_of_members(NodeId domain);
     std::uint32_t push(std::uint32_t name, Kind kind);
     void start_frame();
-    /// Only parameters before the `count`-th may be used; all when there is none.
+    /// Only the first `count` parameters may be used; all if there is no `count`.
     void undeclared(std::uint32_t name, const std::string& shown, std::size_t offset) const;
 
     // Kinds.
@@ -90,8 +90,9 @@ private:
     std::vector<LocalName> locals_;
     std::uint32_t most_locals_ = 0;
     std::set<std::uint32_t> bound_families_;
-    std::size_t map_line_ = static_cast<std::size_t>(-1);  ///< maps of this line and below may not be used
-    bool check_ = false;                                   ///< whether kinds that do not fit are errors
+    /// maps of this line and of later lines may not be used
+    std::size_t map_line_ = static_cast<std::size_t>(-1);
+    bool check_ = false;  ///< whether kinds that do not match are errors
 };
 
 }  // namespace blossom::proofs::second

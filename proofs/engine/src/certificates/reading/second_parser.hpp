@@ -11,7 +11,7 @@
 
 namespace blossom::proofs::second {
 
-/// Builds the tree of a block by recursive descent; names are not looked up yet.
+/// Builds the tree of a block by recursive descent, without looking up names.
 class Parser {
 public:
     Parser(std::string_view block_text, Reading& reading);

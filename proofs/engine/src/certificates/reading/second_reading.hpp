@@ -13,11 +13,11 @@
 
 #include "second_tree.hpp"
 
-/// A second reader of the identity language, written from its description alone. It shares no code with the
-/// prover, so that what one of them misreads shows when their answers are compared.
+/// A second reader of the identity language, written only from its description. It shares no code with the
+/// prover, so that a mistake in reading shows as a difference between their answers.
 namespace blossom::proofs::second {
 
-/// for name in low..high
+/// A range `for name in low..high`.
 struct Range {
     std::uint32_t name = 0;
     NodeId low = 0;
@@ -29,9 +29,9 @@ struct Quantified {
     std::uint32_t name = 0;
     bool bare = true;
     std::vector<NodeId> first;  ///< the indices; empty for a bare name
-    std::vector<NodeId> last;   ///< the same but for the last index
+    std::vector<NodeId> last;   ///< the same except for the last index
     Kind kind = Kind::number;
-    std::optional<std::uint32_t> declaration;  ///< of its kind where it is geometric
+    std::optional<std::uint32_t> declaration;  ///< of its kind, if that is geometric
     std::uint32_t slot = 0;                    ///< of a bare name
 };
 
@@ -45,7 +45,7 @@ struct Statement {
     std::uint32_t slots = 0;
 };
 
-/// point, vector, number or frame: a bare name with its family, or members of a family.
+/// A point, vector, number or frame: a bare name with its family, or members of a family.
 struct Declaration {
     enum class Kind { number, point, vector, frame } kind = Kind::number;
     std::uint32_t name = 0;
@@ -69,15 +69,16 @@ struct MapDeclaration {
     NodeId body = 0;                       ///< of a polynomial; a point_list for a net
     std::vector<std::uint32_t> variables;  ///< names; they have the slots 0, 1, ...
     std::uint32_t slots = 0;
-    std::uint32_t family = 0;   ///< the name of the family of a net
-    NodeId control_points = 0;  ///< a member of this family without indices, for what its name means
-    std::uint32_t source = 0;   ///< the map that is raised
+    std::uint32_t family = 0;  ///< the name of the family of a net
+    /// a member of this family without indices, which determines what its name means
+    NodeId control_points = 0;
+    std::uint32_t source = 0;  ///< the map whose degree is raised
 };
 
-/// One `let` line. Where a pattern has no node it is a name and has a slot, 0, 1, ... in order.
+/// One line `let`. A pattern without a node is a name and has a slot, 0, 1, ... in order.
 struct Clause {
     std::vector<std::optional<NodeId>> patterns;
-    std::vector<std::uint32_t> pattern_names;  ///< of the patterns without a node, in order
+    std::vector<std::uint32_t> pattern_names;  ///< the names of the patterns without a node, in order
     std::size_t offset = 0;
     NodeId body = 0;
     std::uint32_t slots = 0;
@@ -88,17 +89,17 @@ struct Abbreviation {
     bool bare = true;
     Kind kind = Kind::unknown;
     std::vector<Clause> clauses;
-    std::optional<std::uint32_t> declaration;  ///< of members which no clause fits
-    bool inherits = false;                     ///< that of the bare name
+    std::optional<std::uint32_t> declaration;  ///< of members that fit no clause
+    bool inherits = false;                     ///< whether this is the declaration of the bare name
 };
 
 /// A block as read: a tree with all names looked up and all kinds decided.
 class Reading {
 public:
-    /// Errors: `syntax` and others with the place in `block_text`; `limit_exceeded` beyond limits.nesting.
+    /// Errors: `syntax` and others with the offset in `block_text`; `limit_exceeded` beyond limits.nesting.
     explicit Reading(std::string_view block_text, const Limits& limits = {});
 
-    /// All cases of all claim and refute lines, in order. Errors: `limit_exceeded` beyond limits.numbers.
+    /// All cases of all lines `claim` and `refute`, in order. Errors: `limit_exceeded` beyond limits.numbers.
     std::vector<Case> cases() const;
 
     const Limits& limits() const { return limits_; }

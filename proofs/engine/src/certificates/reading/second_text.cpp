@@ -15,7 +15,7 @@ bool is_letter_of_word(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c
 
 bool is_digit_of_number(char c) { return c >= '0' && c <= '9'; }
 
-/// Longer marks stand before those that they begin with.
+/// Longer marks precede their own prefixes.
 constexpr std::array<std::string_view, 25> marks = {"==", "!=", "<=", ">=", "..", "+", "-", "*", "/",
                                                     "^",  "=",  "<",  ">",  "(",  ")", "[", "]", "{",
                                                     "}",  ",",  ":",  ";",  "_",  "'", "."};
@@ -79,7 +79,7 @@ public:
 private:
     std::string_view rest() const { return text_.substr(place_); }
 
-    /// The word at the first place of this line that is no space.
+    /// The word at the first character of this line that is not a space.
     std::string_view first_word() const {
         std::size_t begin = place_;
         while (begin < text_.size() && (text_[begin] == ' ' || text_[begin] == '\t')) ++begin;

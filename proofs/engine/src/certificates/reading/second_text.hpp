@@ -11,7 +11,7 @@ namespace blossom::proofs::second {
 
 enum class TokenKind : std::uint8_t { word, number, mark, line_end, text_end };
 
-/// A piece of the text; `text` lies within what was read.
+/// A token; `text` refers to the original text.
 struct Token {
     TokenKind kind = TokenKind::text_end;
     std::string_view text;
@@ -25,8 +25,8 @@ struct BlockText {
     std::deque<std::string> raised;  ///< the digits of superscripts
 };
 
-/// Cuts a block into tokens, without its line `theorem` and without comments.
-/// Errors: `syntax` for a character of no token and for a second line `theorem`.
+/// Splits a block into tokens, without its line `theorem` and without comments.
+/// Errors: `syntax` for a character that begins no token and for a second line `theorem`.
 BlockText tokens_of_block(std::string_view block_text);
 
 }  // namespace blossom::proofs::second

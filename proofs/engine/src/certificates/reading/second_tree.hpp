@@ -9,7 +9,7 @@
 
 namespace blossom::proofs::second {
 
-/// What a node of the tree says. Children are in the order in which they are written.
+/// The form of a node of the tree. Children are in the order of the text.
 enum class Form : std::uint8_t {
     number,
     name,         ///< `text`; what it means is `meaning`, after the names were looked up
@@ -17,8 +17,8 @@ enum class Form : std::uint8_t {
     unit_vector,  ///< delta
     pair,         ///< <u, v>
     tuple,        ///< (a, b, ...)
-    terms,        ///< a + b - c: children, those with a flag subtracted
-    factors,      ///< a * b / c: children, those with a flag divide
+    terms,        ///< a + b - c: children, subtracted if flagged
+    factors,      ///< a * b / c: children, divisors if flagged
     negation,
     power,  ///< base, exponent
     sum,    ///< domain, body: binds `slot`
@@ -29,14 +29,14 @@ enum class Form : std::uint8_t {
     binomial,
     factorial,
     bernstein,
-    basis,           ///< bspline: children j, d, i, t; the knots are the family `text`
+    basis,           ///< bspline: children j, d, i, t; the family `text` has the knots
     sign,            ///< of a permutation
     image,           ///< P(i): children P, i
     choice,          ///< if: condition, value, other value
     comparison,      ///< of integers, by `relation`: two children
     membership,      ///< integer, set; `relation` is equal or different
     map_value,       ///< `text`(arguments)
-    map_derivative,  ///< D(`text`, orders)(arguments); groups[0] orders come first
+    map_derivative,  ///< D(`text`, orders)(arguments); the first groups[0] children are orders
     blossom,         ///< `text`[arguments; arguments]
     point_list,      ///< of a net: arguments
     derivative,      ///< of an expression: expression, name, order
@@ -45,18 +45,18 @@ enum class Form : std::uint8_t {
     subsets,
     partitions,
     permutations,
-    copies,        ///< an argument `count` times: expression, count
+    copies,        ///< an argument repeated `count` times: expression, count
     run,           ///< a_1..a_n: two members
     family,        ///< e : i in S, ...: set, exclusions, e; binds `slot`
     excluded,      ///< i != e
     excluded_set,  ///< i not in S
 };
 
-/// What a value is, whatever its numbers are.
+/// The kind of a value, independent of its numbers.
 enum class Kind : std::uint8_t {
     unknown,  ///< only of abbreviations that use nothing but themselves
     integer,
-    possible_integer,  ///< a member of an abbreviation, an integer where a clause fits and else a number
+    possible_integer,  ///< a member of an abbreviation: an integer if a clause fits, otherwise a number
     number,
     geometric,  ///< a point, a vector or a pair: coordinates and a mass
     set,
@@ -67,12 +67,12 @@ enum class Kind : std::uint8_t {
 
 constexpr bool is_number_kind(Kind kind) { return kind <= Kind::number; }
 
-/// What a name stands for.
+/// What a name means.
 enum class Meaning : std::uint8_t {
     unresolved,
     local,  ///< bound by a sum, a range, a pattern, a `for all` or as a variable of `poly`: `target` is the
             ///< slot
-    parameter,     ///< of the block: `target` is its place
+    parameter,     ///< of the block: `target` is its number
     abbreviation,  ///< let: `target` is the family
     declared,      ///< by point, vector, frame or number: `target` is the declaration
     map,           ///< `target` is the map
@@ -91,12 +91,12 @@ struct Node {
     bool may_be_bound = false;  ///< a member that a `for all` of this line may bind
     std::uint32_t target = 0;
     std::uint32_t slot = 0;  ///< of what the node binds
-    std::uint32_t text = 0;  ///< the place of the name among those of the reading
+    std::uint32_t text = 0;  ///< the number of the name in the reading
     std::size_t offset = 0;
     Rational value;
     std::vector<NodeId> children;
-    std::vector<bool> flags;          ///< one a child
-    std::vector<std::size_t> groups;  ///< where the arguments of a direction end, in `children`
+    std::vector<bool> flags;          ///< one per child
+    std::vector<std::size_t> groups;  ///< the ends of the arguments of each direction in `children`
 };
 
 }  // namespace blossom::proofs::second

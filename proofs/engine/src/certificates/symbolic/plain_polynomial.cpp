@@ -118,8 +118,8 @@ PlainPolynomial PlainPolynomial::primitive() const {
 }
 
 std::size_t PlainPolynomial::hash() const {
-    // Words of zeros at the end, which another layout may have, leave it as it is; the fields are read one
-    // by one only where they are wide.
+    // Trailing zero words, which another layout may have, do not change the hash. The fields are read
+    // separately only if they are wide.
     std::size_t result = std::hash<Integer>{}(denominator_);
     for (std::size_t k = 0; k < size(); ++k) {
         std::size_t symbol = 0;

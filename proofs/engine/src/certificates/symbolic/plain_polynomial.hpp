@@ -14,7 +14,7 @@
 
 namespace blossom::proofs::second {
 
-/// What one check may still cost.
+/// The remaining budget of one check.
 class Budget {
 public:
     explicit Budget(const Limits& limits)
@@ -23,10 +23,10 @@ public:
     /// Counts term operations. Errors: `limit_exceeded` beyond `expansion_work` of them.
     void spend(std::size_t operations);
     /// Errors: `limit_exceeded` for a polynomial of more than `expansion_terms` terms, or of more memory than
-    /// that many terms in 256 symbols take.
+    /// this many terms in 256 symbols need.
     void require_terms(std::size_t terms, std::size_t words_per_term) const;
-    /// Counts operations on a number of terms with long coefficients. Errors: `limit_exceeded` beyond
-    /// `limits.digits` decimal digits, too.
+    /// Counts operations on so many terms with long coefficients. Errors: `limit_exceeded`, also beyond
+    /// `limits.digits` decimal digits.
     void spend_on_bits(std::size_t bits, std::size_t terms);
     /// The term operations so far.
     std::size_t spent() const { return spent_; }
@@ -38,11 +38,12 @@ private:
     std::size_t spent_ = 0;
 };
 
-/// A polynomial over Q in numbered symbols: terms in descending lexicographic order, the symbol of number 0
-/// first, with integers other than 0 over one positive denominator.
+/// A polynomial over Q in numbered symbols: terms in descending lexicographic order, symbol 0 first, with
+/// nonzero integer coefficients over one positive denominator.
 ///
-/// The exponents of a term are packed into `width()` words, symbol 0 at the top of the first one, in fields
-/// whose top bit stays 0. Words compare as the monomials do and add as they multiply, at any width.
+/// The exponents of a term are packed into `width()` words, symbol 0 at the top of the first word, in fields
+/// whose top bit is 0. The order of words is the order of monomials, and the sum of words is the product of
+/// monomials, at any width.
 class PlainPolynomial {
 public:
     PlainPolynomial() = default;
@@ -53,7 +54,7 @@ public:
     bool is_zero() const { return coefficients_.empty(); }
     /// Whether no symbol occurs.
     bool is_number() const;
-    /// The number, where `is_number()`.
+    /// The value of a polynomial for which `is_number()`.
     Rational number() const;
 
     std::size_t exponent(std::size_t term, std::size_t symbol) const;
@@ -63,7 +64,7 @@ public:
     std::vector<std::size_t> symbols() const;
     Rational coefficient(std::size_t term) const { return {coefficients_[term], denominator_}; }
 
-    /// The multiple by a number whose coefficients are integers without common divisor, the first positive.
+    /// The multiple by a number whose coefficients are coprime integers, the first one positive.
     PlainPolynomial primitive() const;
     std::size_t hash() const;
     friend bool operator==(const PlainPolynomial& a, const PlainPolynomial& b);
@@ -75,8 +76,8 @@ private:
     friend struct PolynomialParts;
 
     unsigned bits_ = 8;          ///< of a field: 8 or 16
-    std::size_t width_ = 0;      ///< words a term
-    std::uint64_t largest_ = 0;  ///< no exponent is greater
+    std::size_t width_ = 0;      ///< words per term
+    std::uint64_t largest_ = 0;  ///< an upper bound on the exponents
     std::vector<std::uint64_t> monomials_;
     std::vector<Integer> coefficients_;
     Integer denominator_ = 1;
@@ -89,27 +90,27 @@ PlainPolynomial sum(const PlainPolynomial& a, const PlainPolynomial& b, Budget& 
 PlainPolynomial difference(const PlainPolynomial& a, const PlainPolynomial& b, Budget& budget);
 PlainPolynomial scaled(const PlainPolynomial& a, const Rational& factor, Budget& budget);
 
-/// Cost: the products of terms, each as often as its neighbours are merged, or once and a search when both
+/// Cost: each product of terms is merged log(n) times; or it is looked up once in a table if both factors
 /// have many terms.
 PlainPolynomial product(const PlainPolynomial& a, const PlainPolynomial& b, Budget& budget);
 
 /// Sums of different symbols and a number are expanded by the multinomial theorem, at the cost of the result.
 PlainPolynomial power(const PlainPolynomial& a, std::size_t exponent, Budget& budget);
 
-/// The quotient by a primitive polynomial where it divides exactly.
-/// Cost: the terms of the quotient times those of the divisor, and nothing where the first or the last term
-/// already shows that it does not divide.
+/// The quotient by a primitive polynomial if it divides exactly.
+/// Cost: the terms of the quotient times those of the divisor; constant if the first or the last term already
+/// shows that it does not divide.
 std::optional<PlainPolynomial> exact_quotient(const PlainPolynomial& a, const PlainPolynomial& divisor,
                                               Budget& budget);
 
-/// The coefficients by powers of a symbol, lowest first; at least one.
+/// The coefficients of the powers of a symbol, lowest first; at least one.
 std::vector<PlainPolynomial> coefficients_by(const PlainPolynomial& a, std::size_t symbol, Budget& budget);
 
-/// The coefficients by the different monomials in some symbols.
+/// The coefficients of the different monomials in some symbols.
 std::vector<PlainPolynomial> coefficients_by_monomials(const PlainPolynomial& a,
                                                        std::span<const std::size_t> symbols, Budget& budget);
 
-/// The derivative by a symbol.
+/// The derivative with respect to a symbol.
 PlainPolynomial derivative_by(const PlainPolynomial& a, std::size_t symbol, Budget& budget);
 
 /// sum_k coefficients[k] x^k
@@ -123,7 +124,7 @@ PlainPolynomial single_term(const Rational& coefficient,
 /// The sum of many polynomials, taken pairwise so that each term moves about log2(count) times.
 PlainPolynomial sum_of(std::vector<PlainPolynomial> summands, Budget& budget);
 
-/// As text, for messages, with the symbols named; at most about 200 bytes.
+/// The polynomial as text for messages, with the names of the symbols, at most about 200 bytes long.
 std::string text_of(const PlainPolynomial& a, std::span<const std::string> names);
 
 }  // namespace blossom::proofs::second

@@ -6,8 +6,8 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// Divides integer polynomials of one layout: the terms of the dividend and those of the quotient times each
-/// further term of the divisor are met in order, the greatest next.
+/// Divides integer polynomials of one layout: merges, in descending order, the terms of the dividend and the
+/// products of the quotient with each term of the divisor but the first.
 class ExactDivision {
 public:
     ExactDivision(const PlainPolynomial& dividend, const PlainPolynomial& divisor, Budget& budget)
@@ -50,7 +50,7 @@ private:
             [this](std::size_t a, std::size_t b) { return compared_monomials(head(a), head(b), width_) < 0; };
     }
 
-    /// The sum of the coefficients of the greatest monomial that is left.
+    /// The sum of the coefficients of the greatest remaining monomial.
     Integer take_greatest(std::uint64_t* monomial) {
         Integer result = 0;
         const bool from_dividend =
@@ -84,7 +84,7 @@ private:
         std::ranges::push_heap(active_, before());
     }
 
-    /// Divides by the first monomial of the divisor where it divides.
+    /// Divides by the first monomial of the divisor if possible.
     bool divide_monomial(std::uint64_t* monomial) const {
         const std::uint64_t* leading = divisor_.monomial(0);
         for (std::size_t k = 0; k < width_; ++k) {
@@ -99,9 +99,9 @@ private:
     Budget& budget_;
     std::size_t width_;
     std::uint64_t guards_;
-    std::size_t next_ = 0;              ///< of the dividend
-    std::vector<std::uint64_t> heads_;  ///< the greatest monomial that is left, by stream
-    std::vector<std::size_t> places_;   ///< the term of the quotient that it comes from, by stream
+    std::size_t next_ = 0;              ///< the next term of the dividend
+    std::vector<std::uint64_t> heads_;  ///< the greatest remaining monomial of each stream
+    std::vector<std::size_t> places_;   ///< the term of the quotient from which it comes, per stream
     std::vector<std::size_t> active_;   ///< a heap of streams
     std::vector<std::size_t> waiting_;  ///< streams for which the quotient has no term yet
     PlainPolynomial quotient_;
@@ -123,7 +123,7 @@ std::optional<PlainPolynomial> exact_quotient(const PlainPolynomial& a, const Pl
     if (divisor.is_zero()) return std::nullopt;
     if (a.is_zero()) return a;
     if (divisor.is_number()) return scaled(a, Rational(1) / divisor.number(), budget);
-    // Products keep the first and the last term, whatever the rest.
+    // The first and the last term of a product are the products of those of its factors.
     const std::size_t shared = std::min(a.width(), divisor.width());
     if (PolynomialParts::bits(a) == PolynomialParts::bits(divisor)) {
         const std::uint64_t guards = PolynomialParts::guards(a);

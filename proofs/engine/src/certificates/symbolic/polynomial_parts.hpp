@@ -4,7 +4,7 @@
 
 namespace blossom::proofs::second {
 
-/// What the operations on polynomials know of how they are stored.
+/// Access to the representation for the operations on polynomials.
 struct PolynomialParts {
     static constexpr std::uint64_t guards_of_8 = 0x8080808080808080;
     static constexpr std::uint64_t guards_of_16 = 0x8000800080008000;
@@ -22,7 +22,7 @@ struct PolynomialParts {
     static std::uint64_t largest(const PlainPolynomial& a) { return a.largest_; }
     static void set_largest(PlainPolynomial& a, std::uint64_t exponent) { a.largest_ = exponent; }
 
-    /// No terms yet, in the given layout.
+    /// A polynomial without terms in the given layout.
     static PlainPolynomial empty(unsigned bits, std::size_t width, std::uint64_t largest) {
         PlainPolynomial result;
         result.bits_ = bits;
@@ -44,7 +44,7 @@ struct PolynomialParts {
         monomial[symbol / fields_per_word(bits)] += exponent << shift_of(symbol, bits);
     }
 
-    /// The words that symbols below `symbols` need.
+    /// The number of words for the symbols below `symbols`.
     static std::size_t width_for(std::size_t symbols, unsigned bits) {
         return (symbols + fields_per_word(bits) - 1) / fields_per_word(bits);
     }
@@ -57,14 +57,14 @@ struct PolynomialParts {
         a.coefficients_.push_back(std::move(coefficient));
     }
 
-    /// Divides denominator and coefficients by what they share.
+    /// Divides denominator and coefficients by their common divisor.
     static void reduce(PlainPolynomial& a);
 
-    /// Counts the work on long coefficients, by those at both ends and the denominator.
+    /// Counts the work on long coefficients, estimated from the first and the last one and the denominator.
     static void spend_on_bits(const PlainPolynomial& a, Budget& budget);
 };
 
-/// Two polynomials in one layout that has room for exponents up to a given one; copies where they must be.
+/// Two polynomials in one layout with room for exponents up to a given one; copied only if necessary.
 class AlignedPolynomials {
 public:
     AlignedPolynomials(const PlainPolynomial& a, const PlainPolynomial& b, bool for_product, Budget& budget);
@@ -85,7 +85,7 @@ private:
     std::uint64_t largest_ = 0;
 };
 
-/// -1, 0 or 1 as one monomial comes after, at or before another in the order of terms.
+/// -1, 0 or 1 if the first monomial comes after, equals or precedes the other in the order of terms.
 inline int compared_monomials(const std::uint64_t* a, const std::uint64_t* b, std::size_t width) {
     for (std::size_t k = 0; k < width; ++k) {
         if (a[k] != b[k]) return a[k] < b[k] ? -1 : 1;

@@ -9,7 +9,7 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// The terms `begin` to `end` of the first factor times the second one, by merging halves.
+/// The terms `begin` to `end` of the first factor times the second factor, by merging halves.
 PlainPolynomial merged_product(const PlainPolynomial& a, std::size_t begin, std::size_t end,
                                const PlainPolynomial& b, Budget& budget) {
     using Parts = PolynomialParts;
@@ -30,7 +30,7 @@ PlainPolynomial merged_product(const PlainPolynomial& a, std::size_t begin, std:
     return merged_terms({left, unshifted.data(), one}, {right, unshifted.data(), one}, budget);
 }
 
-/// Sums of terms, found by their monomials in a table that is addressed openly.
+/// Sums of terms in a hash table with open addressing, by their monomials.
 class TermTable {
 public:
     TermTable(unsigned bits, std::size_t width, Budget& budget)
@@ -52,7 +52,7 @@ public:
         if (coefficients.size() * 2 > slots_.size()) grow();
     }
 
-    /// The terms other than 0, in order.
+    /// The nonzero terms, in order.
     PlainPolynomial sorted() {
         const std::size_t width = terms_.width();
         std::vector<Integer>& coefficients = PolynomialParts::coefficients(terms_);
@@ -120,7 +120,7 @@ PlainPolynomial product(const PlainPolynomial& a, const PlainPolynomial& b, Budg
     if (a.is_number()) return scaled(b, a.number(), budget);
     if (b.is_number()) return scaled(a, b.number(), budget);
     if (a.size() > b.size()) return product(b, a, budget);
-    constexpr std::size_t merged_up_to = 12;  // terms of the shorter factor; measured
+    constexpr std::size_t merged_up_to = 12;  // terms of the shorter factor (by measurement)
     const AlignedPolynomials both(a, b, true, budget);
     PlainPolynomial result = a.size() <= merged_up_to
                                  ? merged_product(both.first(), 0, a.size(), both.second(), budget)
@@ -180,11 +180,11 @@ private:
     Budget& budget_;
     std::vector<std::uint64_t> monomial_;
     std::vector<std::vector<Integer>> binomials_;
-    std::vector<std::vector<Integer>> powers_;  ///< of the coefficients
+    std::vector<std::vector<Integer>> powers_;  ///< the powers of the coefficients
     PlainPolynomial result_;
 };
 
-/// Whether the terms are multiples of different symbols, but that the last may be a number.
+/// Whether the terms are multiples of different symbols; the last may be a number.
 bool is_sum_of_symbols(const PlainPolynomial& a) {
     const std::vector<std::size_t> symbols = a.symbols();
     const std::size_t with_symbols = a.size() > 0 && symbols.size() + 1 == a.size() ? a.size() - 1 : a.size();
@@ -192,7 +192,7 @@ bool is_sum_of_symbols(const PlainPolynomial& a) {
     for (std::size_t k = 0; k < with_symbols; ++k) {
         if (a.exponent(k, symbols[k]) != 1 || a.degree(symbols[k]) != 1) return false;
     }
-    // As many symbols as terms that begin with one each: no term has two of them.
+    // Each term begins with a symbol of its own, and no term has two symbols.
     std::size_t occurrences = 0;
     for (std::size_t k = 0; k < a.size(); ++k) {
         for (const std::size_t symbol : symbols) occurrences += a.exponent(k, symbol);

@@ -50,10 +50,11 @@ void SymbolicField::divide_out(PlainPolynomial& rest, const PlainPolynomial& fac
 }
 
 void SymbolicField::divide_out_differences(PlainPolynomial& rest, Denominator& powers) {
-    constexpr std::size_t least_terms = 3;  // of a product with such a factor, without symbols as factors
+    // the fewest terms of a product with such a factor, if it has no symbols as factors
+    constexpr std::size_t least_terms = 3;
     const std::vector<std::size_t> symbols = rest.symbols();
     for (std::size_t i = 0; i < symbols.size() && rest.size() >= least_terms; ++i) {
-        // The first symbol of a factor is in the first term, and the other one in the last.
+        // The first symbol of a difference is in the first term of the product, the other one in the last.
         if (rest.exponent(0, symbols[i]) == 0) continue;
         for (std::size_t j = i + 1; j < symbols.size() && rest.size() >= least_terms; ++j) {
             if (rest.exponent(rest.size() - 1, symbols[j]) == 0) continue;
@@ -79,7 +80,7 @@ std::vector<PlainPolynomial> SymbolicField::divisors() {
             continue;
         }
         const std::vector<PlainPolynomial> coefficients = coefficients_by_monomials(factor, hidden, budget_);
-        // Splitting may add factors at the end, which are met in their turn.
+        // Splitting may append factors, which this loop then reaches.
         Denominator powers;
         if (coefficients.size() == 1) split_into_factors(coefficients.front(), powers);
     }
@@ -142,7 +143,7 @@ SymbolicField::Element SymbolicField::derivative(const std::function<Element(con
     const std::size_t symbol = new_symbol("", true);
     Element result = f(fraction(PlainPolynomial::symbol(symbol), {}));
     for (std::size_t k = 0; k < order && !is_zero(result); ++k) result = derived(result, symbol);
-    // What f divides by must not vanish there, also where the derivative does not show it.
+    // Divisors of f must not vanish at this value, even if the derivative does not contain them.
     for (std::size_t k = first_factor; k < factors_.size(); ++k) {
         const PlainPolynomial factor = factors_[k];
         if (factor.degree(symbol) > 0) require_nonzero(replaced(fraction(factor, {}), symbol, at));

@@ -6,7 +6,7 @@ namespace blossom::proofs::second {
 
 namespace {
 
-/// Exponents in denominators, which no expansion bounds.
+/// Checks exponents in denominators, which no expansion bounds.
 std::uint32_t checked_exponent(std::uint64_t exponent) {
     constexpr std::uint64_t greatest = 1 << 20;
     if (exponent > greatest)
@@ -31,7 +31,7 @@ std::vector<FactorPower> product_of_powers(const std::vector<FactorPower>& a,
     return result;
 }
 
-/// What is left of a product of powers when it is divided by what it shares with another one.
+/// A product of powers divided by its common divisor with another one.
 std::vector<FactorPower> powers_without(const std::vector<FactorPower>& a,
                                         const std::vector<FactorPower>& b) {
     std::vector<FactorPower> result;
@@ -155,7 +155,7 @@ SymbolicField::Element SymbolicField::sum_of_fractions(const Sum& a, const Sum& 
     PlainPolynomial numerator =
         second::sum(second::product(numerator_of(a), expanded(missing_in_a), budget_),
                     second::product(numerator_of(b), expanded(missing_in_b), budget_), budget_);
-    // A factor that one of them has less often divides the other summand, and not this one.
+    // A factor with a lower exponent in one denominator divides the other summand, and not this one.
     const Denominator unequal = product_of_powers(missing_in_a, missing_in_b);
     Denominator kept;
     Denominator shared;
