@@ -19,7 +19,7 @@ bool is_zero(const Coordinates& point) {
 std::optional<Rational> quotient(const Coordinates& left, const Coordinates& right) {
     const auto leading = std::ranges::find_if(right, [](const Rational& x) { return !x.is_zero(); });
     if (leading == right.end() || is_zero(left)) return std::nullopt;
-    const Rational factor = left[static_cast<std::size_t>(leading - right.begin())] / *leading;
+    Rational factor = left[static_cast<std::size_t>(leading - right.begin())] / *leading;
     for (std::size_t j = 0; j < left.size(); ++j) {
         if (left[j] != factor * right[j]) return std::nullopt;
     }

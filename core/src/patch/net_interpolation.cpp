@@ -106,6 +106,7 @@ BezierPatch interpolate(const GridData& data, std::span<const Interval> box, con
                 .to_points();
         });
     std::vector<std::size_t> degrees;
+    degrees.reserve(data.nodes.size());
     for (const auto& nodes : data.nodes) degrees.push_back(nodes.size() - 1);
     return {NetShape::tensor(degrees, limits), points};
 }

@@ -85,6 +85,7 @@ std::vector<Coordinates> coefficients(const BernsteinBasis& bernstein, const Pol
 std::vector<Coordinates> coefficients(const LagrangeBasis& lagrange, const PolynomialMap& curve,
                                       const Limits& limits) {
     std::vector<Coordinates> values;
+    values.reserve(lagrange.nodes.size());
     for (const Rational& node : lagrange.nodes) {
         values.push_back(
             std::visit([&](const auto& map) { return evaluate(map, Parameter(node), limits); }, curve));

@@ -77,11 +77,14 @@ std::vector<Equation> equations(const KnotVector& knots, std::span<const Rationa
                                           [&](const NodeDatum& datum) { return nodes[datum.index]; });
     std::reverse(at_end, data.end());
     std::vector<Rational> ordered;
-    for (const NodeDatum& datum : data) ordered.push_back(nodes[datum.index]);
     std::vector<BasisValues> rows;
-    for (const auto& [index, order] : data) {
-        rows.push_back(within(Part::nodes, [&, index = index, order = order] {
-            return within(index, [&] { return basis_derivatives(knots, order, nodes[index], limits); });
+    ordered.reserve(data.size());
+    rows.reserve(data.size());
+    for (const NodeDatum& datum : data) {
+        ordered.push_back(nodes[datum.index]);
+        rows.push_back(within(Part::nodes, [&] {
+            return within(datum.index,
+                          [&] { return basis_derivatives(knots, datum.order, nodes[datum.index], limits); });
         }));
     }
     std::vector<Equation> system;

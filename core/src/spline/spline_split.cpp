@@ -34,7 +34,7 @@ BSplineCurve up_to(const BSplineCurve& curve, const Rational& u) {
     part.insert(part.end(), end_multiplicity(curve.knots()), u);
     const auto begin = curve.control_points().begin();
     const auto end = begin + static_cast<std::ptrdiff_t>(points_over(part, curve));
-    return BSplineCurve(curve.degree(), std::move(part), {begin, end});
+    return {curve.degree(), std::move(part), {begin, end}};
 }
 
 /// The rest of the curve from a full knot on.
@@ -44,7 +44,7 @@ BSplineCurve from(const BSplineCurve& curve, const Rational& u) {
     part.insert(part.end(), std::ranges::upper_bound(knots, u), knots.end());
     const auto end = curve.control_points().end();
     const auto begin = end - static_cast<std::ptrdiff_t>(points_over(part, curve));
-    return BSplineCurve(curve.degree(), std::move(part), {begin, end});
+    return {curve.degree(), std::move(part), {begin, end}};
 }
 
 }  // namespace

@@ -59,10 +59,10 @@ struct Digits {
     std::uint64_t word = 0;  ///< their value modulo 2^64
 
     explicit Digits(std::string_view from) {
-        const char* at = from.data();
-        const char* const end = at + from.size();
-        for (; at != end && is_digit(*at); ++at) word = 10 * word + static_cast<std::uint64_t>(*at - '0');
-        text = {from.data(), at};
+        std::size_t length = 0;
+        for (; length != from.size() && is_digit(from[length]); ++length)
+            word = 10 * word + static_cast<std::uint64_t>(from[length] - '0');
+        text = from.substr(0, length);
     }
     bool empty() const { return text.empty(); }
     std::size_t size() const { return text.size(); }

@@ -48,7 +48,7 @@ struct Direction8 {
 /// The places around a point, the preferred ones first.
 constexpr std::array<Direction8, 8> directions{
     {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
-constexpr Length steps = 9;
+constexpr Length distances_tried = 9;
 
 Box candidate(const LabelSize& label, const Direction8& direction, Length step) {
     const Length reach = dot_radius + clearance + step * 110;
@@ -82,7 +82,7 @@ private:
     bool improve(std::size_t i) {
         std::optional<PlacedLabel> best;
         std::int64_t lowest = 0;
-        for (Length step = 0; step < steps; ++step) {
+        for (Length step = 0; step < distances_tried; ++step) {
             for (std::size_t d = 0; d < directions.size(); ++d) {
                 const PlacedLabel label{candidate(labels_[i], directions[d], step), step > 1};
                 const std::int64_t cost =

@@ -9,8 +9,8 @@ namespace blossom {
 
 /// The numbers from `lower` to `upper`, where these are given.
 struct ParameterRange {
-    std::optional<Rational> lower = {};
-    std::optional<Rational> upper = {};
+    std::optional<Rational> lower;
+    std::optional<Rational> upper;
 
     ParameterRange() = default;
     /// Ends in either order.
