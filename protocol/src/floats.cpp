@@ -17,7 +17,7 @@ constexpr std::string_view kept[] = {"id", "computed", "document"};
 /// The value with convert(leaf) for each value in it that is no container; members that `is_kept` names stay.
 template <class IsKept, class Convert>
 Json converted(const Json& value, const IsKept& is_kept, const Convert& convert) {
-    if (const Json::Array* elements = value.array()) {
+    if (value.array()) {
         return read_list(value, [&](const Json& element) { return converted(element, is_kept, convert); });
     }
     const Json::Object* members = value.object();
