@@ -143,7 +143,6 @@ TEST_CASE("constants have no roots, and zero is refused", "[roots]") {
 }
 
 TEST_CASE("an unbounded range has all roots of its side, and a bound exceeds them", "[roots]") {
-    const Polynomial t = Polynomial::monomial(1);
     const Polynomial polynomial = (t * t - 2) * (t + 100) * (t - Rational(1, 1000));
     CHECK(roots(polynomial, {}).size() == 4);
     CHECK(roots(polynomial, {0, std::nullopt}).size() == 2);
@@ -158,7 +157,6 @@ TEST_CASE("an unbounded range has all roots of its side, and a bound exceeds the
 }
 
 TEST_CASE("a root can be narrowed to any width", "[roots]") {
-    const Polynomial t = Polynomial::monomial(1);
     const Root root = roots(pow(t * t - 2, 3) * (t - 1), {0, 2}).back();
     const Rational width(1, Integer(1) << 300);
     const Root narrow = narrowed(root, width);
