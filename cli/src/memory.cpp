@@ -12,11 +12,11 @@
 
 namespace {
 
-constexpr std::size_t chunk_step = 2 * sizeof(std::size_t);
+constexpr std::size_t header = sizeof(std::size_t);
+constexpr std::size_t chunk_step = 2 * header;
 
 /// What the C library takes for a block, with its header.
 constexpr std::size_t chunk_size(std::size_t size) {
-    constexpr std::size_t header = sizeof(std::size_t);
     return std::max(2 * chunk_step, (size + header + chunk_step - 1) / chunk_step * chunk_step);
 }
 
@@ -90,7 +90,7 @@ void* operator new(std::size_t size) {
     const std::size_t chunk = chunk_size(size);
     return counted(chunk, [&] {
         void* const kept = kept_blocks.take(chunk);
-        return kept ? kept : std::malloc(std::max<std::size_t>(size, 1));
+        return kept ? kept : std::malloc(std::max(size, chunk - header));
     });
 }
 void* operator new(std::size_t size, std::align_val_t alignment) {
@@ -100,7 +100,11 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 }
 void operator delete(void* block) noexcept { give_back(block); }
 void operator delete(void* block, std::size_t size) noexcept { give_back(block, chunk_size(size)); }
-void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { give_back(block); }
+void operator delete(void* block, std::align_val_t /*alignment*/) noexcept {
+    if (block) blossom::give_back_bytes(chunk_size(malloc_usable_size(block)));
+    std::free(block);
+}
 void operator delete(void* block, std::size_t size, std::align_val_t alignment) noexcept {
-    give_back(block, chunk_size(rounded(size, alignment)));
+    if (block) blossom::give_back_bytes(chunk_size(rounded(size, alignment)));
+    std::free(block);
 }

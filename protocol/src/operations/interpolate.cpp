@@ -183,7 +183,8 @@ AnyMap polynomial_on_grid(Fields& request, ValueGrid grid, const Limits& limits)
                         " are not those of degree " + std::to_string((*grid.degrees)[d]),
                     Place{"degrees"} / d);
     }
-    const GridData data = grid_data(std::move(grid), [&, counts = grid.counts](std::size_t d) {
+    const std::vector<std::size_t> counts = grid.counts;
+    const GridData data = grid_data(std::move(grid), [&](std::size_t d) {
         return uniform_nodes(intervals ? (*intervals)[d] : Interval(), counts[d] - 1);
     });
     std::vector<Interval> box;
