@@ -20,6 +20,18 @@ constexpr std::size_t chunk_size(std::size_t size) {
     return std::max(2 * chunk_step, (size + header + chunk_step - 1) / chunk_step * chunk_step);
 }
 
+// AddressSanitizer sees the use of a block that was given back only if the block is not used again.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define BLOSSOM_ADDRESS_SANITIZER
+#endif
+#endif
+#if defined(BLOSSOM_ADDRESS_SANITIZER) || defined(__SANITIZE_ADDRESS__)
+constexpr bool keeps_blocks = false;
+#else
+constexpr bool keeps_blocks = true;
+#endif
+
 /// The blocks that this thread gave back last, by the size of their chunks: a request mostly needs the sizes
 /// that the one before needed. Nothing here has a destructor, so that objects of any lifetime may give back;
 /// threads end with the program.
@@ -52,7 +64,7 @@ private:
         std::size_t length;
     };
     static constexpr std::size_t largest = 1024;
-    static constexpr std::size_t most = 32;
+    static constexpr std::size_t most = keeps_blocks ? 32 : 0;
 
     std::array<List, largest / chunk_step + 1> lists_;
 };
