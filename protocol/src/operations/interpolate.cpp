@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <optional>
 
-#include "json/json_text.hpp"
 #include "listing.hpp"
 #include "map_options.hpp"
 #include "maps/net_fields.hpp"
@@ -261,11 +260,6 @@ Members interpolate_request() {
            optional("vertices", tuples_shape(), "the vertices of the simplex")}}}};
 }
 
-/// "1; 2; 3" as points, and JSON as it stands.
-Json values_or_json(std::string_view text) {
-    return text.starts_with('[') ? parse_json(text, Limits{}) : number_list(text);
-}
-
 }  // namespace
 
 Operation interpolate_operation() {
@@ -275,7 +269,7 @@ Operation interpolate_operation() {
         .request = interpolate_request(),
         .result = {{map_member("the map with its control points")}},
         .example = {"interpolate", "--nodes", "0,1,1,2", "--values", "0; 1; 3; 8"},
-        .options = {field_option("--values", "values", "P0;P1;...", values_or_json,
+        .options = {field_option("--values", "values", "P0;P1;...", number_list,
                                  "one value per node, \"0,0; 1,2; 3,0\", on a grid one row after the other, "
                                  "\"1,2; 3,4\", or JSON"),
                     field_option("--nodes", "nodes", "T0,T1,...", number_list),
@@ -292,7 +286,7 @@ Operation interpolate_operation() {
                     field_option("--grid", "grid", "S0,S1,...;T0,...", tuple_list),
                     field_option("--degrees", "degrees", "M,N,...", number_list),
                     field_option("--intervals", "intervals", "A,B;C,D;...", tuple_list),
-                    field_option("--lattice", "lattice", "JSON", values_or_json),
+                    field_option("--lattice", "lattice", "JSON", number_list),
                     field_option("--vertices", "vertices", "P0;P1;...", tuple_list)},
         .answer = answer_interpolate,
         .render = described_listing,
