@@ -110,8 +110,8 @@ private:
     std::size_t at_end_ = 0;      ///< the number of knots inserted at the end of the domain
 };
 
-/// The old and the inserted knots in order. An inserted knot stands behind its equals, at the end of the
-/// domain before them.
+/// The old and the inserted knots in increasing order. Of equal knots the old ones come first, except at the
+/// end of the domain, where they come last.
 struct MergedKnots {
     std::vector<Rational> knots;
     std::vector<bool> inserted;  ///< whether the knot is an inserted one

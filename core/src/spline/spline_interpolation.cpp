@@ -95,8 +95,10 @@ std::vector<Equation> equations(const KnotVector& knots, std::span<const Rationa
     return system;
 }
 
-/// Removes the entries below the diagonal: afterwards row i holds the minors of the rows before it and
-/// itself, and begins at column i. Returns the determinant.
+/// Removes the entries below the diagonal without fractions: afterwards row i begins at column i, and its
+/// entry for column j is the minor of the rows 0, ..., i and the columns 0, ..., i - 1, j. Returns the
+/// determinant. Cost: O(n^2) products of minors per row at degree n. Source: Bareiss, "Sylvester's identity
+/// and multistep integer-preserving Gaussian elimination", 1968.
 Integer eliminate(std::vector<Equation>& system, const Limits& limits) {
     std::vector<Integer> pivots{1};  // pivots[k + 1] is the minor of the first k + 1 rows and columns
     for (std::size_t i = 0; i < system.size(); ++i) {

@@ -230,7 +230,7 @@ std::optional<Rational> rational_in_words(std::string_view text, const Limits& l
     return RationalAccess::from_words(numerator, static_cast<std::int64_t>(below.word));
 }
 
-/// Whether a character goes on at `place`: all its bytes but the first have the form 10xxxxxx.
+/// Whether the byte at `place` continues a character.
 bool continues_at(std::string_view text, std::size_t place) {
     return place < text.size() && continues_character(text[place]);
 }

@@ -238,7 +238,8 @@ private:
     std::vector<std::string> added_;  ///< conditions that the text does not state
 };
 
-/// What is wrong with the block name in a certificate; the first line of a block may be a head.
+/// The problem with the name of the block in a certificate, which the first line of the block may state; ""
+/// if there is none.
 std::string problem_of_head(const Certificate& certificate) {
     std::string_view rest = certificate.text;
     while (!rest.empty()) {

@@ -78,7 +78,7 @@ private:
 };
 
 /// Checks the resources of this thread after bytes, and the work of taking them, have been subtracted from
-/// them. What is refused is given back. Errors: `ResourcesExceeded`.
+/// them. If they do not suffice, both are added again. Errors: `ResourcesExceeded`.
 [[gnu::cold]] void check_taken(std::int64_t bytes, std::int64_t words);
 
 /// Counts bytes that this thread allocates, and the work of allocating them, in a replacement of `operator

@@ -8,7 +8,7 @@
 
 namespace blossom {
 
-/// What stands at the front of a text: `meaning` is the ASCII character for it, and `length` its bytes.
+/// A mark at the front of a text: the ASCII character with the same meaning, and the length in bytes.
 struct WrittenMark {
     char meaning = '\0';
     std::size_t length = 0;
