@@ -446,6 +446,27 @@ def audited_document(a_map, level):
     return {"degree": a_map["degree"], "dimension": dimension, "control_points": flat, "knots": a_map["knots"]}
 
 
+def dimension_of(a_map):
+    """The coordinates of a point without its weight."""
+    if "text" in a_map:
+        return len(a_map["text"]) if isinstance(a_map["text"], list) else 1
+    name = next(name for name in ("control_points", "control_net", "coefficients", "terms", "left", "values") if name in a_map)
+    value = a_map[name]
+    pairs = name in ("terms", "values") or a_map["kind"] == "simplex"
+    for _ in range(1 if pairs or name != "control_net" else len(a_map["degrees"])):
+        value = value[0]
+    value = value[1] if pairs else value
+    return len(value) if isinstance(value, list) else 1
+
+
+def matrix_of_rows(a_map, level):
+    """One row of a style, or so many rows of small numbers."""
+    columns = dimension_of(a_map)
+    if isinstance(level, int):
+        return [[i + j for j in range(columns)] for i in range(min(level, max(1, LINE // 24 // columns)))]
+    return [(level or small)(j, columns) for j in range(columns)]
+
+
 def at_in_one_direction(a_map, level):
     value = parameter(a_map, level or small, 1, 2)
     return [value[0]] + [None] * (len(value) - 1) if isinstance(value, list) else value
@@ -586,6 +607,10 @@ OF_OPERATION = {
     ("audit", "document"): ([(700_000, small), (DEGREE + 1, small), (300, exponents), (300, negative_exponents)], audited_document),
     ("join", "chain"): ([], lambda a_map, level: True),
     ("join", "knots"): (MANY, lambda a_map, level: level and numbers(level)),
+    ("product", "as"): ([], lambda a_map, level: None),
+    ("sum", "factors"): (STYLES[1:], lambda a_map, level: level and [level(1, 2), level(2, 2)]),
+    ("transform", "matrix"): ([*STYLES[1:], 1000], matrix_of_rows),
+    ("transform", "translation"): ([], lambda a_map, level: None),
     ("export", "format"): ([], lambda a_map, level: "splinepy" if directions_of(a_map) else "tinyspline"),
     ("inverse-formula", "degree"): ([DEGREE, 600, 200, 40, DIGITS, HUGE], lambda a_map, level: level or 3),
     ("basis-functions", "degree"): ([DEGREE, 300, 40, HUGE], lambda a_map, level: level or 2),
@@ -605,6 +630,10 @@ OF_OPERATION = {
     ("barycentric", "at"): ([(NUMBERS, small), (1000, spread_fractions), (5, long), (1000, exponents)], points_of_plane),
     ("barycentric", "vertices"): ([(1000, small), (100, spread_fractions), (2, long), (12, exponents)], vertices),
 }
+
+
+# Operations on several maps over one domain.
+ON_ONE_DOMAIN = {"sum", "product", "quotient"}
 
 
 def words_of(schema, field):
@@ -683,7 +712,7 @@ class Operation:
             request["map"] = a_map
         elif "maps" in self.takes_maps:
             second = dict(a_map)
-            if a_map["kind"] == "bezier":
+            if a_map["kind"] == "bezier" and self.name not in ON_ONE_DOMAIN:
                 second["interval"] = [1, 2]
             request["maps"] = [a_map, second]
         for field, (levels, value) in self.fields.items():

@@ -55,6 +55,12 @@ private:
     }
 };
 
+/// What begins with neither bracket of JSON.
+bool is_polynomial_text(std::string_view text) {
+    const std::string_view written = trimmed(text);
+    return !written.empty() && written.front() != '{' && written.front() != '[';
+}
+
 std::size_t point_dimension(const Map& map) {
     return dimension_of(map) - (map.form.separate_weights() ? 1 : 0);
 }
@@ -65,6 +71,14 @@ std::vector<Map> read_maps_field(Fields& request, const Limits& limits) {
     return request.required("maps", [&](const Json& value) {
         return read_list(value, [&](const Json& map) { return read_map(map, limits); });
     });
+}
+
+std::vector<Rational> read_each_map(const Json& value, std::size_t maps, std::string_view what,
+                                    const Limits& limits) {
+    std::vector<Rational> numbers = read_numbers(value, limits);
+    if (numbers.size() == maps) return numbers;
+    throw Error(ErrorCode::wrong_arity, std::to_string(numbers.size()) + " " + std::string(what) + " for " +
+                                            std::to_string(maps) + " maps");
 }
 
 void make_form_common(std::vector<Map>& maps, const Limits& limits) {
@@ -90,8 +104,13 @@ Option maps_option(std::string name, std::string help) {
     const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits& limits) {
         Json::Array maps;
         for (const std::string& value : values) {
+            if (is_polynomial_text(value)) {
+                maps.push_back(Json::Object{{"kind", "polynomial"}, {"text", polynomial_texts({value})}});
+                continue;
+            }
             const Json given = parse_json(value, limits);
             const Json* of_response = at_place(given, {"result", "maps"});
+            if (!of_response) of_response = at_place(given, {"result", "map"});
             const Json& found = of_response ? *of_response : given;
             if (const Json::Array* list = found.array()) {
                 maps.insert(maps.end(), list->begin(), list->end());

@@ -32,16 +32,6 @@ Json point_argument(std::string_view text) {
     return number_list(text);
 }
 
-/// Several texts, or one with ';', are the coordinates of a point; one text is a number.
-Json polynomial_texts(const std::vector<std::string>& values) {
-    if (values.size() == 1 && values.front().find(';') == std::string::npos) return values.front();
-    Json::Array texts;
-    for (const std::string& value : values) {
-        for (std::string& text : split(value, ';')) texts.emplace_back(std::move(text));
-    }
-    return texts;
-}
-
 /// Numbers as texts.
 Json texts_of(const Json& numbers) {
     if (const Rational* number = numbers.exact()) return to_string(*number);
@@ -160,6 +150,15 @@ Json count(std::string_view text) {
 }
 
 Json plain_text(std::string_view text) { return text; }
+
+Json polynomial_texts(const std::vector<std::string>& values) {
+    if (values.size() == 1 && values.front().find(';') == std::string::npos) return values.front();
+    Json::Array texts;
+    for (const std::string& value : values) {
+        for (std::string& text : split(value, ';')) texts.emplace_back(std::move(text));
+    }
+    return texts;
+}
 
 Option field_option(std::string name, const std::string& field, std::string value,
                     Json (*read)(std::string_view text), std::string help) {

@@ -23,6 +23,8 @@ Json argument_list(std::string_view text);
 /// Digits as a JSON integer; anything else as it stands, to be refused where it is read.
 Json count(std::string_view text);
 Json plain_text(std::string_view text);
+/// Polynomials: several texts, or one with ';', are the coordinates of a point; one text is a number.
+Json polynomial_texts(const std::vector<std::string>& values);
 
 /// An option that writes one field of the request. It says what the field does unless it has a `help`.
 Option field_option(std::string name, const std::string& field, std::string value,

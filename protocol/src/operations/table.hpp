@@ -30,7 +30,9 @@ Operation interpolate_operation();
 Operation inverse_formula_operation();
 Operation join_operation();
 Operation periodic_operation();
+Operation product_operation();
 Operation prove_operation();
+Operation quotient_operation();
 Operation reduce_operation();
 Operation remove_knot_operation();
 Operation reparametrise_operation();
@@ -38,6 +40,8 @@ Operation reverse_operation();
 Operation roots_operation();
 Operation segments_operation();
 Operation subdivide_operation();
+Operation sum_operation();
+Operation transform_operation();
 Operation trim_operation();
 
 inline constexpr std::string_view explain_name = "explain";
@@ -72,6 +76,10 @@ inline constexpr OperationEntry operation_table[] = {
     {"reverse", reverse_operation},
     {"reparametrise", reparametrise_operation},
     {"periodic", periodic_operation},
+    {"sum", sum_operation},
+    {"product", product_operation},
+    {"quotient", quotient_operation},
+    {"transform", transform_operation},
     {"basis-functions", basis_functions_operation},
     {"basis-matrix", basis_matrix_operation},
     {"roots", roots_operation},

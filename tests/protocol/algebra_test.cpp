@@ -1,0 +1,51 @@
+#include <string>
+
+#include "answered.hpp"
+
+namespace {
+
+const std::string line = R"({"kind": "bezier", "control_points": [["0", "0"], ["1", "2"]]})";
+const std::string number = R"({"kind": "bezier", "control_points": ["1", "3"]})";
+const std::string hat =
+    R"({"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2], "control_points": [0, 1, 0]})";
+const std::string square = R"({"kind": "tensor", "degrees": [1, 1], "control_net": [[0, 1], [2, 3]]})";
+const std::string triangle = R"({"kind": "simplex", "degree": 1,
+    "vertices": [[0, 0], [1, 0], [0, 1]], "control_net": [[[1, 0, 0], 1], [[0, 1, 0], 2], [[0, 0, 1], 3]]})";
+
+std::string maps(const std::string& one, const std::string& other) {
+    return R"("maps": [)" + one + ", " + other + "]";
+}
+
+}  // namespace
+
+TEST_CASE("a request that no algebra of maps has an answer for is refused where it is wrong") {
+    CHECK(refusal_text(R"("op": "sum", "maps": [])") == "wrong_arity /maps");
+    CHECK(refusal_text(R"("op": "sum", )" + maps(line, number)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "sum", )" + maps(number, hat)) == "outside_domain /maps/0");
+    CHECK(refusal_text(R"("op": "sum", )" + maps(hat, square)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "sum", )" + maps(square, triangle)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "sum", "factors": [1], )" + maps(number, number)) == "wrong_arity /factors");
+    CHECK(refusal_text(R"("op": "product", )" + maps(line, line)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "product", "as": "cross", )" + maps(line, line)) == "wrong_arity /maps");
+    CHECK(refusal_text(R"("op": "product", "as": "wedge", )" + maps(line, line)) == "wrong_kind /as");
+    CHECK(refusal_text(R"("op": "quotient", )" + maps(number, line)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "quotient", "maps": [)" + number + "]") == "wrong_arity /maps");
+    CHECK(refusal_text(R"("op": "quotient", )" +
+                       maps(number, R"({"kind": "bezier", "control_points": [0, 0]})")) ==
+          "zero_weight /maps/1");
+    CHECK(refusal_text(R"("op": "transform", "map": )" + line) == "missing_field /matrix");
+    CHECK(refusal_text(R"("op": "transform", "matrix": [[1, 2], [1]], "map": )" + line) ==
+          "mismatched_dimensions /matrix/1");
+    CHECK(refusal_text(R"("op": "transform", "matrix": [1, 2], "translation": [1, 2], "map": )" + line) ==
+          "mismatched_dimensions /translation");
+}
+
+TEST_CASE("a determinant with too many products is refused before they are made") {
+    std::string zeros;
+    for (int i = 0; i < 10; ++i) zeros += (i == 0 ? "" : ", ") + std::string("0");
+    const std::string constant = R"({"kind": "bezier", "control_points": [[)" + zeros + "]]}";
+    std::string ten = constant;
+    for (int i = 1; i < 10; ++i) ten += ", " + constant;
+    CHECK(refusal_text(R"("op": "product", "as": "determinant", "maps": [)" + ten + "]") ==
+          "limit_exceeded /maps");
+}
