@@ -1,6 +1,7 @@
 #include <blossom/core/algebra/polynomial.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/integer_polynomials.hpp>
+#include <blossom/rational/limits.hpp>
 
 #include <algorithm>
 
@@ -39,7 +40,7 @@ Polynomial::Polynomial(const Rational& constant) : Polynomial(RationalVector({&c
 
 Polynomial::Polynomial(const RationalVector& coefficients) : coefficients_(trimmed(coefficients)) {}
 
-Polynomial Polynomial::monomial(std::size_t k) {
+Polynomial Polynomial::monomial(Count k) {
     std::vector<Integer> numerators(k + 1);
     numerators.back() = 1;
     return Polynomial(RationalVector(std::move(numerators), 1));
@@ -131,11 +132,16 @@ Polynomial gcd(const Polynomial& a, const Polynomial& b) {
         RationalVector(primitive_gcd(a.coefficients().numerators(), b.coefficients().numerators()), 1)));
 }
 
-Polynomial pow(const Polynomial& base, std::size_t exponent) {
+Polynomial pow(const Polynomial& base, Count exponent) {
+    const std::size_t most = Limits{}.numbers;
+    if (base.degree() > 0 && exponent > most / base.degree()) {
+        throw limit_error("the degree of a power exceeds", "numbers", most);
+    }
     Polynomial result = 1;
-    for (Polynomial square = base; exponent != 0; exponent >>= 1) {
-        if (exponent & 1) result *= square;
-        if (exponent > 1) square *= square;
+    Polynomial square = base;
+    for (std::size_t rest = exponent; rest != 0; rest >>= 1) {
+        if (rest & 1) result *= square;
+        if (rest > 1) square *= square;
     }
     return result;
 }

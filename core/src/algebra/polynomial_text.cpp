@@ -80,4 +80,10 @@ std::vector<std::string> numbered_names(std::string_view letter, std::size_t n) 
     return names;
 }
 
+std::string to_string(const Polynomial& polynomial) { return to_text(polynomial); }
+
+std::string to_string(const SparsePolynomial& polynomial) {
+    return to_text(polynomial, numbered_names("x", polynomial.variables()));
+}
+
 }  // namespace blossom

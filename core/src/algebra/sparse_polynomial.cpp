@@ -12,7 +12,7 @@ SparsePolynomial::SparsePolynomial(const Rational& constant) {
     if (!constant.is_zero()) coefficients_ = RationalVector({&constant, 1});
 }
 
-SparsePolynomial SparsePolynomial::variable(std::size_t index) {
+SparsePolynomial SparsePolynomial::variable(Count index) {
     SparsePolynomial result(1);
     result.variables_ = index + 1;
     result.words_ = packed_monomials::words_for(result.variables_, result.bits_);

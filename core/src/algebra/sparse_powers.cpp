@@ -297,14 +297,15 @@ SparsePolynomial form_value(std::span<const SparsePolynomial> coefficients, cons
     return dot(coefficients, products);
 }
 
-SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent) {
+SparsePolynomial pow(const SparsePolynomial& base, Count exponent) {
     if (base.size() == 2) return binomial_power(base, exponent);
     if (base.size() > 2 && has_independent_terms(base))
         return std::move(independent_powers(base, exponent, false).back());
     SparsePolynomial result = 1;
-    for (SparsePolynomial square = base; exponent != 0; exponent >>= 1) {
-        if (exponent & 1) result *= square;
-        if (exponent > 1) square *= square;
+    SparsePolynomial square = base;
+    for (std::size_t rest = exponent; rest != 0; rest >>= 1) {
+        if (rest & 1) result *= square;
+        if (rest > 1) square *= square;
     }
     return result;
 }

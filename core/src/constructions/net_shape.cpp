@@ -94,7 +94,7 @@ NetShape::NetShape(std::vector<SimplexFactor> factors, const Limits& limits) : f
     }
 }
 
-NetShape NetShape::simplex(std::size_t dimension, std::size_t degree, const Limits& limits) {
+NetShape NetShape::simplex(Count dimension, Count degree, const Limits& limits) {
     return NetShape({{dimension, degree}}, limits);
 }
 

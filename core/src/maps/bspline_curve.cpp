@@ -21,8 +21,7 @@ void require_points_of_one_space(std::span<const Coordinates> points) {
 
 }  // namespace
 
-BSplineCurve::BSplineCurve(std::size_t degree, std::vector<Rational> knots,
-                           std::vector<Coordinates> control_points)
+BSplineCurve::BSplineCurve(Count degree, std::vector<Rational> knots, std::vector<Coordinates> control_points)
     : knots_(degree, std::move(knots), control_points.size()), control_points_(std::move(control_points)) {
     require_points_of_one_space(control_points_);
 }

@@ -58,7 +58,7 @@ void require_knots(std::span<const Rational> knots, std::size_t degree) {
     }
 }
 
-KnotVector::KnotVector(std::size_t degree, std::vector<Rational> knots, std::size_t points)
+KnotVector::KnotVector(Count degree, std::vector<Rational> knots, Count points)
     : degree_(degree),
       points_(points),
       convention_(convention_of(degree, knots.size(), points)),

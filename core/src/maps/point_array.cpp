@@ -1,5 +1,6 @@
 #include <blossom/core/maps/point_array.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <string>
 
@@ -9,6 +10,13 @@ namespace {
 
 void require_points(std::size_t count) {
     if (count == 0) throw Error(ErrorCode::wrong_arity, "at least one point is needed");
+}
+
+void require_complete(std::size_t dimension, std::size_t numbers) {
+    require_points(numbers);
+    if (dimension != 0 && numbers % dimension == 0) return;
+    throw Error(ErrorCode::wrong_arity,
+                std::to_string(numbers) + " numbers are no points of dimension " + std::to_string(dimension));
 }
 
 /// The numbers coordinate(i, j) of `count` points, row by row.
@@ -41,14 +49,20 @@ RationalVector transposed(std::span<const Coordinates> points) {
 PointArray::PointArray(std::span<const Coordinates> points)
     : dimension_(points.empty() ? 1 : points.front().size()), numbers_(transposed(points)) {}
 
-PointArray::PointArray(std::size_t dimension, RationalVector numbers)
-    : dimension_(dimension), numbers_(std::move(numbers)) {}
+PointArray::PointArray(Count dimension, RationalVector numbers)
+    : dimension_(dimension), numbers_(std::move(numbers)) {
+    require_complete(dimension_, numbers_.size());
+}
 
-PointArray PointArray::point_by_point(std::size_t dimension, std::span<const Rational> numbers) {
-    require_points(numbers.size());
+PointArray PointArray::point_by_point(Count dimension, std::span<const Rational> numbers) {
+    require_complete(dimension, numbers.size());
     if (dimension == 1) return {1, RationalVector(numbers)};
     return {dimension, row_by_row(numbers.size() / dimension, dimension,
                                   [&](std::size_t i, std::size_t j) { return numbers[i * dimension + j]; })};
+}
+
+void PointArray::refuse_moved() {
+    throw Error(ErrorCode::internal, "the points were moved to another object");
 }
 
 std::vector<std::span<const Integer>> PointArray::rows() const {
@@ -59,6 +73,7 @@ std::vector<std::span<const Integer>> PointArray::rows() const {
 }
 
 Coordinates PointArray::operator[](std::size_t i) const {
+    require_index(i, size());
     Coordinates point;
     point.reserve(dimension_);
     for (std::size_t j = 0; j < dimension_; ++j) point.push_back(numbers_[j * size() + i]);
@@ -70,6 +85,11 @@ std::vector<Coordinates> PointArray::to_points() const {
     points.reserve(size());
     for (std::size_t i = 0; i < size(); ++i) points.push_back((*this)[i]);
     return points;
+}
+
+std::string to_string(const PointArray& points) {
+    return joined(points.to_points(),
+                  [](const Coordinates& point) { return to_string(RationalVector(point)); });
 }
 
 }  // namespace blossom

@@ -17,7 +17,7 @@ void require_formal_degree(std::size_t actual, std::size_t formal) {
                 Part::degree);
 }
 
-PointArray padded(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree) {
+PointArray padded(std::span<const Coordinates> coefficients, std::optional<Count> degree) {
     PointArray given(coefficients);
     std::size_t actual = given.size() - 1;
     const std::size_t formal = degree.value_or(actual);
@@ -35,7 +35,7 @@ PointArray padded(std::span<const Coordinates> coefficients, std::optional<std::
     return {given.dimension(), given.numbers().over_same_denominator(std::move(numerators))};
 }
 
-PointArray stacked(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree) {
+PointArray stacked(std::span<const Polynomial> coordinates, std::optional<Count> degree) {
     if (coordinates.empty()) throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
     std::size_t actual = 0;
     Integer denominator = 1;
@@ -59,13 +59,13 @@ PointArray stacked(std::span<const Polynomial> coordinates, std::optional<std::s
 
 }  // namespace
 
-PolynomialCurve::PolynomialCurve(std::span<const Coordinates> coefficients, std::optional<std::size_t> degree)
+PolynomialCurve::PolynomialCurve(std::span<const Coordinates> coefficients, std::optional<Count> degree)
     : coefficients_(padded(coefficients, degree)) {}
 
-PolynomialCurve::PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree)
+PolynomialCurve::PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<Count> degree)
     : coefficients_(stacked(coordinates, degree)) {}
 
-PolynomialCurve::PolynomialCurve(const Polynomial& polynomial, std::optional<std::size_t> degree)
+PolynomialCurve::PolynomialCurve(const Polynomial& polynomial, std::optional<Count> degree)
     : coefficients_(stacked({&polynomial, 1}, degree)) {}
 
 std::size_t PolynomialCurve::actual_degree() const {

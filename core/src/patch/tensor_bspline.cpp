@@ -157,4 +157,11 @@ std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::s
     return box;
 }
 
+std::string to_string(const TensorBSpline& spline) {
+    const auto knots_text = [](const KnotVector& knots) { return to_string(knots); };
+    const auto point_text = [](const Coordinates& point) { return to_string(RationalVector(point)); };
+    return joined(spline.knots(), knots_text, "; ") + "; control points " +
+           joined(spline.control_points(), point_text);
+}
+
 }  // namespace blossom

@@ -67,6 +67,20 @@ void give_back(Integer::Large* number) noexcept {
 std::uint64_t words(const Number& value) { return backend::words_used(value); }
 std::uint64_t words(std::int64_t) { return 1; }
 
+constexpr std::size_t bits_per_word = 64;
+constexpr std::size_t most_bits = std::size_t{1} << 33;  // GMP ends the process beyond 2^37
+
+[[noreturn]] void refuse_bits() {
+    throw Error(ErrorCode::limit_exceeded,
+                "the number has more than " + std::to_string(most_bits) + " binary digits");
+}
+
+/// Counts the work of a product, and refuses one that the backend cannot hold.
+void prepare_product(std::uint64_t a, std::uint64_t b) {
+    if (a + b > most_bits / bits_per_word) refuse_bits();
+    spend_work(words_of_product(a, b));
+}
+
 void require_divisor(const Integer& divisor) {
     if (divisor.is_zero()) throw Error(ErrorCode::division_by_zero, "an integer cannot be divided by 0");
 }
@@ -77,6 +91,8 @@ Integer::Large& Integer::promote() {
     if (!large_) {
         large_ = take_large();
         large_->value = std::exchange(small_, 0);
+    } else {
+        spend_work(words(large_->value));
     }
     return *large_;
 }
@@ -152,7 +168,7 @@ Integer& Integer::subtract_large(const Integer& other) {
 Integer& Integer::multiply_large(const Integer& other) {
     Number& value = promote().value;
     IntegerAccess::visit(other, [&](const auto& factor) {
-        spend_work(words_of_product(words(value), words(factor)));
+        prepare_product(words(value), words(factor));
         backend::multiply(value, value, factor);
     });
     return settle();
@@ -161,7 +177,7 @@ Integer& Integer::multiply_large(const Integer& other) {
 Integer Integer::product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? product_large(b, a) : Integer(a).multiply_large(b);
     return IntegerAccess::visit(b, [&](const auto& factor) {
-        spend_work(words_of_product(words(a.large_->value), words(factor)));
+        prepare_product(words(a.large_->value), words(factor));
         return IntegerAccess::computed(
             [&](Number& product) { backend::multiply(product, a.large_->value, factor); });
     });
@@ -171,7 +187,7 @@ Integer& Integer::add_product_large(const Integer& a, const Integer& b) {
     if (!a.large_) return b.large_ ? add_product_large(b, a) : *this += a * b;
     Number& sum = promote().value;
     IntegerAccess::visit(b, [&](const auto& factor) {
-        spend_work(words_of_product(words(a.large_->value), words(factor)));
+        prepare_product(words(a.large_->value), words(factor));
         backend::add_product(sum, a.large_->value, factor);
     });
     return settle();
@@ -222,13 +238,15 @@ Integer& Integer::operator%=(const Integer& other) {
     return settle();
 }
 
-Integer& Integer::operator<<=(std::size_t bits) {
+Integer& Integer::operator<<=(Count bits) {
     if (is_zero()) return *this;
-    promote().value <<= bits;
+    if (bits > most_bits) refuse_bits();
+    spend_work(bits / bits_per_word);
+    promote().value <<= std::size_t{bits};
     return settle();
 }
 
-Integer& Integer::operator>>=(std::size_t bits) {
+Integer& Integer::operator>>=(Count bits) {
     if (!large_) {
         small_ >>= std::min<std::size_t>(bits, 63);
         return *this;
@@ -237,7 +255,7 @@ Integer& Integer::operator>>=(std::size_t bits) {
     Number& value = large_->value;
     const bool negative = value.sign() < 0;
     if (negative) value = -value - 1;
-    value >>= bits;
+    value >>= std::size_t{bits};
     if (negative) value = -value - 1;
     return settle();
 }
@@ -269,7 +287,9 @@ Integer lcm(const Integer& a, const Integer& b) {
     return abs(divide_exactly(a, gcd(a, b)) * b);
 }
 
-Integer pow(const Integer& base, std::size_t exponent) {
+Integer pow(const Integer& base, Count exponent) {
+    const std::size_t bits = base.bit_length();
+    if (bits > 1 && exponent > most_bits / (bits - 1)) refuse_bits();
     Integer result = 1;
     Integer square = base;
     for (std::size_t rest = exponent; rest != 0; rest >>= 1) {
@@ -347,9 +367,9 @@ void allocate_numbers_with_new() { backend::allocate_with_new(); }
 
 void prepare_thread_for_numbers() { free_list_of_thread.start(); }
 
-}  // namespace blossom
-
-std::size_t std::hash<blossom::Integer>::operator()(const blossom::Integer& value) const noexcept {
-    return blossom::IntegerAccess::visit(
+std::size_t hash_value(const Integer& value) {
+    return IntegerAccess::visit(
         value, [](const auto& number) { return std::hash<std::remove_cvref_t<decltype(number)>>{}(number); });
 }
+
+}  // namespace blossom

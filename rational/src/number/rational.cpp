@@ -1,6 +1,7 @@
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/rational.hpp>
 
+#include <limits>
 #include <utility>
 
 #include "rational_access.hpp"
@@ -72,8 +73,12 @@ std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
 
 Rational abs(Rational value) { return value.sign() < 0 ? -std::move(value) : value; }
 
-Rational pow(const Rational& base, std::size_t exponent) {
-    return {pow(base.numerator(), exponent), pow(base.denominator(), exponent)};
+Rational pow(const Rational& base, const Integer& exponent) {
+    if (exponent.sign() < 0) return 1 / pow(base, -exponent);
+    // Beyond words only the powers of 0, 1 and -1 are not refused; they depend on the parity.
+    constexpr std::int64_t greatest_even = std::numeric_limits<std::int64_t>::max() - 1;
+    const std::int64_t count = exponent.to_int64().value_or(greatest_even + (exponent.is_odd() ? 1 : 0));
+    return RationalAccess::from_lowest_terms(pow(base.numerator(), count), pow(base.denominator(), count));
 }
 
 // The sum over the least common multiple g a' b' of the denominators g a' and g b'. After a factor f of the

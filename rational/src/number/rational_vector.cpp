@@ -1,4 +1,5 @@
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/rational_vector.hpp>
 
 #include <algorithm>
@@ -58,6 +59,10 @@ RationalVector RationalVector::weighted(std::span<const Integer> weights, const 
     result.factors_.push_back(divisor);
     result.denominator_ *= divisor;
     return result;
+}
+
+std::string to_string(const RationalVector& values) {
+    return "(" + joined(values.to_rationals(), [](const Rational& value) { return to_string(value); }) + ")";
 }
 
 void RationalVector::make_canonical() {

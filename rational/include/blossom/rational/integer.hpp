@@ -1,7 +1,6 @@
 #pragma once
 
 #include <compare>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -10,7 +9,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <utility>
+
+#include <blossom/rational/count.hpp>
+#include <blossom/rational/value.hpp>
 
 namespace blossom {
 
@@ -26,10 +29,13 @@ class Integer {
 public:
     Integer() noexcept = default;
 
-    template <std::integral Word>
-        requires(!std::same_as<Word, bool>)
+    template <WholeNumber Word>
     Integer(Word value) {  // NOLINT(google-explicit-constructor): an integral value is an Integer
-        if (std::in_range<std::int64_t>(value)) {
+        if constexpr (sizeof(Word) > sizeof(std::int64_t)) {
+            constexpr int bits = 64;
+            using High = std::conditional_t<(Word(-1) < Word(0)), std::int64_t, std::uint64_t>;
+            *this = (Integer(static_cast<High>(value >> bits)) << bits) + static_cast<std::uint64_t>(value);
+        } else if (std::in_range<std::int64_t>(value)) {
             small_ = static_cast<std::int64_t>(value);
         } else {
             *this = from_unsigned(static_cast<std::uint64_t>(value));
@@ -102,9 +108,10 @@ public:
     Integer& operator/=(const Integer& other);
     /// The remainder of truncated division, which has the sign of the dividend. Errors: `division_by_zero`.
     Integer& operator%=(const Integer& other);
-    Integer& operator<<=(std::size_t bits);
+    /// Errors: `limit_exceeded` for a result of more than 2^33 bits, as for products.
+    Integer& operator<<=(Count bits);
     /// Rounds towards minus infinity.
-    Integer& operator>>=(std::size_t bits);
+    Integer& operator>>=(Count bits);
 
     /// *this += a * b, without a temporary if the backend supports it.
     Integer& add_product(const Integer& a, const Integer& b) {
@@ -127,8 +134,8 @@ public:
     }
     friend Integer operator/(Integer a, const Integer& b) { return std::move(a /= b); }
     friend Integer operator%(Integer a, const Integer& b) { return std::move(a %= b); }
-    friend Integer operator<<(Integer a, std::size_t bits) { return std::move(a <<= bits); }
-    friend Integer operator>>(Integer a, std::size_t bits) { return std::move(a >>= bits); }
+    friend Integer operator<<(Integer a, Count bits) { return std::move(a <<= bits); }
+    friend Integer operator>>(Integer a, Count bits) { return std::move(a >>= bits); }
     friend Integer operator-(Integer a) {
         a.negate();
         return a;
@@ -179,7 +186,8 @@ Integer gcd(const Integer& a, const Integer& b);
 /// The non-negative least common multiple; 0 if either is 0.
 Integer lcm(const Integer& a, const Integer& b);
 /// base^exponent, with 0^0 = 1.
-Integer pow(const Integer& base, std::size_t exponent);
+/// Errors: `limit_exceeded` for a result of more than 2^33 bits.
+Integer pow(const Integer& base, Count exponent);
 /// a / b where b divides a, which the caller guarantees. Cheaper than a division with remainder. Errors:
 /// `division_by_zero`.
 Integer divide_exactly(const Integer& a, const Integer& b);
@@ -189,9 +197,6 @@ Integer dot(std::span<const Integer> a, std::span<const Integer> b);
 /// Decimal digits, with a leading '-' for negative values.
 std::string to_string(const Integer& value);
 
-}  // namespace blossom
+std::size_t hash_value(const Integer& value);
 
-template <>
-struct std::hash<blossom::Integer> {
-    std::size_t operator()(const blossom::Integer& value) const noexcept;
-};
+}  // namespace blossom

@@ -17,6 +17,13 @@ struct SimplexFactor {
     std::size_t degree = 0;
 
     friend bool operator==(const SimplexFactor&, const SimplexFactor&) = default;
+    friend std::string to_string(const SimplexFactor& factor) {
+        return "degree " + std::to_string(factor.degree) + " on a simplex of dimension " +
+               std::to_string(factor.dimension);
+    }
+    friend std::size_t hash_value(const SimplexFactor& factor) {
+        return hash_of(factor.dimension, factor.degree);
+    }
 };
 
 /// Tuples of s + 1 integers for each factor of a net, in order: tuple i stands for its entries divided by

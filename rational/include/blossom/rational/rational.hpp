@@ -3,10 +3,9 @@
 #include <blossom/rational/integer.hpp>
 
 #include <compare>
-#include <concepts>
 #include <cstddef>
-#include <functional>
 #include <string>
+#include <utility>
 
 namespace blossom {
 
@@ -20,11 +19,18 @@ public:
     Rational() = default;
     Rational(Integer value)  // NOLINT(google-explicit-constructor): an integer is a rational number
         : numerator_(std::move(value)) {}
-    template <std::integral Word>
-        requires(!std::same_as<Word, bool>)
+    template <WholeNumber Word>
     Rational(Word value) : numerator_(value) {}  // NOLINT(google-explicit-constructor)
     /// numerator / denominator, reduced. Errors: `zero_denominator`.
     Rational(Integer numerator, Integer denominator);
+
+    Rational(const Rational&) = default;
+    /// Leaves a valid number behind, as the assignment does.
+    Rational(Rational&& other) noexcept
+        : numerator_(std::move(other.numerator_)), denominator_(std::exchange(other.denominator_, 1)) {}
+    Rational& operator=(const Rational&) = default;
+    Rational& operator=(Rational&&) noexcept = default;
+    ~Rational() = default;
 
     const Integer& numerator() const { return numerator_; }
     const Integer& denominator() const { return denominator_; }
@@ -64,8 +70,9 @@ private:
 };
 
 Rational abs(Rational value);
-/// base^exponent, with 0^0 = 1.
-Rational pow(const Rational& base, std::size_t exponent);
+/// base^exponent, with 0^0 = 1; a negative exponent inverts. Errors: `division_by_zero`; `limit_exceeded`, as
+/// for powers of integers.
+Rational pow(const Rational& base, const Integer& exponent);
 
 /// (left a + right b) / divisor in lowest terms. Cost: one gcd of the denominators of a and b, and one of the
 /// numerator and each factor of the denominator; single operations would reduce four times. Errors:
@@ -76,12 +83,8 @@ Rational combination(const Integer& left, const Rational& a, const Integer& righ
 /// "p" or "p/q" in lowest terms.
 std::string to_string(const Rational& value);
 
-}  // namespace blossom
+inline std::size_t hash_value(const Rational& value) {
+    return hash_of(value.numerator(), value.denominator());
+}
 
-template <>
-struct std::hash<blossom::Rational> {
-    std::size_t operator()(const blossom::Rational& value) const noexcept {
-        const std::hash<blossom::Integer> of_integer;
-        return of_integer(value.numerator()) * 31 + of_integer(value.denominator());
-    }
-};
+}  // namespace blossom

@@ -3,7 +3,10 @@
 #include <blossom/rational/rational.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace blossom {
@@ -19,8 +22,20 @@ public:
     RationalVector() = default;
     /// Clears the denominators. Cost: one lcm and one product per element.
     explicit RationalVector(std::span<const Rational> values);
+    RationalVector(std::initializer_list<Rational> values)
+        : RationalVector(std::span(values.begin(), values.size())) {}
     /// Errors: `zero_denominator`.
     RationalVector(std::vector<Integer> numerators, Integer denominator);
+
+    RationalVector(const RationalVector&) = default;
+    /// Leaves an empty list behind.
+    RationalVector(RationalVector&& other) noexcept
+        : numerators_(std::move(other.numerators_)),
+          denominator_(std::exchange(other.denominator_, 1)),
+          factors_(std::move(other.factors_)) {}
+    RationalVector& operator=(const RationalVector&) = default;
+    RationalVector& operator=(RationalVector&&) noexcept = default;
+    ~RationalVector() = default;
 
     std::size_t size() const { return numerators_.size(); }
     bool empty() const { return numerators_.empty(); }
@@ -32,8 +47,11 @@ public:
     std::span<const Integer> denominator_factors() const {
         return factors_.empty() ? std::span(&denominator_, 1) : std::span(factors_);
     }
-    /// Element i in lowest terms. Cost: one gcd.
-    Rational operator[](std::size_t i) const { return {numerators_[i], denominator_}; }
+    /// Element i in lowest terms. Cost: one gcd. Errors: `outside_domain` unless i < size().
+    Rational operator[](std::size_t i) const {
+        require_index(i, size());
+        return {numerators_[i], denominator_};
+    }
     std::vector<Rational> to_rationals() const;
 
     /// Other numerators over the same denominator.
@@ -46,6 +64,9 @@ public:
     void make_canonical();
 
     friend bool operator==(const RationalVector& a, const RationalVector& b);
+    /// "(1/2, 3)".
+    friend std::string to_string(const RationalVector& values);
+    friend std::size_t hash_value(const RationalVector& values) { return hash_of(values.to_rationals()); }
 
 private:
     std::vector<Integer> numerators_;

@@ -3,7 +3,9 @@
 #include <blossom/rational/rational_vector.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
+#include <string>
 #include <utility>
 
 namespace blossom {
@@ -16,13 +18,16 @@ class Polynomial {
 public:
     Polynomial() = default;
     Polynomial(const Rational& constant);  // NOLINT(google-explicit-constructor): a constant is a polynomial
-    Polynomial(int constant) : Polynomial(Rational(constant)) {}  // NOLINT(google-explicit-constructor)
+    template <WholeNumber Word>
+    Polynomial(Word constant) : Polynomial(Rational(constant)) {}  // NOLINT(google-explicit-constructor)
     /// The coefficients are given lowest first; leading zeros are dropped, and the denominator is reduced to
     /// the least.
     explicit Polynomial(const RationalVector& coefficients);
     explicit Polynomial(std::span<const Rational> coefficients) : Polynomial(RationalVector(coefficients)) {}
+    Polynomial(std::initializer_list<Rational> coefficients)
+        : Polynomial(std::span(coefficients.begin(), coefficients.size())) {}
     /// t^k.
-    static Polynomial monomial(std::size_t k);
+    static Polynomial monomial(Count k);
 
     bool is_zero() const { return coefficients_.empty(); }
     std::size_t degree() const { return is_zero() ? 0 : coefficients_.size() - 1; }
@@ -43,6 +48,9 @@ public:
     friend Polynomial operator*(const Polynomial& a, const Polynomial& b);
     friend Polynomial operator-(const Polynomial& a);
     friend bool operator==(const Polynomial&, const Polynomial&) = default;
+    /// As `to_text` with the variable t.
+    friend std::string to_string(const Polynomial& polynomial);
+    friend std::size_t hash_value(const Polynomial& polynomial) { return hash_of(polynomial.coefficients_); }
 
     /// P(t) by Horner's rule on integers. Cost: n multiplications on numbers that grow to n times the bits of
     /// t.
@@ -69,7 +77,7 @@ Polynomial divide_exactly(const Polynomial& a, const Polynomial& b);
 /// Cost: (deg a)(deg b) operations on integers whose length grows with the degrees.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
-/// base^exponent, with 0^0 = 1.
-Polynomial pow(const Polynomial& base, std::size_t exponent);
+/// base^exponent, with 0^0 = 1. Errors: `limit_exceeded` for a degree above `Limits::numbers`.
+Polynomial pow(const Polynomial& base, Count exponent);
 
 }  // namespace blossom

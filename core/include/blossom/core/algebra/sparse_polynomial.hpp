@@ -24,8 +24,9 @@ public:
     SparsePolynomial() = default;
     SparsePolynomial(const Rational& constant);  // NOLINT(google-explicit-constructor)
     SparsePolynomial(Integer constant) : SparsePolynomial(Rational(std::move(constant))) {}  // NOLINT
-    SparsePolynomial(int constant) : SparsePolynomial(Rational(constant)) {}                 // NOLINT
-    static SparsePolynomial variable(std::size_t index);
+    template <WholeNumber Word>
+    SparsePolynomial(Word constant) : SparsePolynomial(Rational(constant)) {}  // NOLINT
+    static SparsePolynomial variable(Count index);
     /// coefficient * prod x_i^exponents[i].
     static SparsePolynomial term(const Rational& coefficient, std::span<const std::size_t> exponents);
 
@@ -55,6 +56,11 @@ public:
     friend SparsePolynomial operator*(const SparsePolynomial& a, const SparsePolynomial& b);
     friend SparsePolynomial operator-(const SparsePolynomial& a);
     friend bool operator==(const SparsePolynomial&, const SparsePolynomial&) = default;
+    /// As `to_text` with the variables x1, x2, ...
+    friend std::string to_string(const SparsePolynomial& polynomial);
+    friend std::size_t hash_value(const SparsePolynomial& polynomial) {
+        return hash_of(polynomial.variables_, polynomial.monomials_, polynomial.coefficients_);
+    }
 
     /// The value with variable i = values[i]; later variables must not occur. Errors: `wrong_arity`.
     Rational operator()(std::span<const Rational> values) const;
@@ -102,6 +108,6 @@ std::vector<SparsePolynomial> powers(const SparsePolynomial& base, std::size_t n
 
 /// base^exponent, with 0^0 = 1: two terms by the binomial theorem, independent terms by the multinomial
 /// theorem.
-SparsePolynomial pow(const SparsePolynomial& base, std::size_t exponent);
+SparsePolynomial pow(const SparsePolynomial& base, Count exponent);
 
 }  // namespace blossom

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace blossom {
@@ -39,16 +40,20 @@ public:
     /// `limits.numbers` points.
     explicit NetShape(std::vector<SimplexFactor> factors, const Limits& limits = {});
     /// One simplex.
-    static NetShape simplex(std::size_t dimension, std::size_t degree, const Limits& limits = {});
+    static NetShape simplex(Count dimension, Count degree, const Limits& limits = {});
     /// One segment of any degree: the shape of a curve.
-    static NetShape segment(std::size_t degree) {
+    static NetShape segment(Count degree) {
         return NetShape({{1, degree}}, {.degree = degree, .numbers = degree + 1});
     }
     /// One segment per degree.
     static NetShape tensor(std::span<const std::size_t> degrees, const Limits& limits = {});
 
     std::size_t factors() const { return factors_.size(); }
-    const SimplexFactor& operator[](std::size_t factor) const { return factors_[factor]; }
+    /// Errors: `outside_domain` unless factor < factors().
+    const SimplexFactor& operator[](std::size_t factor) const {
+        require_index(factor, factors_.size());
+        return factors_[factor];
+    }
     const std::vector<SimplexFactor>& list() const { return factors_; }
     /// The number of points of the net.
     std::size_t size() const { return size_; }
@@ -68,6 +73,9 @@ public:
     std::size_t position_of(std::span<const MultiIndex> indices) const;
 
     friend bool operator==(const NetShape&, const NetShape&) = default;
+    /// "degree 1 on a simplex of dimension 2, degree 3 on a simplex of dimension 1".
+    friend std::string to_string(const NetShape& shape);
+    friend std::size_t hash_value(const NetShape& shape) { return hash_of(shape.factors_); }
 
 private:
     static constexpr std::size_t any = std::numeric_limits<std::size_t>::max();

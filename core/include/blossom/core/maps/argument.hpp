@@ -2,7 +2,9 @@
 
 #include <blossom/rational/rational.hpp>
 
+#include <compare>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -13,8 +15,18 @@ struct Direction {
     Rational value;
 
     friend Direction operator+(const Direction& a, const Direction& b) { return {a.value + b.value}; }
+    friend Direction operator-(const Direction& a, const Direction& b) { return {a.value - b.value}; }
+    friend Direction operator-(const Direction& a) { return {-a.value}; }
     friend Direction operator*(const Rational& scale, const Direction& a) { return {scale * a.value}; }
+    friend Direction operator*(const Direction& a, const Rational& scale) { return {scale * a.value}; }
+    /// Errors: `division_by_zero`.
+    friend Direction operator/(const Direction& a, const Rational& scale) { return {a.value / scale}; }
+    Direction& operator+=(const Direction& other) { return *this = *this + other; }
+    Direction& operator-=(const Direction& other) { return *this = *this - other; }
     friend bool operator==(const Direction&, const Direction&) = default;
+    /// "1/2 delta".
+    friend std::string to_string(const Direction& direction) { return to_string(direction.value) + " delta"; }
+    friend std::size_t hash_value(const Direction& direction) { return hash_of(direction.value, 0); }
 };
 
 /// A point of the affine line: a parameter value, with mass 1 as an argument of a blossom.
@@ -22,14 +34,21 @@ struct Direction {
 /// The sum of two parameters does not compile; their difference is a `Direction`.
 struct Parameter {
     Parameter(Rational parameter) : value(std::move(parameter)) {}  // NOLINT(google-explicit-constructor)
-    template <std::integral Word>
+    template <WholeNumber Word>
     Parameter(Word parameter) : value(parameter) {}  // NOLINT(google-explicit-constructor)
 
     Rational value;
 
     friend Direction operator-(const Parameter& a, const Parameter& b) { return {a.value - b.value}; }
     friend Parameter operator+(const Parameter& a, const Direction& b) { return a.value + b.value; }
+    friend Parameter operator+(const Direction& a, const Parameter& b) { return a.value + b.value; }
+    friend Parameter operator-(const Parameter& a, const Direction& b) { return a.value - b.value; }
+    Parameter& operator+=(const Direction& other) { return *this = *this + other; }
+    Parameter& operator-=(const Direction& other) { return *this = *this - other; }
     friend bool operator==(const Parameter&, const Parameter&) = default;
+    friend std::strong_ordering operator<=>(const Parameter&, const Parameter&) = default;
+    friend std::string to_string(const Parameter& parameter) { return to_string(parameter.value); }
+    friend std::size_t hash_value(const Parameter& parameter) { return hash_of(parameter.value, 1); }
 };
 
 /// delta = (1, 0), the unit vector; each occurrence in a blossom differentiates once (Goldman, section 4.2).
@@ -41,6 +60,9 @@ struct Argument {
     // NOLINTBEGIN(google-explicit-constructor): points and vectors are arguments
     Argument(Parameter point) : u(std::move(point.value)), mass(1) {}
     Argument(Direction direction) : u(std::move(direction.value)), mass(0) {}
+    Argument(Rational point) : u(std::move(point)), mass(1) {}
+    template <WholeNumber Word>
+    Argument(Word point) : u(point), mass(1) {}
     // NOLINTEND(google-explicit-constructor)
     Argument(Rational first, Rational second) : u(std::move(first)), mass(std::move(second)) {}
 
@@ -48,6 +70,11 @@ struct Argument {
     Rational mass;
 
     friend bool operator==(const Argument&, const Argument&) = default;
+    /// "(u, mass)".
+    friend std::string to_string(const Argument& argument) {
+        return "(" + to_string(argument.u) + ", " + to_string(argument.mass) + ")";
+    }
+    friend std::size_t hash_value(const Argument& argument) { return hash_of(argument.u, argument.mass); }
 };
 
 /// `arguments` followed by k copies of `repeated`.

@@ -4,7 +4,10 @@
 #include <blossom/core/maps/point_array.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace blossom {
 
@@ -14,6 +17,8 @@ class BezierCurve {
 public:
     /// Takes n + 1 control points. Errors: those of `PointArray`, with places below `Part::control_points`.
     explicit BezierCurve(std::span<const Coordinates> control_points, Interval interval = {});
+    BezierCurve(std::initializer_list<Coordinates> control_points, Interval interval = {})
+        : BezierCurve(std::span(control_points.begin(), control_points.size()), std::move(interval)) {}
     BezierCurve(PointArray control_points, Interval interval);
 
     std::size_t degree() const { return control_points_.size() - 1; }
@@ -22,6 +27,11 @@ public:
     const PointArray& control_points() const { return control_points_; }
 
     friend bool operator==(const BezierCurve&, const BezierCurve&) = default;
+    /// "control points (0, 0), (1, 2) over [0, 1]".
+    friend std::string to_string(const BezierCurve& curve);
+    friend std::size_t hash_value(const BezierCurve& curve) {
+        return hash_of(curve.interval_, curve.control_points_);
+    }
 
 private:
     Interval interval_;

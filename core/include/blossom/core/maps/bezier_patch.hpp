@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace blossom {
@@ -36,6 +37,11 @@ public:
     const PointArray& control_net() const { return control_net_; }
 
     friend bool operator==(const BezierPatch&, const BezierPatch&) = default;
+    /// "degree 1 on a simplex of dimension 2, control net (0), (1), (2)".
+    friend std::string to_string(const BezierPatch& patch);
+    friend std::size_t hash_value(const BezierPatch& patch) {
+        return hash_of(patch.shape_, patch.control_net_);
+    }
 
 private:
     NetShape shape_;

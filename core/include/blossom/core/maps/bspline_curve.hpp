@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace blossom {
@@ -19,7 +20,7 @@ namespace blossom {
 class BSplineCurve {
 public:
     /// Errors: those of `KnotVector`; `mismatched_dimensions`, below `Part::control_points`.
-    BSplineCurve(std::size_t degree, std::vector<Rational> knots, std::vector<Coordinates> control_points);
+    BSplineCurve(Count degree, std::vector<Rational> knots, std::vector<Coordinates> control_points);
     /// Errors: `wrong_arity` unless the number of points is that of the knot vector; `mismatched_dimensions`.
     BSplineCurve(KnotVector knots, std::vector<Coordinates> control_points);
 
@@ -27,12 +28,19 @@ public:
     std::size_t dimension() const { return control_points_.front().size(); }
     const KnotVector& knots() const { return knots_; }
     const std::vector<Coordinates>& control_points() const { return control_points_; }
-    /// The n + 1 control points that determine the polynomial on a span.
+    /// The n + 1 control points that determine the polynomial on a span. Errors: `outside_domain` unless it
+    /// is a span of the domain, possibly an empty one.
     std::span<const Coordinates> points_of(std::size_t span) const {
+        require_index(knots_.first_point(span), knots_.points() - degree());
         return std::span(control_points_).subspan(knots_.first_point(span), degree() + 1);
     }
 
     friend bool operator==(const BSplineCurve&, const BSplineCurve&) = default;
+    /// "degree 1, knots 0, 0, 1, 1, control points (0, 0), (1, 2)".
+    friend std::string to_string(const BSplineCurve& curve);
+    friend std::size_t hash_value(const BSplineCurve& curve) {
+        return hash_of(curve.knots_, curve.control_points_);
+    }
 
 private:
     KnotVector knots_;

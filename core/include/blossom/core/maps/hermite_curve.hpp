@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 
 namespace blossom {
 
@@ -34,6 +35,11 @@ public:
     const PointArray& derivatives() const { return derivatives_; }
 
     friend bool operator==(const HermiteCurve&, const HermiteCurve&) = default;
+    /// "(0), (1), (2), the first 2 at 0, the others at 1".
+    friend std::string to_string(const HermiteCurve& curve);
+    friend std::size_t hash_value(const HermiteCurve& curve) {
+        return hash_of(curve.interval_, curve.left_count_, curve.derivatives_);
+    }
     friend HermiteCurve hermite_form(const BezierCurve& curve, std::size_t left_count, const Limits& limits);
 
 private:

@@ -2,6 +2,8 @@
 
 #include <blossom/rational/rational.hpp>
 
+#include <string>
+
 namespace blossom {
 
 /// A parameter interval [a, b] with a != b; a > b means the reversed parametrisation.
@@ -16,6 +18,11 @@ public:
     const Rational& b() const { return b_; }
 
     friend bool operator==(const Interval&, const Interval&) = default;
+    /// "[a, b]".
+    friend std::string to_string(const Interval& interval) {
+        return "[" + to_string(interval.a_) + ", " + to_string(interval.b_) + "]";
+    }
+    friend std::size_t hash_value(const Interval& interval) { return hash_of(interval.a_, interval.b_); }
 
 private:
     Rational a_;

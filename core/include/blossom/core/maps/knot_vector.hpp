@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace blossom {
@@ -40,13 +41,17 @@ public:
     /// Errors: `wrong_arity` for fewer than degree + 1 points; `bad_knots` if the number of knots fits
     /// neither convention, if the knots decrease, if one has a multiplicity above degree + 1, or if the
     /// domain is a single point.
-    KnotVector(std::size_t degree, std::vector<Rational> knots, std::size_t points);
+    KnotVector(Count degree, std::vector<Rational> knots, Count points);
 
     std::size_t degree() const { return degree_; }
     std::size_t points() const { return points_; }
     KnotConvention convention() const { return convention_; }
     const std::vector<Rational>& knots() const { return knots_; }
-    const Rational& operator[](std::size_t i) const { return knots_[i]; }
+    /// Errors: `outside_domain` unless i < size().
+    const Rational& operator[](std::size_t i) const {
+        require_index(i, knots_.size());
+        return knots_[i];
+    }
     std::size_t size() const { return knots_.size(); }
 
     /// The domain is [knot begin_index(), knot end_index()]; further knots may be equal to these.
@@ -64,16 +69,19 @@ public:
     /// Errors: `outside_domain` unless `span` is a non-empty span of the domain.
     void require_span(std::size_t span) const;
 
-    /// The 2n knots t_(i-n+1), ..., t_(i+n) on which the blossom of span i depends.
+    /// The 2n knots t_(i-n+1), ..., t_(i+n) on which the blossom of span i depends. Errors: `outside_domain`
+    /// unless it is a span of the domain, possibly an empty one.
     std::span<const Rational> around(std::size_t span) const {
+        require_index(first_point(span), points_ - degree_);
         return std::span(knots_).subspan(span + 1 - degree_, 2 * degree_);
     }
-    /// The first of the n + 1 control points that determine span i.
+    /// The first of the n + 1 control points that determine span i, a span of the domain.
     std::size_t first_point(std::size_t span) const { return span - begin_index(); }
     /// The index of the first knot of the window of control point j.
     std::size_t window_index(std::size_t point) const { return point + first(); }
-    /// The n knots at which control point j is a blossom value.
+    /// The n knots at which control point j is a blossom value. Errors: `outside_domain` unless j < points().
     std::span<const Rational> window(std::size_t point) const {
+        require_index(point, points_);
         return std::span(knots_).subspan(window_index(point), degree_);
     }
 
@@ -83,6 +91,11 @@ public:
     std::vector<KnotMultiplicity> distinct() const;
 
     friend bool operator==(const KnotVector&, const KnotVector&) = default;
+    /// "degree 2, knots 0, 0, 1, 2, 2".
+    friend std::string to_string(const KnotVector& knots);
+    friend std::size_t hash_value(const KnotVector& knots) {
+        return hash_of(knots.degree_, knots.points_, knots.knots_);
+    }
 
 private:
     std::size_t first() const { return convention_ == KnotConvention::textbook ? 1 : 0; }

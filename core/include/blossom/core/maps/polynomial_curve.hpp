@@ -5,8 +5,11 @@
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace blossom {
@@ -20,12 +23,13 @@ class PolynomialCurve {
 public:
     /// The formal degree is `degree`, or by default the number of coefficients minus one.
     /// Errors: `degree_too_low` if a coefficient beyond `degree` is not zero; those of `PointArray`.
-    explicit PolynomialCurve(std::span<const Coordinates> coefficients,
-                             std::optional<std::size_t> degree = {});
+    explicit PolynomialCurve(std::span<const Coordinates> coefficients, std::optional<Count> degree = {});
+    PolynomialCurve(std::initializer_list<Coordinates> coefficients, std::optional<Count> degree = {})
+        : PolynomialCurve(std::span(coefficients.begin(), coefficients.size()), degree) {}
     /// Takes one polynomial per coordinate; the formal degree is by default the greatest actual degree.
-    explicit PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<std::size_t> degree = {});
+    explicit PolynomialCurve(std::span<const Polynomial> coordinates, std::optional<Count> degree = {});
     /// The scalar map of one polynomial.
-    explicit PolynomialCurve(const Polynomial& polynomial, std::optional<std::size_t> degree = {});
+    explicit PolynomialCurve(const Polynomial& polynomial, std::optional<Count> degree = {});
     explicit PolynomialCurve(PointArray coefficients) : coefficients_(std::move(coefficients)) {}
 
     std::size_t degree() const { return coefficients_.size() - 1; }
@@ -38,6 +42,9 @@ public:
 
     /// Equality includes the formal degree.
     friend bool operator==(const PolynomialCurve&, const PolynomialCurve&) = default;
+    /// "(1 + t^2, t) of degree 2".
+    friend std::string to_string(const PolynomialCurve& curve);
+    friend std::size_t hash_value(const PolynomialCurve& curve) { return hash_of(curve.coefficients_); }
 
 private:
     PointArray coefficients_;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace blossom {
@@ -36,6 +37,11 @@ public:
     SparsePolynomial coordinate(std::size_t j) const;
 
     friend bool operator==(const PolynomialPatch&, const PolynomialPatch&) = default;
+    /// "degree 1 on a simplex of dimension 2, coefficients (0), (1), (2)".
+    friend std::string to_string(const PolynomialPatch& patch);
+    friend std::size_t hash_value(const PolynomialPatch& patch) {
+        return hash_of(patch.shape_, patch.coefficients_);
+    }
 
 private:
     NetShape shape_;

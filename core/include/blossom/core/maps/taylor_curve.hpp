@@ -3,6 +3,8 @@
 #include <blossom/core/maps/polynomial_map.hpp>
 #include <blossom/rational/limits.hpp>
 
+#include <string>
+
 namespace blossom {
 
 /// A polynomial map by its n + 1 Taylor coefficients at a centre: P(t) = sum_k m_k (t - center)^k.
@@ -14,6 +16,11 @@ struct TaylorCurve {
     std::size_t dimension() const { return coefficients.dimension(); }
 
     friend bool operator==(const TaylorCurve&, const TaylorCurve&) = default;
+    /// "Taylor coefficients (1), (2) at 1/2".
+    friend std::string to_string(const TaylorCurve& curve);
+    friend std::size_t hash_value(const TaylorCurve& curve) {
+        return hash_of(curve.center, curve.coefficients);
+    }
 };
 
 /// m_k = P^(k)(center) / k! = C(n, k) p(center^(n-k), delta^k); the formal degree is kept.

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace blossom {
@@ -33,6 +34,11 @@ public:
     const std::vector<Coordinates>& control_points() const { return control_points_; }
 
     friend bool operator==(const TensorBSpline&, const TensorBSpline&) = default;
+    /// "degree 1, knots 0, 0, 1, 1; degree 0, knots 0, 1; control points (0), (1)".
+    friend std::string to_string(const TensorBSpline& spline);
+    friend std::size_t hash_value(const TensorBSpline& spline) {
+        return hash_of(spline.knots_, spline.control_points_);
+    }
 
 private:
     std::vector<KnotVector> knots_;

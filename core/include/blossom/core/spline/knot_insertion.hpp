@@ -4,6 +4,7 @@
 #include <blossom/rational/limits.hpp>
 
 #include <cstddef>
+#include <initializer_list>
 #include <span>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace blossom {
 /// Boehm's algorithm; both give the same result. Cost, errors and order of the knots: see below.
 BSplineCurve insert_knots(const BSplineCurve& curve, std::span<const Rational> knots,
                           const Limits& limits = {});
+inline BSplineCurve insert_knots(const BSplineCurve& curve, std::initializer_list<Rational> knots,
+                                 const Limits& limits = {}) {
+    return insert_knots(curve, std::span(knots.begin(), knots.size()), limits);
+}
 
 /// The same curve with the additional knots `knots[0]`, `knots[1]`, ..., by Boehm's algorithm, one knot after
 /// the other.
