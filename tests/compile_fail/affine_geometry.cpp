@@ -2,9 +2,9 @@
 // MISUSE_SCALED_POINT: no match for 'operator\*'|invalid operands
 // MISUSE_VECTOR_AS_ARGUMENT: no match|no matching|no viable
 // MISUSE_VERTEX_VECTOR: no matching|could not convert|no viable conversion|cannot convert
-// MISUSE_POINT_WITHOUT_SPACE: no matching|could not convert|no viable conversion|conversion from|cannot
-// convert MISUSE_BARE_NUMBERS: no match|no matching|no viable MISUSE_VALUE_AS_VECTOR: conversion from|no
-// viable conversion|no matching
+// MISUSE_POINT_WITHOUT_SPACE: no matching|could not convert|no viable conversion|conversion from|cannot convert
+// MISUSE_BARE_NUMBERS: no match|no matching|no viable
+// MISUSE_VALUE_AS_VECTOR: conversion from|could not convert|no viable conversion|no matching
 
 #include <blossom/core/geometry/coordinate_free_blossom.hpp>
 

@@ -3,7 +3,7 @@
 # The program names its misuses in lines such as
 #     // MISUSE_POINT_PLUS_POINT: no match for 'operator\+'|invalid operands
 # and encloses each in #ifdef MISUSE_POINT_PLUS_POINT and #endif. It must compile without these macros, and must not compile with any one of
-# them; the compiler's message must match the regular expression after the colon.
+# them; the compiler's message must match the regular expression after the colon. The names and the sections are the same, in the same order.
 
 cmake_minimum_required(VERSION 3.25)
 set(ENV{LC_ALL} C)
@@ -26,8 +26,11 @@ if(NOT status EQUAL 0)
 endif()
 
 file(STRINGS ${program} misuses REGEX "^// MISUSE_[A-Z_]+: .+$")
-if(NOT misuses)
-  message(FATAL_ERROR "${program} names no misuse")
+file(STRINGS ${program} sections REGEX "^#ifdef MISUSE_[A-Z_]+$")
+list(TRANSFORM sections REPLACE "#ifdef (.+)" "\\1")
+list(TRANSFORM misuses REPLACE "^// (MISUSE_[A-Z_]+): .+$" "\\1" OUTPUT_VARIABLE names)
+if(NOT sections OR NOT "${names}" STREQUAL "${sections}")
+  message(FATAL_ERROR "${program} names the misuses ${names}, and has the sections ${sections}")
 endif()
 foreach(line IN LISTS misuses)
   string(REGEX MATCH "^// (MISUSE_[A-Z_]+): (.+)$" line "${line}")
