@@ -5,9 +5,11 @@
 #include <blossom/core/maps/parameter_range.hpp>
 #include <blossom/rational/error.hpp>
 #include <blossom/rational/limits.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <array>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +33,8 @@ decltype(auto) within(std::string_view name, const Action& action) {
         return action();
     } catch (const Error& error) {
         throw error.below({std::string(name)});
+    } catch (const std::bad_alloc& problem) {
+        throw resource_error(problem).below({std::string(name)});
     }
 }
 
