@@ -54,6 +54,8 @@
 #include <blossom/core/nurbs/rational_join.hpp>
 #include <blossom/core/nurbs/rational_patch.hpp>
 #include <blossom/core/nurbs/rational_spline.hpp>
+#include <blossom/core/patch/combined_maps.hpp>
+#include <blossom/core/patch/coordinate_sums.hpp>
 #include <blossom/core/patch/net_interpolation.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
