@@ -48,3 +48,22 @@ TEST_CASE("the dot product is the sum of the products", "[integer]") {
     }
     CHECK(dot({}, {}) == 0);
 }
+
+TEST_CASE("integers as words in two's complement", "[integer]") {
+    constexpr std::uint64_t ones = ~std::uint64_t{0};
+    const std::pair<Integer, std::vector<std::uint64_t>> cases[] = {
+        {0, {0}},
+        {-1, {ones, ones}},
+        {INT64_MIN, {std::uint64_t{1} << 63}},
+        {pow(Integer(2), 64), {0, 1}},
+        {-pow(Integer(2), 64), {0, ones}},
+        {pow(Integer(2), 64) + 5, {5, 1, 0}},
+        {-pow(Integer(2), 127), {0, std::uint64_t{1} << 63}},
+    };
+    for (const auto& [value, words] : cases) {
+        CHECK(from_twos_complement(words) == value);
+        std::vector<std::uint64_t> written(words.size(), 7);
+        to_twos_complement(value, written);
+        CHECK(written == words);
+    }
+}

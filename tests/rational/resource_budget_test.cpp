@@ -175,3 +175,22 @@ TEST_CASE("memory that the system refuses is a limit too") {
     CHECK(resource_error(std::bad_alloc()).code() == ErrorCode::limit_exceeded);
     CHECK(resource_error(std::bad_alloc()).message() == "the memory of this machine does not suffice");
 }
+
+TEST_CASE("a thread that shall stop is refused at the next check, whatever is left") {
+    static thread_local bool stops = false;
+    is_stopped = [] { return stops; };
+    const Limits limits = limits_of(1'000'000'000);
+    const ResourceBudget budget(limits);
+    const auto work = [] {
+        for (int i = 0; i < 10; ++i) spend_work(1'000'000);
+    };
+    CHECK(refusal(work).empty());
+    stops = true;
+    CHECK(refusal(work) == "the computation was stopped");
+    CHECK(refusal([] {
+              take_bytes(1'000);
+              spend_work(1'000'000);
+          }) == "the computation was stopped");
+    is_stopped = nullptr;
+    CHECK(refusal(work).empty());
+}

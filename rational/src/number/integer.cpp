@@ -363,6 +363,14 @@ void IntegerAccess::to_twos_complement(const Integer& value, std::span<std::uint
     }
 }
 
+Integer from_twos_complement(std::span<const std::uint64_t> words) {
+    return IntegerAccess::from_twos_complement(words);
+}
+
+void to_twos_complement(const Integer& value, std::span<std::uint64_t> words) {
+    IntegerAccess::to_twos_complement(value, words);
+}
+
 void allocate_numbers_with_new() { backend::allocate_with_new(); }
 
 void prepare_thread_for_numbers() { free_list_of_thread.start(); }

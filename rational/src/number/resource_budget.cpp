@@ -39,6 +39,7 @@ void set_words(ThreadResources& resources, std::int64_t words) {
 }  // namespace
 
 constinit thread_local ThreadResources thread_resources;
+constinit thread_local StopQuestion is_stopped = nullptr;
 
 // The time is first read at the first check, so that short requests never read it.
 ResourceBudget::ResourceBudget(const Limits& limits) : outer_(thread_resources) {
@@ -83,9 +84,11 @@ std::optional<ResourcesExceeded> checked() {
     if (resources.checked_at != 0) resources.nanoseconds -= now - resources.checked_at;
     resources.checked_at = now;
     const bool in_time = resources.nanoseconds > 0;
-    if (left > 0 && in_time) return std::nullopt;
+    const bool stopped = is_stopped && is_stopped();
+    if (left > 0 && in_time && !stopped) return std::nullopt;
     resources.words_until_check = words_of_message;
     resources.words_after_check = left - words_of_message;
+    if (stopped) return ResourcesExceeded(Resource::stopped, 0);
     if (left == 0) return ResourcesExceeded(Resource::work, resources.limits->work);
     return ResourcesExceeded(Resource::time, resources.limits->timeout);
 }
@@ -119,6 +122,8 @@ Error ResourcesExceeded::error() const {
             return exceeded("the work exceeds", "work", " word operations");
         case Resource::memory:
             return exceeded("the memory exceeds", "memory", " bytes");
+        case Resource::stopped:
+            return {ErrorCode::limit_exceeded, "the computation was stopped"};
         case Resource::time:
             break;
     }

@@ -194,6 +194,12 @@ Integer divide_exactly(const Integer& a, const Integer& b);
 /// The sum of a_i b_i; both spans have the same length.
 Integer dot(std::span<const Integer> a, std::span<const Integer> b);
 
+/// The integer with this two's complement of at least one word, least significant first.
+Integer from_twos_complement(std::span<const std::uint64_t> words);
+/// Writes the two's complement of `value` to `words`, which has room for `value.bit_length()` bits and the
+/// sign.
+void to_twos_complement(const Integer& value, std::span<std::uint64_t> words);
+
 /// Decimal digits, with a leading '-' for negative values.
 std::string to_string(const Integer& value);
 

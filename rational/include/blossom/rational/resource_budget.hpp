@@ -26,6 +26,11 @@ struct ThreadResources {
 };
 extern constinit thread_local ThreadResources thread_resources;
 
+/// A question of the program whether this thread should stop, or nullptr. The checks of a budget ask it,
+/// about ten thousand times per second, and stop as if a limit was exceeded.
+using StopQuestion = bool (*)();
+extern constinit thread_local StopQuestion is_stopped;
+
 /// Limits what this thread uses during the lifetime of the object, by `Limits::work`, `memory` and `timeout`.
 ///
 /// Work is counted by arithmetic beyond 64 bits, by the kernels before they start, and by allocations. Memory
@@ -66,7 +71,7 @@ constexpr std::uint64_t words_of_product(std::uint64_t a, std::uint64_t b) {
 /// The exception that `operator new` throws when a budget is used up.
 class ResourcesExceeded : public std::bad_alloc {
 public:
-    enum class Resource { work, memory, time };
+    enum class Resource { work, memory, time, stopped };
 
     ResourcesExceeded(Resource resource, std::size_t limit) : resource_(resource), limit_(limit) {}
     const char* what() const noexcept override { return "the resources of a request are used up"; }
