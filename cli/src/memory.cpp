@@ -26,7 +26,8 @@ constexpr std::size_t chunk_size(std::size_t size) {
 #define BLOSSOM_ADDRESS_SANITIZER
 #endif
 #endif
-#if defined(BLOSSOM_ADDRESS_SANITIZER) || defined(__SANITIZE_ADDRESS__)
+// In a module of another program, threads end and leave behind what they have kept.
+#if defined(BLOSSOM_ADDRESS_SANITIZER) || defined(__SANITIZE_ADDRESS__) || defined(BLOSSOM_THREADS_END)
 constexpr bool keeps_blocks = false;
 #else
 constexpr bool keeps_blocks = true;

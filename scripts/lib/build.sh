@@ -24,12 +24,12 @@ unlock_build() {
   exec 9>&-
 }
 
-# is_configured WITH_TESTS: whether the build is configured for this checkout, which may have been moved or copied, and for tests if
-# WITH_TESTS.
+# is_configured WITH_TESTS: whether the build is configured for this checkout, which may have been moved or copied, and for tests and the
+# Python module if WITH_TESTS.
 is_configured() {
   [[ -f $build/build.ninja ]] &&
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" &&
-    { [[ $1 == OFF ]] || grep -qxF BLOSSOM_BUILD_TESTS:BOOL=ON "$build/CMakeCache.txt"; }
+    { [[ $1 == OFF ]] || [[ $(grep -cxE "BLOSSOM_BUILD_(TESTS|PYTHON):BOOL=ON" "$build/CMakeCache.txt") == 2 ]]; }
 }
 
 is_up_to_date() {
@@ -38,7 +38,7 @@ is_up_to_date() {
 
 configure_and_build() {
   if ! is_configured "$2"; then
-    (cd "$root" && cmake --fresh --preset release -DBLOSSOM_BUILD_TESTS="$2") || return
+    (cd "$root" && cmake --fresh --preset release -DBLOSSOM_BUILD_TESTS="$2" -DBLOSSOM_BUILD_PYTHON="$2") || return
   fi
   cmake --build "$build" --target "$1"
 }
