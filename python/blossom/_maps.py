@@ -116,11 +116,7 @@ class Map(_engine.Map, Display, Conversions):
                 return values
         return _operations.BY_NAME["evaluate"].call(self, (parameters,), dict(keywords))
 
-    def __len__(self):
-        raise TypeError("a map has no length")
-
-    def __iter__(self):
-        raise TypeError("a map cannot be iterated; p[u, v, w] is its blossom")
+    __iter__ = None  # p[0], p[1], ... are values of a blossom, not elements
 
     def __repr__(self):
         fields = dict(self._fields)

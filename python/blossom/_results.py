@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import html
+
 from . import _engine
 
 #: Results that are true or false as a whole: those of a proof.
@@ -69,6 +71,22 @@ class Result:
 
     def __repr__(self):
         return f"Result({', '.join(f'{name}={value!r}' for name, value in self._members.items())})"
+
+    def _document(self, format):
+        return self._members["document"] if self._members.get("format") == format else None
+
+    def _repr_html_(self):
+        """A worked example or an exercise sheet as a page of its own in the notebook."""
+        page = self._document("html")
+        if page is None:
+            return None
+        return f'<iframe srcdoc="{html.escape(page)}" style="width: 100%; height: 40em; border: 0"></iframe>'
+
+    def _repr_markdown_(self):
+        return self._document("markdown")
+
+    def _repr_latex_(self):
+        return self._document("latex-fragment")
 
     def __str__(self):
         """The text that the program prints after the same request."""

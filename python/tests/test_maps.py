@@ -132,6 +132,7 @@ def test_maps_are_values(map_):
         map_.fields["degree"] = 3
     with pytest.raises(TypeError):
         iter(map_)
+    assert bool(map_)
 
 
 def test_different_maps():
