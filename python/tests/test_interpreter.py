@@ -23,11 +23,11 @@ def long_work():
 
 
 def interrupted_after(seconds, work):
-    """When KeyboardInterrupt came, in seconds after the signal."""
+    """When KeyboardInterrupt came, in seconds of processor time after the signal."""
     sent = []
 
     def send():
-        sent.append(time.monotonic())
+        sent.append(time.process_time())
         os.kill(os.getpid(), signal.SIGINT)
 
     timer = threading.Timer(seconds, send)
@@ -35,7 +35,7 @@ def interrupted_after(seconds, work):
     with pytest.raises(KeyboardInterrupt):
         while True:
             work()
-    return time.monotonic() - sent[0]
+    return time.process_time() - sent[0]
 
 
 @pytest.mark.parametrize(
@@ -83,6 +83,7 @@ def test_threads_run_at_once():
     end = time.monotonic()
     done.set()
     thread.join()
+    # The interpreter would make the other thread wait for the whole computation.
     assert end - start < 0.02 or sum(start < at < end for at in progress) >= 3
 
 
@@ -166,6 +167,10 @@ def test_threads_that_end_leave_nothing():
 
 
 def test_the_module_is_imported_quickly():
-    start = time.monotonic()
+    def seconds():
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+
+    before = seconds()
     subprocess.run([sys.executable, "-c", "import blossom"], check=True)
-    assert time.monotonic() - start < 2
+    assert seconds() - before < 1
