@@ -269,7 +269,10 @@ TEST_CASE("weights of a document are not those of points that carry their weight
                                           map) == "0");
     CHECK(refusal_text(R"("op": "audit", "format": "splinepy", "document": {"SplineList": [{"degrees": [1],
         "knot_vectors": [[0, 0, 1, 1]], "control_points": [[0, 1], [1, 1]], "weights": [1, 1]}]}, )" +
-                       map) == "wrong_kind /document/SplineList/0/weights");
+                       map) == "mismatched_dimensions /document/SplineList/0/control_points/0");
+    CHECK(answered_at("/not_nearest", R"("op": "audit", "format": "splinepy", "document": {"SplineList": [{
+        "degrees": [1], "knot_vectors": [[0, 0, 1, 1]], "control_points": [[0], [1]], "weights": [1, 1]}]}, )" +
+                                          map) == "0");
 }
 
 TEST_CASE("a document of another degree is refused, even with as many numbers") {

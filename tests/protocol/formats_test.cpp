@@ -98,7 +98,7 @@ TEST_CASE("files as the other libraries write them are read") {
           "mismatched_dimensions /document/control_points");
     CHECK(refusal_text(R"("op": "import", "format": "splinepy", "document": {"Base64Encoding": true})") ==
           "wrong_kind /document/Base64Encoding");
-    CHECK(refusal_text(R"("op": "import", "format": "geomdl", "document": {"shape": {"type": "surface"}})") ==
+    CHECK(refusal_text(R"("op": "import", "format": "geomdl", "document": {"shape": {"type": "solid"}})") ==
           "wrong_kind /document/shape/type");
     CHECK(refusal_text(R"("op": "import", "format": "iges", "document": {})") == "wrong_kind /format");
     CHECK(refusal_text(R"("op": "export", "format": "tinyspline", "map": {"kind": "bezier",

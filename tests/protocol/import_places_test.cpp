@@ -24,6 +24,19 @@ const std::vector<Document> documents{
     {"splinepy", R"({"SplineList": [{"degrees": [1], "control_points": [[0], [1]], "weights": [[1], [2]]},
         {"degrees": [1], "knot_vectors": [[0, 0, 1, 1]], "control_points": [[0, 1], [2, 3]], "weights": [1, 2]},
         {"degrees": [0], "control_points": [[7]], "dim": 1}]})"},
+    {"geomdl",
+     R"({"shape": {"type": "surface", "count": 1, "data": [{"dimension": 1, "rational": true, "degree_u": 1,
+        "degree_v": 1, "knotvector_u": [0, 0, 1, 1], "knotvector_v": [0, 0, 1, 2, 2], "size_u": 2, "size_v": 3,
+        "control_points": {"points": [[0], [1], [2], [3], [4], [5]], "weights": [1, 1, 2, 2, 3, 3]}}]}})"},
+    {"geomdl",
+     R"({"shape": {"type": "volume", "data": [{"degree_u": 0, "degree_v": 0, "degree_w": 1, "knotvector_u": [0, 1],
+        "knotvector_v": [0, 1, 2], "knotvector_w": [0, 0, 1, 1], "size_u": 1, "size_v": 2, "size_w": 2,
+        "control_points": {"points": [[0, 1], [1, 2], [2, 3], [3, 4]]}}]}})"},
+    {"splinepy",
+     R"({"NumberOfSplines": 2, "SplineList": [{"SplineType": "NURBS", "degrees": [1, 1], "para_dim": 2,
+        "knot_vectors": [[0, 0, 1, 1], [0, 0, 1, 2, 2]], "control_points": [[0], [1], [2], [3], [4], [5]],
+        "weights": [[1], [2], [3], [4], [5], [6]]}, {"SplineType": "Bezier", "degrees": [1, 0, 1],
+        "control_points": [[0, 1], [1, 2], [2, 3], [3, 4]]}]})"},
 };
 
 /// The places of all parts of a value, including itself.
@@ -107,9 +120,7 @@ TEST_CASE("a leaf of a document that has the wrong type is refused at its place 
                 const std::string parent = own.substr(0, own.rfind('/'));
                 CAPTURE(to_text(broken), pointer);
                 CHECK((pointer == "none" || pointer == parent || lies_in(pointer, own)));
-                const bool is_read = own.find("count") == std::string::npos &&
-                                     own.find("rational") == std::string::npos && !own.ends_with("/dim") &&
-                                     !own.ends_with("0/type") && !own.ends_with("data/0/dimension");
+                const bool is_read = !own.ends_with("0/type");
                 CHECK((pointer != "none") == is_read);
             }
         }

@@ -1,4 +1,6 @@
-#include "fitpack.hpp"
+// A list [t, c, k], an object {"t", "c", "k"}, or the text that Python prints for either. c has a number or a
+// point for each of the m = len(t) - k - 1 basis functions, or as FITPACK has it a list for each coordinate;
+// it may be padded with k + 1 zeros to the length of t. What is written has points for the basis functions.
 
 #include <blossom/rational/lists.hpp>
 
@@ -7,6 +9,7 @@
 #include <utility>
 
 #include "doubles.hpp"
+#include "foreign_formats.hpp"
 #include "text/bracketed_lists.hpp"
 
 namespace blossom::protocol {
@@ -14,13 +17,6 @@ namespace blossom::protocol {
 namespace {
 
 using Rows = std::vector<std::vector<Rational>>;
-
-/// The places of t, c and k.
-struct CurvePlaces {
-    Place knots = Place() / 0;
-    Place coefficients = Place() / 1;
-    Place degree = Place() / 2;
-};
 
 /// Cuts off the zeros behind the first `count` elements.
 template <class Element, class IsZero>
@@ -65,7 +61,7 @@ public:
         return mapped(numbers, [](const Rational& number) { return Coordinates{number}; });
     }
 
-    std::vector<Coordinates> points(Rows rows) const {
+    std::vector<Coordinates> points(Rows rows, bool& by_coordinate) const {
         const bool by_points = fits(rows.size());
         const bool by_coordinates =
             std::ranges::all_of(rows, [&](const std::vector<Rational>& row) { return fits(row.size()); });
@@ -75,7 +71,8 @@ public:
                             " lists of as many numbers may be points or coordinates; in an object "
                             R"({"t", "c", "k"} they are points)");
         }
-        if (by_coordinates && !by_points) return transposed(std::move(rows), count_);
+        by_coordinate = by_coordinates && !by_points;
+        if (by_coordinate) return transposed(std::move(rows), count_);
         require_size(rows.size());
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (!rows[i].empty() && rows[i].size() == rows.front().size()) continue;
@@ -102,44 +99,42 @@ private:
     bool points_first_;
 };
 
-Map read_members(const Json& knots_value, const Json& coefficients, const Json& degree_value,
-                 const CurvePlaces& places, const Limits& limits) {
+ForeignSpline read_members(const Json& knots_value, const Json& coefficients, const Json& degree_value,
+                           NumberPlaces places, const Limits& limits) {
     const auto below = [](const Place& place, const auto& action) {
         try {
             return action();
         } catch (const Error& error) {
-            throw error.at(place.around(error.place()));
+            throw error.below(place);
         }
     };
-    const std::size_t degree = below(places.degree, [&] { return read_count(degree_value, limits); });
-    std::vector<Rational> knots = below(places.knots, [&] { return read_list(knots_value, read_double); });
+    const std::size_t degree = below(places.degrees[0], [&] { return read_count(degree_value, limits); });
+    std::vector<Rational> knots = below(places.knots[0], [&] { return read_doubles(knots_value); });
     if (knots.size() < degree + 2) {
         throw Error(ErrorCode::bad_knots,
                     std::to_string(knots.size()) + " knots are too few for degree " + std::to_string(degree),
-                    places.knots);
+                    places.knots[0]);
     }
     bool scalar = false;
-    std::vector<Coordinates> points = below(places.coefficients, [&] {
-        const CoefficientReader reader(knots.size() - degree - 1, knots.size(), places.knots == Place{"t"});
+    std::vector<Coordinates> points = below(places.points, [&] {
+        const CoefficientReader reader(knots.size() - degree - 1, knots.size(),
+                                       places.knots[0] == Place{"t"});
         const Json::Array& elements = read_array(coefficients);
         scalar = std::ranges::none_of(elements, [](const Json& element) { return element.array(); });
-        if (scalar) return reader.scalars(read_list(coefficients, read_double));
-        return reader.points(
-            read_list(coefficients, [](const Json& row) { return read_list(row, read_double); }));
+        if (scalar) return reader.scalars(read_doubles(coefficients));
+        return reader.points(read_list(coefficients, read_doubles), places.by_coordinate);
     });
-    try {
-        return {BSplineCurve(degree, std::move(knots), std::move(points)), PointForm{.scalar = scalar}};
-    } catch (const Error& error) {
-        const Place& place = error.place();
-        if (place.begins_with(Part::degree)) throw error.at(places.degree);
-        if (place.begins_with(Part::knots)) throw error.at(places.knots.around(place.inside(Part::knots)));
-        throw error.at(places.coefficients);
-    }
+    ForeignSpline spline = foreign_spline({{degree}, {std::move(knots)}, {}, std::move(points), std::nullopt},
+                                          std::move(places));
+    spline.map.form.scalar = scalar;
+    return spline;
 }
 
-}  // namespace
+NumberPlaces fitpack_places(const Place& knots, const Place& coefficients, const Place& degree) {
+    return {.degrees = {degree}, .knots = {knots}, .points = coefficients};
+}
 
-std::vector<Map> read_fitpack(const Json& document, Floats floats, const Limits& limits) {
+std::vector<ForeignSpline> read_fitpack(const Json& document, Floats floats, const Limits& limits) {
     if (const std::string* text = document.text()) {
         const Json printed = bracketed_list(*text);
         try {
@@ -151,7 +146,8 @@ std::vector<Map> read_fitpack(const Json& document, Floats floats, const Limits&
     }
     if (const Json::Array* list = document.array()) {
         if (list->size() == 3)
-            return {read_members((*list)[0], (*list)[1], (*list)[2], CurvePlaces{}, limits)};
+            return {read_members((*list)[0], (*list)[1], (*list)[2],
+                                 fitpack_places(Place() / 0, Place() / 1, Place() / 2), limits)};
         throw Error(ErrorCode::wrong_arity, "knots t, coefficients c and degree k are expected, not " +
                                                 std::to_string(list->size()) + " values");
     }
@@ -162,7 +158,7 @@ std::vector<Map> read_fitpack(const Json& document, Floats floats, const Limits&
     const Json& knots = member("t");
     const Json& coefficients = member("c");
     const Json& degree = member("k");
-    return {read_members(knots, coefficients, degree, {Place{"t"}, Place{"c"}, Place{"k"}}, limits)};
+    return {read_members(knots, coefficients, degree, fitpack_places({"t"}, {"c"}, {"k"}), limits)};
 }
 
 Json write_fitpack(const std::vector<Map>& splines) {
@@ -174,22 +170,24 @@ Json write_fitpack(const std::vector<Map>& splines) {
         throw Error(ErrorCode::wrong_kind,
                     "(t, c, k) has no place for weights; with \"homogeneous\": true they are coordinates");
     }
-    const auto& curve = std::get<BSplineCurve>(map.value);
-    const auto doubles = [](const std::vector<Rational>& numbers) {
-        Json::Array list;
-        for (const Rational& number : numbers) list.emplace_back(double_number(number));
-        return list;
-    };
-    Json::Array coefficients;
-    for (const Coordinates& point : curve.control_points()) {
-        if (map.form.scalar) {
-            coefficients.emplace_back(double_number(point.front()));
-        } else {
-            coefficients.emplace_back(doubles(point));
-        }
+    WrittenSpline written = written_spline(map, first_fastest(1));
+    if (map.form.scalar) {
+        for (Json& point : written.points) point = Json(point.array()->front());
     }
-    const auto knots = curve.knots().knots();
-    return Json::Array{doubles({knots.begin(), knots.end()}), std::move(coefficients), curve.degree()};
+    const std::size_t count = written.counts.front();
+    const std::size_t padded = count + written.degrees.front() + 1;
+    // A list of such points might be one of coordinates.
+    if (!map.form.scalar && (written.dimension == count || written.dimension == padded)) {
+        return Json::Object{{"t", std::move(written.knots.front())},
+                            {"c", std::move(written.points)},
+                            {"k", written.degrees.front()}};
+    }
+    return Json::Array{std::move(written.knots.front()), std::move(written.points), written.degrees.front()};
 }
+
+}  // namespace
+
+constinit const ForeignFormat fitpack_format{
+    .name = "fitpack", .read = read_fitpack, .write = write_fitpack, .curves_only = true, .text = true};
 
 }  // namespace blossom::protocol

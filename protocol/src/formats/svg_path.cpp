@@ -3,6 +3,7 @@
 #include <blossom/core/nurbs/rational_curve.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 #include <blossom/rational/number_text.hpp>
 #include <blossom/rational/square_root.hpp>
 #include <blossom/rational/utf8.hpp>
@@ -12,7 +13,8 @@
 #include <optional>
 #include <string>
 
-#include "formats/doubles.hpp"
+#include "doubles.hpp"
+#include "foreign_formats.hpp"
 
 namespace blossom::protocol {
 
@@ -278,6 +280,14 @@ std::vector<Map> svg_path_curves(std::string_view text, Floats floats, const Lim
     return PathReader(text, floats, limits).read();
 }
 
+namespace {
+
+// The text of a path is as exact as it is written.
+std::vector<ForeignSpline> read_svg(const Json& document, Floats floats, const Limits& limits) {
+    return mapped(svg_path_curves(read_text(document), floats, limits),
+                  [](const Map& curve) { return ForeignSpline{curve, {}}; });
+}
+
 Json write_svg_path(const std::vector<Map>& splines) {
     std::string path;
     for (const Map& map : splines) {
@@ -307,5 +317,16 @@ Json write_svg_path(const std::vector<Map>& splines) {
     }
     return path;
 }
+
+}  // namespace
+
+constinit const ForeignFormat svg_format{.name = "svg",
+                                         .read = read_svg,
+                                         .write = write_svg_path,
+                                         .floats = Floats::decimal,
+                                         .curves_only = true,
+                                         .weights = true,
+                                         .text = true,
+                                         .pieces = true};
 
 }  // namespace blossom::protocol

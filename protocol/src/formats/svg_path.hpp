@@ -24,8 +24,4 @@ bool is_svg_path(std::string_view text);
 /// Source: Scalable Vector Graphics 2, sections 9.3 and B.2.
 std::vector<Map> svg_path_curves(std::string_view text, Floats floats, const Limits& limits);
 
-/// The path of B-splines in the plane of degree 1 to 3, each with M and a segment per span; their numbers are
-/// rounded. Errors: `wrong_kind` for other curves; `overflow`.
-Json write_svg_path(const std::vector<Map>& splines);
-
 }  // namespace blossom::protocol

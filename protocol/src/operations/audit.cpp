@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/rational/double_conversion.hpp>
 #include <blossom/rational/lists.hpp>
 
@@ -9,6 +10,7 @@
 #include "foreign_options.hpp"
 #include "formats/formats.hpp"
 #include "json/json_text.hpp"
+#include "map_list.hpp"
 #include "map_options.hpp"
 #include "maps/points.hpp"
 #include "rounding.hpp"
@@ -64,18 +66,18 @@ Json values_of(const Map& map, const Json& at, const Limits& limits) {
     return written_at(values_at(map, read_parameters(fields, parameter_form(map), limits), limits), map.form);
 }
 
-/// The two sides of the comparison.
+/// The two sides of a comparison.
 struct Sides {
     Json exact;
-    Json computed;                          ///< members with numbers
-    const ForeignFormat* format = nullptr;  ///< the format of the document
-    const Json* document = nullptr;         ///< the document of the request
-    std::string_view without_weights;       ///< the side whose weights are taken to be 1
+    Json computed;                       ///< members with numbers
+    const Json* document = nullptr;      ///< the document of the request
+    std::optional<NumberPlaces> places;  ///< of the numbers in it
+    std::string_view without_weights;    ///< the side whose weights are taken to be 1
 
     /// The place in the request of the computed number at `of_numbers`. A document may leave knots out.
     Place place(const Place& of_numbers) const {
-        if (!format) return Place{"computed"}.around(of_numbers);
-        return Place{"document"}.around(present_part(*document, place_in_document(*format, of_numbers)));
+        if (!document) return Place{"computed"}.around(of_numbers);
+        return Place{"document"}.around(present_part(*document, places->of(of_numbers)));
     }
 };
 
@@ -102,10 +104,31 @@ void require_complete(const Sides& sides, bool has_parameters) {
     }
 }
 
+/// How many lists are around the first number of a list of points, or of pairs of an index and a point.
+std::size_t depth_of(const Json& value, bool indexed) {
+    const Json::Array* elements = value.array();
+    if (!elements || elements->empty()) return 0;
+    const Json::Array* pair = indexed ? elements->front().array() : nullptr;
+    if (pair && !pair->empty()) return 2 + depth_of(pair->back(), false);
+    return 1 + depth_of(elements->front(), false);
+}
+
+/// The form in which points of one coordinate were computed: as numbers x or as lists [x].
+bool is_scalar(const Json& exact, const Json& computed, bool scalar) {
+    for (const std::string_view field : {"control_points", "control_net", "coefficients", "values", "left"}) {
+        const Json* one = exact.find(field);
+        const Json* other = computed.find(field);
+        if (!one || !other) continue;
+        const bool indexed = is_indexed(*one);
+        if (depth_of(*other, indexed) + (scalar ? 0 : 1) == depth_of(*one, indexed) + (scalar ? 1 : 0))
+            return !scalar;
+    }
+    return scalar;
+}
+
 /// The members of field "computed", which is a map or a part of it.
-Sides read_computed(Request& request, const Map& map, const Limits& limits) {
+Sides read_computed(Request& request, Map map, const Limits& limits) {
     Sides sides;
-    sides.exact = to_json(map);
     const auto at = request.optional("at", [](const Json& value) { return value; });
     request.required("computed", [&](const Json& value) {
         Fields fields(value);
@@ -117,51 +140,116 @@ Sides read_computed(Request& request, const Map& map, const Limits& limits) {
         if (sides.computed.is_null()) fields.missing("control_points");
         return true;
     });
-    if (at) sides.exact["values"] = values_of(map, *at, limits);
+    const auto write_exact = [&] {
+        sides.exact = to_json(map);
+        if (at) sides.exact["values"] = values_of(map, *at, limits);
+    };
+    write_exact();
+    if (!map.form.homogeneous && dimension_of(map) == 1 + (map.form.rational ? 1 : 0)) {
+        const bool scalar = is_scalar(sides.exact, sides.computed, map.form.scalar);
+        if (std::exchange(map.form.scalar, scalar) != scalar) write_exact();
+    }
     require_complete(sides, at.has_value());
     return sides;
 }
 
-/// The weights of a curve without weights, all 1.
-Json weights_of_one(const Json& curve) {
-    return Json::Array(curve.find("control_points")->array()->size(), Rational(1));
+/// A spline with weights, all 1.
+Map with_weights_of_one(const Map& map) {
+    std::vector<Coordinates> points = control_points_of(map);
+    for (Coordinates& point : points) point.emplace_back(1);
+    const std::span<const KnotVector> knots = knots_of(map);
+    Map weighted = map;
+    weighted.form.rational = true;
+    if (knots.size() == 1) {
+        weighted.value = BSplineCurve(knots.front(), std::move(points));
+    } else {
+        weighted.value = TensorBSpline({knots.begin(), knots.end()}, std::move(points));
+    }
+    return weighted;
 }
 
-/// The curve in field "document", which is compared as a whole.
-Sides read_document(Request& request, const Map& map, const Limits& limits) {
-    const ForeignFormat& format = request.required(
-        "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
-    const Json& document = *request.required("document", [](const Json& value) { return &value; });
+/// The segments of a spline, as a path has them.
+std::vector<Map> segments_of(const Map& spline, const Limits& limits) {
+    return mapped(bezier_segments(std::get<BSplineCurve>(spline.value), limits),
+                  [&](const BezierCurve& segment) { return like(spline, segment); });
+}
+
+/// The degree of a curve, or the degrees of the directions.
+const Json& degrees_in(const Json& map) {
+    const Json* degree = map.find("degree");
+    return degree ? *degree : *map.find("degrees");
+}
+
+/// A map of the document beside the exact one, both as splines, or as the pieces of a path.
+Sides compared_sides(Map exact, const Place& place_of_exact, const ForeignSpline& computed,
+                     const Json& document) {
     Sides sides;
-    sides.format = &format;
     sides.document = &document;
-    sides.computed = within("document", [&] {
-        const std::vector<Map> maps = format.read(document, format.floats, limits);
-        if (maps.size() == 1) return to_json(as_textbook_spline(maps.front(), limits));
-        throw Error(ErrorCode::wrong_arity, "one curve is compared, not " + std::to_string(maps.size()));
-    });
-    sides.exact = within("map", [&] { return to_json(as_textbook_spline(map, limits)); });
-    if (*sides.exact.find("degree") != *sides.computed.find("degree")) {
+    sides.places = computed.places;
+    Map found = computed.map;
+    exact.form.homogeneous = found.form.homogeneous;
+    if (dimension_of(found) == 1 + (found.form.rational ? 1 : 0)) exact.form.scalar = found.form.scalar;
+    if (exact.form.rational != found.form.rational) {
+        sides.without_weights = exact.form.rational ? "document" : "map";
+        Map& lacking = exact.form.rational ? found : exact;
+        lacking = with_weights_of_one(lacking);
+    }
+    try {
+        sides.exact = to_json(exact);
+    } catch (const Error& error) {
+        throw error.at(place_of_exact);
+    }
+    sides.computed = to_json(found);
+    // A path has no intervals.
+    std::erase_if(*sides.computed.object(),
+                  [](const Json::Member& member) { return member.first == "interval"; });
+    if (degrees_in(sides.exact) != degrees_in(sides.computed)) {
         throw Error(ErrorCode::mismatched_dimensions,
-                    "the degree is " + to_text(*sides.computed.find("degree")) + ", and " +
-                        to_text(*sides.exact.find("degree")) + " in the exact map",
+                    "the degree is " + to_text(degrees_in(sides.computed)) + ", and " +
+                        to_text(degrees_in(sides.exact)) + " in the exact map",
                     sides.place(Part::degree));
     }
-    const bool weighted = sides.computed.find("weights") != nullptr;
-    if (map.form.homogeneous || weighted == map.form.rational) return sides;
-    sides.without_weights = weighted ? "map" : "document";
-    Json& lacking = weighted ? sides.exact : sides.computed;
-    lacking["weights"] = weights_of_one(lacking);
     return sides;
 }
 
-Answer answer_audit(Request& request, const Limits& limits) {
-    const Map& map = request.map(limits);
-    const Sides sides =
-        request.has("document") ? read_document(request, map, limits) : read_computed(request, map, limits);
-    request.finish();
-    const auto* patch = std::get_if<Patch>(&map.value);
-    Comparison compare(patch && patch->is_polynomial(), limits);
+Map foreign_spline_at(const Place& place, const ForeignFormat& format, const Map& map, const Limits& limits) {
+    try {
+        return as_foreign_spline(format, map, limits);
+    } catch (const Error& error) {
+        throw error.at(place);
+    }
+}
+
+/// The maps in field "document", which are compared as wholes.
+std::vector<Sides> read_documents(Request& request, const std::vector<Map>& maps, bool several,
+                                  const Limits& limits) {
+    const ForeignFormat& format = request.required(
+        "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
+    const Json& document = *request.required("document", [](const Json& value) { return &value; });
+    std::vector<Map> exact;
+    std::vector<Place> places;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const Place place = several ? Place{"maps", i} : Place{"map"};
+        Map whole = foreign_spline_at(place, format, maps[i], limits);
+        std::vector<Map> parts = format.pieces ? segments_of(whole, limits) : std::vector{std::move(whole)};
+        std::ranges::move(parts, std::back_inserter(exact));
+        places.resize(exact.size(), place);
+    }
+    const std::vector<ForeignSpline> found = within("document", [&] {
+        auto splines = read_document(format, document, format.floats, limits);
+        if (splines.size() == exact.size()) return splines;
+        throw Error(ErrorCode::wrong_arity,
+                    fmt::format("there are {} maps in the document, and {} exact ones", splines.size(),
+                                exact.size()));
+    });
+    std::vector<Sides> all;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        all.push_back(compared_sides(std::move(exact[i]), places[i], found[i], document));
+    return all;
+}
+
+/// The comparison of all members that were computed.
+Difference compare_members(Comparison& compare, const Sides& sides) {
     Difference found;
     for (const std::string_view field : audited) {
         const Json* computed = sides.computed.find(field);
@@ -178,12 +266,34 @@ Answer answer_audit(Request& request, const Limits& limits) {
             throw error.at(sides.place(error.place()));
         }
     }
-    Json::Object result{{"errors", std::move(found.error)},
-                        {"ulps", std::move(found.ulps)},
+    return found;
+}
+
+Answer answer_audit(Request& request, const Limits& limits) {
+    const bool several = request.has("maps");
+    std::vector<Map> maps =
+        several ? read_maps_field(request, limits) : std::vector<Map>{request.map(limits)};
+    const std::vector<Sides> all = several || request.has("document")
+                                       ? read_documents(request, maps, several, limits)
+                                       : std::vector<Sides>{read_computed(request, maps.front(), limits)};
+    request.finish();
+    const auto* patch = several ? nullptr : std::get_if<Patch>(&maps.front().value);
+    Comparison compare(patch && patch->is_polynomial(), limits);
+    Json::Array errors, ulps;
+    std::string_view without_weights;
+    for (const Sides& sides : all) {
+        Difference found = compare_members(compare, sides);
+        errors.push_back(std::move(found.error));
+        ulps.push_back(std::move(found.ulps));
+        if (without_weights.empty()) without_weights = sides.without_weights;
+    }
+    const bool listed = several || all.size() != 1;
+    Json::Object result{{"errors", listed ? Json(std::move(errors)) : std::move(errors.front())},
+                        {"ulps", listed ? Json(std::move(ulps)) : std::move(ulps.front())},
                         {"greatest_ulps", compare.greatest()},
                         {"numbers", compare.count()},
                         {"not_nearest", compare.wrong()}};
-    if (!sides.without_weights.empty()) result.emplace_back("without_weights", sides.without_weights);
+    if (!without_weights.empty()) result.emplace_back("without_weights", without_weights);
     return result;
 }
 
@@ -221,11 +331,25 @@ std::string lines_of(const std::string& name, const Json& errors, const Json& ul
     return text;
 }
 
+std::string lines_of_members(const Json& errors, const Json& ulps) {
+    std::string text;
+    for (const auto& [field, error] : *errors.object()) {
+        if (!is_rounded_twin(field)) text += lines_of(field, error, *ulps.find(field));
+    }
+    return text;
+}
+
 std::string render_audit(const Answered& answered) {
     const Json& result = answered.result();
-    std::string text = description(answered.given()) + "\n\n";
-    for (const auto& [field, errors] : *result.find("errors")->object()) {
-        if (!is_rounded_twin(field)) text += lines_of(field, errors, *result.find("ulps")->find(field));
+    const Json& errors = *result.find("errors");
+    const Json& ulps = *result.find("ulps");
+    std::string text = answered.has_given() ? description(answered.given()) + "\n\n" : "";
+    if (const Json::Array* list = errors.array()) {
+        for (std::size_t i = 0; i < list->size(); ++i)
+            text += fmt::format("{}map {}\n{}", i > 0 ? "\n" : "", i,
+                                lines_of_members((*list)[i], (*ulps.array())[i]));
+    } else {
+        text += lines_of_members(errors, ulps);
     }
     if (const Json* side = result.find("without_weights"))
         text += fmt::format("\nThe {} has no weights; they count as 1.\n", *side->text());
@@ -244,17 +368,20 @@ void apply_computed(Json& request, const std::vector<std::string>& values, const
 Operation audit_operation() {
     const std::string computed =
         "the numbers of the other program, by members of the map, or the `values` at `at`";
+    const Shape one_or_several = Shape::one_of({compared_shape(), Shape::list(compared_shape())});
     return {
         .summary =
             "Measure the error of doubles computed by another program, against the exact numbers of a map",
         .documentation = "Each double counts as the exact number that it represents.",
-        .request = {{map_field()},
-                    {{{required("computed", computed_shape(false), computed)},
-                      {required("computed", computed_shape(true), computed),
+        .request = {{},
+                    {{{map_field(), required("computed", computed_shape(false), computed)},
+                      {map_field(), required("computed", computed_shape(true), computed),
                        required("at", parameters_shape(), "the parameters of the values")},
-                      {format_field(), document_field()}}}},
-        .result = {{required("errors", compared_shape(), "the computed minus the exact values"),
-                    required("ulps", compared_shape(),
+                      {map_field(), format_field(), document_field()},
+                      {maps_field("the exact maps of a document with several"), format_field(),
+                       document_field()}}}},
+        .result = {{required("errors", one_or_several, "the computed minus the exact values"),
+                    required("ulps", one_or_several,
                              "their sizes in units in the last place of the exact values"),
                     required("greatest_ulps", ValueKind::number, "the greatest of these"),
                     required("numbers", ValueKind::count, "how many numbers were compared"),
@@ -273,6 +400,7 @@ Operation audit_operation() {
             format_option(),
             document_option(
                 R"(instead of --computed: a file of another library, "@NAME" or "-", or its text)"),
+            maps_option("--maps", "instead of a map: the exact maps of a document with several"),
         }),
         .answer = answer_audit,
         .render = render_audit,

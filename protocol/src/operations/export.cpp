@@ -9,6 +9,17 @@ namespace blossom::protocol {
 
 namespace {
 
+/// The map as a spline that is valid with rounded numbers. Its numbers have places in the map if it is one.
+Map valid_spline(const ForeignFormat& format, const Map& map, const Limits& limits) {
+    Map spline = as_foreign_spline(format, map, limits);
+    try {
+        if (!format.pieces) require_valid_as_doubles(spline);
+    } catch (const Error& error) {
+        throw name_of(map) == name_of(spline) ? error : error.at(Place());
+    }
+    return spline;
+}
+
 Answer answer_export(Request& request, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
@@ -17,7 +28,7 @@ Answer answer_export(Request& request, const Limits& limits) {
         several ? read_maps_field(request, limits) : std::vector<Map>{request.map(limits)};
     request.finish();
     for (std::size_t i = 0; i < maps.size(); ++i) {
-        const auto spline = [&] { return as_textbook_spline(maps[i], limits); };
+        const auto spline = [&] { return valid_spline(format, maps[i], limits); };
         maps[i] = several ? within("maps", [&] { return within(i, spline); }) : within("map", spline);
     }
     return Json::Object{{"document", within(several ? "maps" : "map", [&] { return format.write(maps); })}};
@@ -34,11 +45,10 @@ std::string render_export(const Answered& answered) {
 Operation export_operation() {
     return {
         .summary =
-            "Write curves as a file of tinyspline, geomdl or splinepy, a FITPACK spline or an SVG path, each "
-            "number "
-            "correctly rounded",
-        .documentation = "A curve that is one polynomial becomes a B-spline of one segment.",
-        .request = {{format_field()}, {{{map_field()}, {maps_field("several curves")}}}},
+            "Write curves, surfaces and volumes as a file of another library, or curves as an SVG path, each "
+            "number correctly rounded",
+        .documentation = "A map that is one polynomial becomes a B-spline of one segment.",
+        .request = {{format_field()}, {{{map_field()}, {maps_field("several maps")}}}},
         .result = {{required("document", ValueKind::document, "the file, as the other library reads it")}},
         .example = {"export", "--format", "tinyspline", "--control-points", "0,0; 1/3,2; 3,0"},
         .options = with_map_options({
