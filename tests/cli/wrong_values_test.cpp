@@ -77,6 +77,8 @@ const std::vector<Arguments> command_lines{
     {"audit", "--control-points", "0; 1/3; 1/10", "--computed", R"({"values": [0]})", "--at", "0"},
     {"audit", "--map", R"({"kind": "bezier", "control_points": [["0"], ["2"]]})", "--format", "tinyspline",
      "--document", document},
+    {"audit", "--maps", R"([{"kind": "bezier", "control_points": [["0"], ["2"]]}])", "--format", "tinyspline",
+     "--document", document},
     {"export", "--format", "geomdl", "--maps",
      R"([{"kind": "bezier", "control_points": [["0", "0"], ["1", "1"]]}])"},
     {"exercise", "subdivision", "--seed", "2", "--count", "1", "--level", "2", "--format", "text"},
