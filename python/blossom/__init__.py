@@ -10,6 +10,7 @@ SymPy or texts such as "1/3" and "0.1". A float goes in with ``floats="double"``
 ``floats="decimal"``, as the decimal that it prints.
 """
 
+import builtins as _builtins
 from fractions import Fraction
 
 from . import _engine
@@ -34,10 +35,12 @@ globals().update(_classes)
 #: The operations that need no map; the others are methods of maps, and all are in `blossom.operations`.
 _functions = [o.python_name for o in _operations.ALL if not o.takes_map or o.map_may_be_absent]
 globals().update({name: getattr(operations, name) for name in _functions})
+# `from blossom import *` leaves the functions of Python, such as sum, as they are.
+_exported = [name for name in _functions if not hasattr(_builtins, name)]
 
 __all__ = [
     "Error", "Fraction", "InternalError", "LimitExceeded", "Map", "Result", "Vector", "Weighted", "answer",
-    "array", "delta", "floats", "fraction", "nearest_double", "operations", "ulp", *_classes, *_functions,
+    "array", "delta", "floats", "fraction", "nearest_double", "operations", "ulp", *_classes, *_exported,
 ]  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 from types import MappingProxyType
 
 from . import _engine, _operations
+from ._arithmetic import Arithmetic
 from ._conversions import Conversions
 from ._display import Display
 
@@ -28,7 +29,7 @@ def _restored(text: str) -> "Map":
     return _engine.map_of_text(text)
 
 
-class Map(_engine.Map, Display, Conversions):
+class Map(_engine.Map, Arithmetic, Display, Conversions):
     """A curve, a spline or a patch with exact numbers. It cannot be changed.
 
     A map is called with a parameter, ``p(t)``, a list of them, or of a patch with the coordinates of a point,

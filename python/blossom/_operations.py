@@ -40,6 +40,20 @@ def _field_lines(fields: list, presence: bool) -> list:
     return lines
 
 
+#: For commands whose options are not those of the operation.
+_EXAMPLES = {
+    "prove": {"statement": "map p degree 2\nclaim p[s, u] == p[u, s]"},
+    "explain": {"request": {"op": "evaluate", "map": {"kind": "polynomial", "text": "t^2"}, "at": ["3"]}},
+}
+
+
+def _kind_of(fields: dict) -> str:
+    """The kind of map that these fields describe, as the options of the program do."""
+    if "control_points" not in fields:
+        return "polynomial"
+    return "bspline" if "knots" in fields else "bezier"
+
+
 class Operation:
     """What an operation says of itself, and how it is called."""
 
@@ -58,6 +72,26 @@ class Operation:
         self.spread = "arguments" in names
         self.needs_arguments = any(f["name"] == "arguments" and f["required"] for f in self.fields)
 
+    def example(self, of_map: bool) -> str:
+        """A call with the request of the example that the program shows."""
+        request = _EXAMPLES.get(self.name) or _engine.example(self.name)
+        if request is None:
+            return ""
+        request = dict(request)
+        first, shown = [], []
+        if "map" in request:
+            fields = dict(request.pop("map"))
+            fields = {"kind": fields.pop("kind", _kind_of(fields)), **fields}
+            map_ = f"blossom.Map({fields!r})"
+            first = [] if of_map else [map_]
+        elif of_map:
+            return ""
+        if self.spread:
+            shown += [f"arguments={request.pop('arguments')!r}"] if "arguments" in request else []
+        shown += [f"{python_name(name)}={value!r}" for name, value in request.items()]
+        called = f"{map_}." if of_map else "blossom.operations."
+        return f">>> import blossom\n>>> result = {called}{self.python_name}({', '.join(first + shown)})"
+
     def docstring(self, of_map: bool) -> str:
         lines = [self.summary + ".", "", _wrapped(self.documentation, ""), "", "Parameters", "----------"]
         if self.takes_map and not of_map:
@@ -67,6 +101,8 @@ class Operation:
             "see `blossom.operations`", "    ")]
         lines += ["", "Returns", "-------", "The member of the result if there is one, otherwise a `Result` of these:", ""]
         lines += _field_lines(self.result, False)
+        if example := self.example(of_map):
+            lines += ["", "Examples", "--------", example]
         return "\n".join(lines)
 
     def signature(self, of_map: bool) -> inspect.Signature:

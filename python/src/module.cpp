@@ -100,6 +100,34 @@ std::string shown(const std::string& name, const py::dict& fields, const py::obj
     });
 }
 
+/// The request of the example in the help of the operation, or None.
+py::object example(const std::string& name) {
+    const protocol::Operation& operation = protocol::find_operation(name);
+    const auto named = [&](std::string_view option) {
+        return std::ranges::find(operation.options, option, &protocol::Option::name);
+    };
+    const auto positional = std::ranges::find_if(
+        operation.options, [](const protocol::Option& option) { return !option.name.starts_with("--"); });
+    std::vector<std::vector<std::string>> values(operation.options.size());
+    std::vector<bool> given(operation.options.size());
+    for (std::size_t i = 1; i < operation.example.size(); ++i) {
+        const std::string& word = operation.example[i];
+        const bool is_name = word.starts_with("--");
+        const auto option = is_name ? named(word) : positional;
+        if (option == operation.options.end()) return py::none();
+        const auto index = static_cast<std::size_t>(option - operation.options.begin());
+        given[index] = true;
+        const bool is_flag = option->value.empty();
+        if (!is_name || !is_flag) values[index].push_back(is_name ? operation.example[++i] : word);
+    }
+    const Limits limits;
+    Json request{Json::Object{}};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (given[i]) operation.options[i].apply(request, values[i], limits);
+    }
+    return object_of(request, Form::plain);
+}
+
 py::list fields_list(const std::vector<protocol::FieldDescription>& fields) {
     py::list list;
     for (const protocol::FieldDescription& field : fields) {
@@ -200,6 +228,7 @@ PYBIND11_MODULE(_engine, module) {
     module.def("answer", answer);
     module.def("answer_text", answer_text);
     module.def("shown", shown);
+    module.def("example", example);
     module.def("operations", operations);
     module.def("kinds", kinds);
     module.def("limits", limits);

@@ -20,6 +20,20 @@ def test_docstrings(name):
     assert failures == 0
 
 
+@pytest.mark.parametrize("operation", blossom._operations.ALL, ids=lambda operation: operation.name)
+def test_operations(operation):
+    """The example of an operation runs; nothing that it gives is compared."""
+    functions = [getattr(blossom.operations, operation.python_name)]
+    if operation.takes_map and operation.example(True):
+        functions.append(getattr(blossom.Map, operation.python_name))
+    for function in functions:
+        examples = doctest.DocTestFinder().find(function, globs={})
+        assert sum(len(test.examples) for test in examples) == 2
+        for test in examples:
+            assert doctest.DocTestRunner().run(test, clear_globs=False).failed == 0
+            assert test.globs["result"] is not None
+
+
 def test_there_are_examples():
     count = sum(len(test.examples) for name in MODULES if not name.endswith("_engine")
                 for test in doctest.DocTestFinder().find(importlib.import_module(name)))  # fmt: skip

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import blossom
+from blossom import strategies
 from blossom import (
     Bezier, BSpline, BSplinePatch, Hermite, Map, Nurbs, NurbsPatch, Patch, Polynomial, PolynomialPatch, Progressive,
     Samples, Simplex, Taylor, Vector, Weighted, delta,
@@ -204,3 +205,24 @@ def test_arguments_are_values():
     assert repr(delta) == "Vector(1)"
     with pytest.raises(AttributeError):
         delta.value = 2
+
+
+@given(strategies.polynomials(), strategies.polynomials(), numbers)
+def test_arithmetic_of_polynomials(p, q, t):
+    assert (p + q)(t) == p(t) + q(t) and (p - q)(t) == p(t) - q(t) and (p * q)(t) == p(t) * q(t)
+    assert (-p)(t) == -p(t) and (p * 3)(t) == (3 * p)(t) == 3 * p(t) and (p / Fraction(2, 3))(t) == p(t) * Fraction(3, 2)
+    if q(t):
+        assert (p / q)(t) == p(t) / q(t)
+
+
+def test_arithmetic_of_other_maps():
+    curve = Bezier([[0, 1], [2, 3]])
+    assert (curve @ curve)("1/2") == 5
+    for wrong in (lambda: curve + 1, lambda: curve * [1], lambda: curve * "x", lambda: 1 / curve):
+        with pytest.raises(TypeError):
+            wrong()
+    with pytest.raises(blossom.Error) as caught:
+        curve * 0.5
+    assert caught.value.code == "inexact_number"
+    with pytest.raises(ZeroDivisionError):
+        curve / 0

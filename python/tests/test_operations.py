@@ -1,5 +1,6 @@
 """Every operation of the protocol is a method or a function, described by what it says of itself."""
 
+import builtins
 import inspect
 import keyword
 import re
@@ -26,7 +27,7 @@ def test_every_operation_is_there_with_its_description(description):
         found.append(getattr(Map, name))
     if not any(field["name"] == "map" and field["required"] for field in description["fields"]):
         assert getattr(blossom, name) is getattr(operations, name)
-        assert name in blossom.__all__
+        assert (name in blossom.__all__) != hasattr(builtins, name)
     for function in found:
         documentation = inspect.getdoc(function)
         words = " ".join(documentation.split())

@@ -27,6 +27,7 @@ wheel header:pybind11/pybind11.h          pybind11-dev        pybind11-devel    
 wheel header:python3*/Python.h            python3-dev         python3-devel       python
 wheel python:pip                          python3-pip         python3-pip         python
 wheel python:setuptools                   python3-setuptools  python3-setuptools  python-setuptools
+wheel python:ensurepip                    python3-venv        python3             python
 wheel python:wheel                        python3-wheel       python3-wheel       python
 browser command:python3                   python3             python3             python
 browser command:chromium                  chromium            chromium            chromium
