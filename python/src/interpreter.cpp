@@ -12,7 +12,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// How long a signal may wait.
-constexpr std::chrono::milliseconds between_signals{20};
+constexpr std::chrono::milliseconds between_signals{10};
 
 thread_local PyThreadState* released_thread = nullptr;  ///< null while this thread holds the lock
 thread_local Clock::time_point next_look{};
