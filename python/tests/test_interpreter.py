@@ -46,19 +46,18 @@ def values():
 
 @pytest.mark.parametrize("prepare", [control_points, response, proof, values], ids=lambda prepare: prepare.__name__)
 def test_an_interrupt_is_honoured(prepare):
-    """It comes after 0.15 seconds of longer work, and ends it within 0.2 seconds on a quiet machine, both of processor time."""
+    """It comes 0.15 seconds after longer work has begun, and ends it within 0.2 seconds of processor time."""
     work = prepare()
-    before = signal.signal(signal.SIGPROF, signal.default_int_handler)
+    before = signal.signal(signal.SIGALRM, signal.default_int_handler)
     try:
         start = time.process_time()
-        signal.setitimer(signal.ITIMER_PROF, 0.15)
+        signal.setitimer(signal.ITIMER_REAL, 0.15)
         with pytest.raises(KeyboardInterrupt):
             work()
-        # A machine that does other work as well takes longer for the same.
-        assert time.process_time() - start < 0.15 + 2 * 0.2
+        assert time.process_time() - start < 0.15 + 0.2
     finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
-        signal.signal(signal.SIGPROF, before)
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
     assert Polynomial("t^2")(3) == 9
 
 
