@@ -147,7 +147,7 @@ RECIPES = {
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--count", type=int, default=20_000)
+    parser.add_argument("--count", type=int, default=10_000)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--recipe", nargs="*", choices=RECIPES, default=list(RECIPES))
     options = parser.parse_args()
