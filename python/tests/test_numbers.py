@@ -1,6 +1,8 @@
 """Numbers cross the border exactly, and only exact numbers without a word for floats."""
 
 import decimal
+import time
+import timeit
 from fractions import Fraction
 
 import pytest
@@ -144,3 +146,17 @@ def test_numbers_without_end_are_refused():
     with pytest.raises(blossom.LimitExceeded) as caught:
         blossom.fraction(1 << 40_000_000)
     assert caught.value.limit == "digits"
+
+
+def shortest(call, count=20_000):
+    """The processor time of one call in microseconds, the least of several measurements."""
+    return min(timeit.repeat(call, timer=time.process_time, number=count, repeat=7)) / count * 1e6
+
+
+def test_small_numbers_cross_quickly():
+    half, cubic = Fraction(1, 2), Polynomial("1 + 2t + 4t^2 - t^3")
+    many = [Fraction(k, 7) for k in range(1000)]
+    assert shortest(lambda: blossom.fraction(half)) < 2 * 0.5  # it goes in and out
+    assert shortest(lambda: cubic(half)) < 2
+    assert shortest(lambda: cubic[half, 2, 3]) < 2
+    assert shortest(lambda: cubic(many), 50) < 1000
