@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import numbers
 from fractions import Fraction
 from types import MappingProxyType
 

@@ -1,6 +1,5 @@
 """SymPy, SciPy, numpy, matplotlib and the objects of other spline libraries."""
 
-import math
 import subprocess
 import sys
 from fractions import Fraction
@@ -8,7 +7,6 @@ from types import SimpleNamespace
 
 import pytest
 from hypothesis import given
-from hypothesis import strategies as st
 
 import blossom
 from blossom import Bezier, BSpline, BSplinePatch, Map, Nurbs, NurbsPatch, Patch, Polynomial, PolynomialPatch, Simplex, strategies

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from hypothesis.errors import NoSuchExample
 
 import blossom
-from blossom import BSpline, Map, Polynomial, strategies
+from blossom import Map, strategies
 from blossom.testing import assert_exact, error_in_ulps
 
 numpy = pytest.importorskip("numpy")
