@@ -62,7 +62,7 @@ public:
             const Rational linear[] = {-*end, 1};
             all_ *= divide_exactly(Polynomial(linear), gcd(Polynomial(linear), all_));
         }
-        const PolynomialPiece whole{all_, curve.range, true};
+        const RangedPolynomial whole{all_, curve.range, true};
         cuts_ = roots(std::span(&whole, 1), width, limits).roots;
     }
 

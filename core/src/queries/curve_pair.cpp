@@ -71,7 +71,7 @@ Polynomial equation_of_second(const PairEquations& equations, const CurvePiece& 
 
 std::vector<Root> roots_in(const CurvePiece& piece, const Polynomial& polynomial, const Rational& width,
                            const Limits& limits) {
-    const PolynomialPiece one{polynomial, piece.range, piece.closed};
+    const RangedPolynomial one{polynomial, piece.range, piece.closed};
     return roots(std::span(&one, 1), width, limits).roots;
 }
 

@@ -68,12 +68,12 @@ int sign_beside(Polynomial polynomial, const Rational& t, int side) {
     }
 }
 
-CurvePoints::CurvePoints(const CurvePiece& piece, const Limits& limits) {
+PointsOnCurve::PointsOnCurve(const CurvePiece& piece, const Limits& limits) {
     for (std::size_t j = 0; j < piece.dimension(); ++j)
         coordinates_.emplace_back(piece.coordinates[j], piece.weight(), limits);
 }
 
-std::vector<Root> CurvePoints::at(const Root& root) {
+std::vector<Root> PointsOnCurve::at(const Root& root) {
     std::vector<Root> point;
     point.reserve(coordinates_.size());
     for (AlgebraicValues& coordinate : coordinates_) point.push_back(coordinate.at(root));

@@ -16,22 +16,22 @@ std::optional<Rational> earlier_end(const std::optional<Rational>& a, const std:
 }
 
 /// The part that two pieces share, or nullopt.
-std::optional<PolynomialPiece> common_piece(const PolynomialPiece& one, const PolynomialPiece& other) {
+std::optional<RangedPolynomial> common_piece(const RangedPolynomial& one, const RangedPolynomial& other) {
     const auto lower = later_begin(one.range.lower, other.range.lower);
     const auto upper = earlier_end(one.range.upper, other.range.upper);
-    const auto ends_there = [&](const PolynomialPiece& piece) {
+    const auto ends_there = [&](const RangedPolynomial& piece) {
         return piece.range.upper == upper && !piece.closed;
     };
     const bool closed = !ends_there(one) && !ends_there(other);
     if (lower && upper && (*upper < *lower || (*upper == *lower && !closed))) return std::nullopt;
-    return PolynomialPiece{gcd(one.polynomial, other.polynomial), {lower, upper}, closed};
+    return RangedPolynomial{gcd(one.polynomial, other.polynomial), {lower, upper}, closed};
 }
 
 }  // namespace
 
 SplineRoots cuts(std::span<const CurvePiece> pieces, std::span<const Rational> hyperplane,
                  const Rational& width, const Limits& limits) {
-    std::vector<PolynomialPiece> functionals;
+    std::vector<RangedPolynomial> functionals;
     for (const CurvePiece& piece : pieces) {
         if (hyperplane.size() != piece.coordinates.size()) {
             throw Error(ErrorCode::mismatched_dimensions,
@@ -50,10 +50,10 @@ SplineRoots cuts(std::span<const CurvePiece> pieces, std::span<const Rational> h
 
 SplineRoots common_roots(std::span<const std::vector<CurvePiece>> curves, const Rational& width,
                          const Limits& limits) {
-    std::vector<PolynomialPiece> common{{Polynomial(), {}, true}};
+    std::vector<RangedPolynomial> common{{Polynomial(), {}, true}};
     for (const std::vector<CurvePiece>& curve : curves) {
-        std::vector<PolynomialPiece> next;
-        for (const PolynomialPiece& known : common) {
+        std::vector<RangedPolynomial> next;
+        for (const RangedPolynomial& known : common) {
             for (const CurvePiece& piece : curve) {
                 if (auto part =
                         common_piece(known, {without_factors_of(piece.coordinates.front(), piece.weight()),

@@ -96,7 +96,7 @@ Inflections inflections(std::span<const CurvePiece> pieces, const Rational& widt
         if (bends[i].determinant.is_zero()) {
             add_range(found.straight, pieces[i].range);
         } else {
-            const PolynomialPiece determinant{bends[i].determinant, pieces[i].range, pieces[i].closed};
+            const RangedPolynomial determinant{bends[i].determinant, pieces[i].range, pieces[i].closed};
             zeros = roots(std::span(&determinant, 1), width, limits).roots;
         }
         const auto& knot = pieces[i].range.lower;

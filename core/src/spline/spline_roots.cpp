@@ -12,7 +12,7 @@ class Collection {
 public:
     Collection(const Rational& width, const Limits& limits) : width_(width), limits_(limits) {}
 
-    void add(const PolynomialPiece& piece) {
+    void add(const RangedPolynomial& piece) {
         const auto& [lower, upper] = piece.range;
         if (piece.polynomial.is_zero()) {
             add_zeros(lower, upper);
@@ -48,9 +48,9 @@ private:
 
 }  // namespace
 
-SplineRoots roots(std::span<const PolynomialPiece> pieces, const Rational& width, const Limits& limits) {
+SplineRoots roots(std::span<const RangedPolynomial> pieces, const Rational& width, const Limits& limits) {
     Collection found(width, limits);
-    for (const PolynomialPiece& piece : pieces) found.add(piece);
+    for (const RangedPolynomial& piece : pieces) found.add(piece);
     return std::move(found).finish();
 }
 
@@ -70,7 +70,7 @@ void for_each_segment(
 
 SplineRoots roots(const BSplineCurve& curve, const ParameterRange& range, const Rational& width,
                   const Limits& limits) {
-    std::vector<PolynomialPiece> pieces;
+    std::vector<RangedPolynomial> pieces;
     for_each_segment(curve, range, limits,
                      [&](const BezierCurve& segment, const ParameterRange& part, bool closed) {
                          pieces.push_back({numerator(segment, limits), part, closed});

@@ -13,20 +13,21 @@ namespace blossom::protocol {
 namespace {
 
 /// The point at a root, which lies in one of the pieces.
-std::vector<Root> point_at(std::vector<std::pair<const CurvePiece*, CurvePoints>>& known,
+std::vector<Root> point_at(std::vector<std::pair<const CurvePiece*, PointsOnCurve>>& known,
                            std::span<const CurvePiece> pieces, const Root& root, const Limits& limits) {
     const CurvePiece* piece = &pieces.front();
     for (const CurvePiece& candidate : pieces) {
         if (!candidate.range.lower || *candidate.range.lower <= root.lower) piece = &candidate;
     }
-    if (known.empty() || known.back().first != piece) known.emplace_back(piece, CurvePoints(*piece, limits));
+    if (known.empty() || known.back().first != piece)
+        known.emplace_back(piece, PointsOnCurve(*piece, limits));
     return known.back().second.at(root);
 }
 
 Json cuts_json(const CurveQuestion& question, std::span<const Rational> line, const Limits& limits) {
     const std::vector<CurvePiece>& pieces = question.curve.pieces;
     const SplineRoots found = within("line", [&] { return cuts(pieces, line, question.width, limits); });
-    std::vector<std::pair<const CurvePiece*, CurvePoints>> known;
+    std::vector<std::pair<const CurvePiece*, PointsOnCurve>> known;
     Json::Array points;
     for (const Root& root : found.roots) {
         points.push_back(Json::Object{{"parameters", Json::Array{real_json(root, limits)}},

@@ -36,7 +36,7 @@ Answer answer_nearest(Request& request, const Limits& limits) {
     result["squared_distance"] = real_json(found.least->value, limits);
     Json::Array nearest;
     for (const Root& parameter : found.least->parameters) {
-        CurvePoints points(piece_at(pieces, parameter), limits);
+        PointsOnCurve points(piece_at(pieces, parameter), limits);
         nearest.push_back(Json::Object{{"parameter", real_json(parameter, limits)},
                                        {"point", real_json(points.at(parameter), limits)}});
     }

@@ -44,9 +44,9 @@ std::vector<Polynomial> velocity(const CurvePiece& piece);
 int sign_beside(Polynomial polynomial, const Rational& t, int side);
 
 /// The coordinates of the curve at a number where the weight is not 0.
-class CurvePoints {
+class PointsOnCurve {
 public:
-    CurvePoints(const CurvePiece& piece, const Limits& limits);
+    PointsOnCurve(const CurvePiece& piece, const Limits& limits);
 
     std::vector<Root> at(const Root& root);
     AlgebraicValues& coordinate(std::size_t j) { return coordinates_[j]; }

@@ -22,7 +22,7 @@ struct SplineRoots {
 };
 
 /// A polynomial in a range of its parameter, of which the upper end may belong to the next piece.
-struct PolynomialPiece {
+struct RangedPolynomial {
     Polynomial polynomial;
     ParameterRange range;
     bool closed = true;
@@ -30,7 +30,7 @@ struct PolynomialPiece {
 
 /// The zeros of adjacent pieces in rising order. Where the range of a piece is a single point, this is a root
 /// or a zero of the whole piece. Cost: `roots` a piece. Errors: `limit_exceeded`.
-SplineRoots roots(std::span<const PolynomialPiece> pieces, const Rational& width = 0,
+SplineRoots roots(std::span<const RangedPolynomial> pieces, const Rational& width = 0,
                   const Limits& limits = {});
 
 /// The parts of the segments of a spline in a range, in rising order: `use(segment, range, closed)` for each
