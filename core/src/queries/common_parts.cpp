@@ -197,8 +197,8 @@ CommonParts common_parts(const CurvePiece& first, const CurvePiece& second, cons
     if (!of_first.is_passed_once && !of_second.is_passed_once && degree >= least_degree_of_double_points) {
         throw Error(
             ErrorCode::limit_exceeded,
-            "both curves pass the same curve of a degree above 2 more than once, so that their double "
-            "points cannot be told apart");
+            "both curves pass the same curve of a degree above 2 more than once, so that its crossings "
+            "with itself cannot be told from common parts");
     }
     const Cuts of_s(first, second, of_first.places, of_second.places, width, limits);
     const Cuts of_t(second, first, of_second.places, of_first.places, width, limits);
