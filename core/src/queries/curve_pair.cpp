@@ -136,7 +136,7 @@ bool PointComparison::meet(const Root& s, const Root& t) {
     return true;
 }
 
-std::size_t PointComparison::multiplicity(const Root& s, const Root& t) {
+std::size_t PointComparison::multiplicity(const Root& s, const Root& t, std::optional<std::size_t> most) {
     const Root parameters[] = {s, t};
     bool is_vertical[2];
     for (std::size_t i = 0; i < 2; ++i) {
@@ -151,6 +151,7 @@ std::size_t PointComparison::multiplicity(const Root& s, const Root& t) {
     for (std::size_t i = 0; i < 2; ++i) derivatives[i] = {velocity_[i][1 - along], velocity_[i][along]};
     for (std::size_t multiplicity = 1;; ++multiplicity) {
         if (!have_same_value(derivatives[0], derivatives[1], s, t)) return multiplicity;
+        if (multiplicity == most) return 0;
         for (std::size_t i = 0; i < 2; ++i) {
             auto& [numerator, denominator] = derivatives[i];
             const Polynomial& weight = (i == 0 ? first_ : second_).weight();

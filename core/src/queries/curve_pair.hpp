@@ -4,6 +4,7 @@
 
 #include <blossom/core/queries/intersections.hpp>
 
+#include <optional>
 #include <vector>
 
 namespace blossom {
@@ -41,8 +42,9 @@ public:
     PointComparison(const CurvePiece& first, const CurvePiece& second, const Limits& limits);
 
     bool meet(const Root& s, const Root& t);
-    /// Of a common point. The curves must not overlap.
-    std::size_t multiplicity(const Root& s, const Root& t);
+    /// Of a common point; 0 if it is more than `most`, which the caller gives where the curves may be the
+    /// same there, or where the velocity of one of them is 0.
+    std::size_t multiplicity(const Root& s, const Root& t, std::optional<std::size_t> most = {});
 
 private:
     struct Quotient {

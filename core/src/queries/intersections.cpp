@@ -61,7 +61,7 @@ public:
         if (of_first.is_zero()) {
             CommonParts parts = common_parts(first, second, equations, false, width_, limits_);
             std::ranges::move(parts.overlaps, std::back_inserter(found_.overlaps));
-            add_meeting(first, i, parts.first, second, k, parts.second);
+            add_meeting(first, i, parts.first, second, k, parts.second, most_in_common_parts);
             return;
         }
         const std::vector<Root> s = roots_in(first, of_first, width_, limits_);
@@ -79,14 +79,16 @@ public:
         const PairEquations equations = equations_of_double_points(piece);
         const Polynomial places = equation_of_first(equations, piece, limits_);
         std::vector<Root> candidates;
+        std::optional<std::size_t> most;
         if (places.is_zero()) {
+            most = most_in_common_parts;
             CommonParts parts = common_parts(piece, piece, equations, true, width_, limits_);
             std::ranges::move(parts.overlaps, std::back_inserter(found_.overlaps));
             candidates = std::move(parts.first);
         } else {
             candidates = roots_in(piece, places, width_, limits_);
         }
-        add_meeting(piece, i, candidates, piece, i, candidates);
+        add_meeting(piece, i, candidates, piece, i, candidates, most);
     }
 
     CurveIntersections finish() && {
@@ -100,6 +102,9 @@ public:
     }
 
 private:
+    /// Two parts of one curve that meet at their ends have no finite order of contact.
+    static constexpr std::size_t most_in_common_parts = 3;
+
     /// One of the pieces is a point, which the other may pass.
     void add_of_point(const CurvePiece& first, const CurvePiece& second) {
         const bool first_is_point = is_point(first);
@@ -124,7 +129,8 @@ private:
 
     /// Adds the pairs of parameters that have one point; of one piece those with the less parameter first.
     void add_meeting(const CurvePiece& first, std::size_t i, std::span<const Root> s,
-                     const CurvePiece& second, std::size_t k, std::span<const Root> t) {
+                     const CurvePiece& second, std::size_t k, std::span<const Root> t,
+                     std::optional<std::size_t> most = {}) {
         PointComparison comparison(first, second, limits_);
         const bool is_self = &first == &second;
         for (std::size_t a = 0; a < s.size(); ++a) {
@@ -132,7 +138,7 @@ private:
                 if (!comparison.meet(s[a], t[b])) continue;
                 CurveIntersection point{s[a], t[b], i, k, 0};
                 if (is_end_of_overlap(point)) continue;
-                point.multiplicity = comparison.multiplicity(s[a], t[b]);
+                point.multiplicity = comparison.multiplicity(s[a], t[b], most);
                 found_.points.push_back(std::move(point));
             }
         }

@@ -43,6 +43,7 @@ Operation reparametrise_operation();
 Operation reverse_operation();
 Operation roots_operation();
 Operation segments_operation();
+Operation self_intersections_operation();
 Operation subdivide_operation();
 Operation sum_operation();
 Operation transform_operation();
@@ -91,6 +92,7 @@ inline constexpr OperationEntry operation_table[] = {
     {"inflections", inflections_operation},
     {"nearest", nearest_operation},
     {"intersections", intersections_operation},
+    {"self-intersections", self_intersections_operation},
     {prove_name, prove_operation},
     {"audit", audit_operation},
     {"import", import_operation},

@@ -14,7 +14,8 @@ struct CurveIntersection {
     std::size_t first_piece = 0;
     std::size_t second_piece = 0;
     /// The order of contact plus 1: 1 where the tangents differ, 2 where they are the same and the curvatures
-    /// differ. 0 where the velocity of one of the curves is 0.
+    /// differ. 0 where the velocity of one of the curves is 0, and for parts of one curve of which one goes
+    /// on where the other ends, or which have another contact of an order above 2.
     std::size_t multiplicity = 1;
 };
 
