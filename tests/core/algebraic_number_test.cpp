@@ -1,4 +1,4 @@
-#include <blossom/core/algebra/resultant.hpp>
+#include <blossom/core/algebra/elimination.hpp>
 #include <blossom/core/curve/algebraic_number.hpp>
 #include "core_test.hpp"
 

@@ -79,3 +79,47 @@ TEST_CASE("common roots are those of the greatest common divisor") {
             R"("op": "roots", "map": {"kind": "polynomial", "text": "t"}, "with": [{"kind": "polynomial", "text": ["t", "t"]}])") ==
         "wrong_kind /with/0");
 }
+
+TEST_CASE("two curves meet in points with their contact, or have parts in common") {
+    CHECK(
+        result_text(R"("op": "intersections", "with": {"kind": "polynomial", "text": ["t", "t^4"]}, )" +
+                    parabola) ==
+        R"({"interval": ["-inf", "inf"], "with_interval": ["-inf", "inf"], "intersections": [{"parameters": [{"value": "-1", "double": -1}, {"value": "-1", "double": -1}], "point": [{"value": "-1", "double": -1}, {"value": "1", "double": 1}], "multiplicity": 1}, {"parameters": [{"value": "0", "double": 0}, {"value": "0", "double": 0}], "point": [{"value": "0", "double": 0}, {"value": "0", "double": 0}], "multiplicity": 2}, {"parameters": [{"value": "1", "double": 1}, {"value": "1", "double": 1}], "point": [{"value": "1", "double": 1}, {"value": "1", "double": 1}], "multiplicity": 1}]})");
+    // Two parts of one line that meet at their ends have a point in common, but no order of contact.
+    CHECK(
+        result_text(
+            R"("op": "intersections", "map": {"kind": "bezier", "control_points": [[0, 0], [1, 1]]}, "with": {"kind": "bezier", "control_points": [[1, 1], [2, 2]]})") ==
+        R"({"interval": ["0", "1"], "with_interval": ["0", "1"], "intersections": [{"parameters": [{"value": "1", "double": 1}, {"value": "0", "double": 0}], "point": [{"value": "1", "double": 1}, {"value": "1", "double": 1}]}]})");
+    CHECK(
+        result_text(
+            R"("op": "intersections", "map": {"kind": "bezier", "control_points": [[0, 0], [2, 2]]}, "with": {"kind": "bezier", "control_points": [[3, 3], [1, 1]]})") ==
+        R"({"interval": ["0", "1"], "with_interval": ["0", "1"], "intersections": [], "overlaps": [{"intervals": [[{"value": "1/2", "double": 0.5}, {"value": "1", "double": 1}], [{"value": "1/2", "double": 0.5}, {"value": "1", "double": 1}]], "reversed": true}]})");
+    // A parabola above a line.
+    CHECK(result_text(R"("op": "intersections", "with": {"kind": "polynomial", "text": ["t", "t - 1"]}, )" +
+                      parabola) ==
+          R"({"interval": ["-inf", "inf"], "with_interval": ["-inf", "inf"], "intersections": []})");
+    CHECK(refusal_text(R"("op": "intersections", )" + parabola) == "missing_field ");
+    CHECK(
+        refusal_text(
+            R"("op": "intersections", "line": [1, 1, 1], "with": {"kind": "polynomial", "text": ["t", "t"]}, )" +
+            parabola) == "wrong_kind /line");
+    CHECK(refusal_text(R"("op": "intersections", "with": {"kind": "polynomial", "text": "t"}, )" +
+                       parabola) == "mismatched_dimensions /with");
+}
+
+TEST_CASE("a spline that crosses another one at a knot has one intersection there") {
+    CHECK(
+        result_text(
+            R"("op": "intersections", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2], "control_points": [[0, 0], [1, 1], [2, 0]]}, "with": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 2], "control_points": [[1, 0], [1, 1], [1, 2]]})") ==
+        R"({"interval": ["0", "2"], "with_interval": ["0", "2"], "intersections": [{"parameters": [{"value": "1", "double": 1}, {"value": "1", "double": 1}], "point": [{"value": "1", "double": 1}, {"value": "1", "double": 1}], "multiplicity": 1}]})");
+}
+
+TEST_CASE("self-intersections, closed ends and cusps are told apart") {
+    CHECK(
+        result_text(
+            R"("op": "self-intersections", "map": {"kind": "bspline", "degree": 1, "knots": [0, 0, 1, 2, 3, 4, 4], "control_points": [[0, 0], [2, 2], [2, 0], [0, 2], [0, 0]]})") ==
+        R"({"interval": ["0", "4"], "intersections": [{"kind": "closed", "parameters": [{"value": "0", "double": 0}, {"value": "4", "double": 4}], "point": [{"value": "0", "double": 0}, {"value": "0", "double": 0}], "multiplicity": 1}, {"kind": "double", "parameters": [{"value": "1/2", "double": 0.5}, {"value": "5/2", "double": 2.5}], "point": [{"value": "1", "double": 1}, {"value": "1", "double": 1}], "multiplicity": 1}], "cusps": []})");
+    CHECK(
+        result_text(R"("op": "self-intersections", "map": {"kind": "polynomial", "text": ["t^2", "t^3"]})") ==
+        R"({"interval": ["-inf", "inf"], "intersections": [], "cusps": [{"value": "0", "double": 0}]})");
+}

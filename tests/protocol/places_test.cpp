@@ -127,6 +127,9 @@ const std::vector<std::string> requests{
     R"({"op": "extrema", "interval": ["-4", "4"], "width": "1/10", "direction": ["1", "2"], )" + plane + "}",
     R"({"op": "nearest", "interval": ["-4", "4"], "width": "1/10", "point": ["1", "2"], )" + plane + "}",
     R"({"op": "inflections", "interval": ["-4", "4"], "width": "1/10", )" + plane + "}",
+    R"({"op": "intersections", "with": {"kind": "polynomial", "text": ["t", "t"]}, "with_interval": ["-1", "2"], )" +
+        plane + "}",
+    R"({"op": "self-intersections", "interval": ["-4", "4"], "width": "1/10", )" + plane + "}",
     R"({"op": "intersections", "interval": ["-4", "4"], "width": "1/10", "line": ["1", "2", "3"], )" + plane +
         "}",
     R"({"op": "prove", "statement": "claim 1 == 1"})",

@@ -2,9 +2,9 @@
 
 /// All of the layer `core`: polynomials, curves, splines, patches and their blossoms.
 
+#include <blossom/core/algebra/elimination.hpp>
 #include <blossom/core/algebra/polynomial.hpp>
 #include <blossom/core/algebra/polynomial_text.hpp>
-#include <blossom/core/algebra/resultant.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/algebra/sparse_polynomial.hpp>
 #include <blossom/core/blossom/agreement.hpp>

@@ -1,6 +1,6 @@
 #include "curve_pair.hpp"
 
-#include <blossom/core/algebra/resultant.hpp>
+#include <blossom/core/algebra/elimination.hpp>
 
 #include <algorithm>
 
