@@ -1,5 +1,6 @@
 #include <blossom/core/queries/intersections.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/resource_budget.hpp>
 
 #include <algorithm>
 #include <string>
@@ -30,6 +31,8 @@ std::vector<Box> boxes_of(std::span<const CurvePiece> pieces, const Limits& limi
     for (const CurvePiece& piece : pieces) boxes.push_back(box_of(piece, limits));
     return boxes;
 }
+
+constexpr std::size_t words_of_box = 16;  ///< of a comparison of two boxes
 
 bool are_apart(const Box& one, const Box& other) {
     if (!one || !other) return false;
@@ -222,6 +225,7 @@ CurveIntersections intersections(std::span<const CurvePiece> first, std::span<co
     const std::vector<Box> second_boxes = boxes_of(second, limits);
     IntersectionSearch search(width, limits);
     for (std::size_t i = 0; i < first.size(); ++i) {
+        spend_work(words_of_box * second.size());
         for (std::size_t k = 0; k < second.size(); ++k) {
             if (!are_apart(first_boxes[i], second_boxes[k])) search.add(first[i], i, second[k], k);
         }
@@ -235,6 +239,7 @@ CurveIntersections self_intersections(std::span<const CurvePiece> curve, const R
     const std::vector<Box> boxes = boxes_of(curve, limits);
     IntersectionSearch search(width, limits);
     for (std::size_t i = 0; i < curve.size(); ++i) {
+        spend_work(words_of_box * (curve.size() - i));
         search.add(curve[i], i);
         for (std::size_t k = i + 1; k < curve.size(); ++k) {
             if (!are_apart(boxes[i], boxes[k])) search.add(curve[i], i, curve[k], k);
