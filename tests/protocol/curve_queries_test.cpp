@@ -98,7 +98,7 @@ TEST_CASE("two curves meet in points with their contact, or have parts in common
     CHECK(result_text(R"("op": "intersections", "with": {"kind": "polynomial", "text": ["t", "t - 1"]}, )" +
                       parabola) ==
           R"({"interval": ["-inf", "inf"], "with_interval": ["-inf", "inf"], "intersections": []})");
-    CHECK(refusal_text(R"("op": "intersections", )" + parabola) == "missing_field ");
+    CHECK(refusal_text(R"("op": "intersections", )" + parabola) == "missing_field /with");
     CHECK(
         refusal_text(
             R"("op": "intersections", "line": [1, 1, 1], "with": {"kind": "polynomial", "text": ["t", "t"]}, )" +
