@@ -60,6 +60,10 @@ def costly():
     yield {"op": "blossom", "map": {"kind": "polynomial", "text": "t^10000 + t^3 + 1"}, "arguments": arguments}
     yield {"op": "segments", "map": {"kind": "bspline", "degree": 200, "knots": list(range(800)), "control_points": [i * i % 19 for i in range(599)]}}
     yield {"op": "roots", "map": {"kind": "polynomial", "coefficients": [pow(7, i, 10**6 + 3) - 500000 for i in range(1500)]}, "interval": [-2, 2]}
+    arcs = [{"kind": "bezier", "control_points": [[i, i * i % 61 + k] for i in range(50)]} for k in range(2)]
+    yield {"op": "intersections", "map": arcs[0], "with": arcs[1]}
+    corners = {"kind": "bspline", "degree": 1, "knots": [0, *range(20001), 20000], "control_points": [[i % 97, i % 89] for i in range(20001)]}
+    yield {"op": "self-intersections", "map": corners}
 
 
 def small():

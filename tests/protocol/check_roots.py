@@ -9,63 +9,14 @@ import random
 import sys
 from fractions import Fraction
 
-from spline_oracle import Report, ask, common_factor, control_points, pieces_of, plus, power, remainder, scaled, text_of, texts, times, trimmed, value
+from real_roots_oracle import Sturm, multiplicity_in, neighbours, quotient
+from spline_oracle import Report, ask, common_factor, control_points, pieces_of, power, text_of, texts, times, value
 
 CASES = 1200
 
 program = sys.argv[1]
 choose = random.Random(27)
 report = Report()
-
-
-def derivative(p):
-    return trimmed(k * a for k, a in enumerate(p) if k)
-
-
-def quotient(p, q):
-    p, result = trimmed(p), []
-    while len(p) >= len(q):
-        term = [Fraction(0)] * (len(p) - len(q)) + [p[-1] / q[-1]]
-        result = plus(result, term)
-        p = plus(p, scaled(times(term, q), -1))
-    return result
-
-
-class Sturm:
-    """The distinct roots of a polynomial."""
-
-    def __init__(self, p):
-        p = quotient(p, common_factor([p, derivative(p)])) if len(p) > 1 else p
-        self.chain = [p, derivative(p)]
-        while self.chain[-1]:
-            self.chain.append(scaled(remainder(self.chain[-2], self.chain[-1]), -1))
-        self.chain.pop()
-
-    def changes(self, t):
-        if math.isfinite(t):
-            signs = [value(p, t) for p in self.chain]
-        else:
-            signs = [-p[-1] if t < 0 and len(p) % 2 == 0 else p[-1] for p in self.chain]
-        signs = [s for s in signs if s]
-        return sum(a * b < 0 for a, b in zip(signs, signs[1:]))
-
-    def between(self, a, b):
-        """In (a, b]."""
-        return self.changes(a) - self.changes(b)
-
-
-def multiplicity_in(p, root):
-    """Of the only root in a closed interval."""
-    count = 0
-    a, b = root
-    while len(p) > 1 and (value(p, a) == 0 if a == b else Sturm(p).between(a, b) == 1):
-        p = quotient(p, squarefree(p))
-        count += 1
-    return count
-
-
-def squarefree(p):
-    return quotient(p, common_factor([p, derivative(p)]))
 
 
 def number():
@@ -132,12 +83,6 @@ def request_of_spline():
             pieces.append((begin, end, p, closed))
     ends = [max(low, knots[0]), min(high, knots[-1])]
     return request, pieces, ends if ends[0] <= ends[1] else [low, high]
-
-
-def neighbours(double):
-    """The reals that are rounded to a double lie between these."""
-    below, above = math.nextafter(double, -math.inf), math.nextafter(double, math.inf)
-    return (Fraction(below) + Fraction(double)) / 2, (Fraction(above) + Fraction(double)) / 2
 
 
 def check_root(request, root, p):

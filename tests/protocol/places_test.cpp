@@ -123,6 +123,15 @@ const std::vector<std::string> requests{
     R"({"op": "periodic", "map": {"kind": "bspline", "degree": 1, "knots": ["0", "0", "1", "2", "3", "3"],
         "control_points": ["0", "2", "1", "0"]}})",
     R"({"op": "roots", "interval": ["-4", "4"], "width": "1/10", )" + cubic + "}",
+    R"({"op": "roots", "with": [{"kind": "polynomial", "text": "t"}], )" + cubic + "}",
+    R"({"op": "extrema", "interval": ["-4", "4"], "width": "1/10", "direction": ["1", "2"], )" + plane + "}",
+    R"({"op": "nearest", "interval": ["-4", "4"], "width": "1/10", "point": ["1", "2"], )" + plane + "}",
+    R"({"op": "inflections", "interval": ["-4", "4"], "width": "1/10", )" + plane + "}",
+    R"({"op": "intersections", "with": {"kind": "polynomial", "text": ["t", "t"]}, "with_interval": ["-1", "2"], )" +
+        plane + "}",
+    R"({"op": "self-intersections", "interval": ["-4", "4"], "width": "1/10", )" + plane + "}",
+    R"({"op": "intersections", "interval": ["-4", "4"], "width": "1/10", "line": ["1", "2", "3"], )" + plane +
+        "}",
     R"({"op": "prove", "statement": "claim 1 == 1"})",
     R"({"op": "prove", "statement": ["claim 1 == 1", "claim 2 == 2"]})",
     R"({"op": "audit", "computed": {"control_points": [0, 0.333, 0.1]},

@@ -131,3 +131,63 @@ TEST_CASE("rational roots that are equal modulo the first prime, or beyond it, a
     CHECK(rational_roots(product_of_squares).empty());
     CHECK(value(polynomial, Rational(1, 3)).is_zero());
 }
+
+namespace {
+
+using Row = std::vector<IntegerPolynomial>;
+
+/// The determinant by expansion along the first row; zero polynomials have no coefficients.
+IntegerPolynomial determinant(const std::vector<Row>& matrix) {
+    if (matrix.empty()) return {1};
+    IntegerPolynomial sum;
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+        if (matrix[0][j].empty()) continue;
+        std::vector<Row> minor(matrix.begin() + 1, matrix.end());
+        for (Row& row : minor) row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
+        const IntegerPolynomial below = determinant(minor);
+        if (below.empty()) continue;
+        const IntegerPolynomial term = plain_product(matrix[0][j], below);
+        sum.resize(std::max(sum.size(), term.size()));
+        for (std::size_t k = 0; k < term.size(); ++k) sum[k] += j % 2 == 0 ? term[k] : -term[k];
+    }
+    while (!sum.empty() && sum.back().is_zero()) sum.pop_back();
+    return sum;
+}
+
+/// Sylvester's matrix with the highest powers of t first.
+std::vector<Row> sylvester(const Row& f, const Row& g) {
+    const std::size_t m = f.size() - 1;
+    const std::size_t n = g.size() - 1;
+    std::vector<Row> matrix(m + n, Row(m + n));
+    for (std::size_t i = 0; i < n; ++i)
+        std::reverse_copy(f.begin(), f.end(), matrix[i].begin() + static_cast<std::ptrdiff_t>(i));
+    for (std::size_t i = 0; i < m; ++i)
+        std::reverse_copy(g.begin(), g.end(), matrix[n + i].begin() + static_cast<std::ptrdiff_t>(i));
+    return matrix;
+}
+
+Row random_rows(Random& random, std::size_t degree) {
+    Row rows;
+    for (std::size_t k = 0; k <= degree; ++k) {
+        const bool is_zero = k < degree && random.one_in(4);
+        rows.push_back(is_zero ? IntegerPolynomial()
+                               : random_polynomial(random, random.below(3), random.one_in(5) ? 80 : 8));
+    }
+    return rows;
+}
+
+}  // namespace
+
+TEST_CASE("a resultant is the determinant of Sylvester's matrix") {
+    CHECK(resultant(Row{{0, -1}, {1}}, Row{{-2}, {}, {1}}) == IntegerPolynomial{-2, 0, 1});
+    CHECK(resultant(Row{{5}}, Row{{7}}) == IntegerPolynomial{1});
+    CHECK(resultant(Row{}, Row{{7}}).empty());
+    Random random(41);
+    for (int i = 0; i < 150; ++i) {
+        CAPTURE(i);
+        const Row f = random_rows(random, random.below(4));
+        Row g = random_rows(random, random.below(4));
+        if (random.one_in(6)) g = f;  // a common factor
+        CHECK(resultant(f, g) == determinant(sylvester(f, g)));
+    }
+}

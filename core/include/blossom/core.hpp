@@ -2,6 +2,7 @@
 
 /// All of the layer `core`: polynomials, curves, splines, patches and their blossoms.
 
+#include <blossom/core/algebra/elimination.hpp>
 #include <blossom/core/algebra/polynomial.hpp>
 #include <blossom/core/algebra/polynomial_text.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
@@ -19,6 +20,7 @@
 #include <blossom/core/constructions/constructions.hpp>
 #include <blossom/core/constructions/net_constructions.hpp>
 #include <blossom/core/constructions/net_shape.hpp>
+#include <blossom/core/curve/algebraic_number.hpp>
 #include <blossom/core/curve/degree_elevation.hpp>
 #include <blossom/core/curve/degree_reduction.hpp>
 #include <blossom/core/curve/derivative.hpp>
@@ -63,6 +65,11 @@
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
+#include <blossom/core/queries/curve_pieces.hpp>
+#include <blossom/core/queries/cuts.hpp>
+#include <blossom/core/queries/extrema.hpp>
+#include <blossom/core/queries/inflections.hpp>
+#include <blossom/core/queries/intersections.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
 #include <blossom/core/spline/basis_matrix.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>

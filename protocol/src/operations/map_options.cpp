@@ -212,6 +212,46 @@ std::vector<Option> with_map_options(std::vector<Option> others) {
     return options;
 }
 
+Json curve_of_text(std::string_view text, const Limits& limits) {
+    const std::string_view content = trimmed(text);
+    if (content.starts_with('{')) {
+        const Json given = parse_json(content, limits);
+        const Json* of_response = at_place(given, {"result", "map"});
+        return of_response ? *of_response : given;
+    }
+    const bool is_path = is_svg_path(content);
+    if (!is_path && content.find(',') == std::string_view::npos)
+        return Json::Object{{"kind", "polynomial"}, {"text", polynomial_texts({std::string(content)})}};
+    Json map = Json::Object{{"kind", "bezier"}};
+    if (is_path) {
+        write_path(map, content, limits);
+    } else {
+        map["control_points"] = number_list(content);
+    }
+    return map;
+}
+
+Option other_map_option(std::string name, const std::string& field) {
+    const auto apply = [field](Json& request, const std::vector<std::string>& values, const Limits& limits) {
+        request[field] = curve_of_text(values.front(), limits);
+    };
+    return {std::move(name), Place{field}, "MAP", "", apply};
+}
+
+Option other_maps_option(std::string name, const std::string& field) {
+    const auto apply = [field](Json& request, const std::vector<std::string>& values, const Limits& limits) {
+        Json::Array maps;
+        for (const std::string& value : values) maps.push_back(curve_of_text(value, limits));
+        request[field] = std::move(maps);
+    };
+    return {.name = std::move(name),
+            .field = Place{field},
+            .value = "MAP",
+            .help = "",
+            .apply = apply,
+            .repeated = true};
+}
+
 Option own_interval_option(std::string help) {
     const auto apply = [](Json& request, const std::vector<std::string>& values, const Limits&) {
         Json& owner = has_control_points(request) && !has_knots(request) ? request["map"] : request;

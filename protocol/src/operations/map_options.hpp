@@ -44,6 +44,13 @@ Option flag_option(std::string name, const std::string& field);
 /// The options that describe a map, and then `others`; of two of one name the one in `others` counts.
 std::vector<Option> with_map_options(std::vector<Option> others);
 
+/// A map as one argument: a map of the protocol or the output of another command, control points
+/// "0,0; 1,2", an SVG path of one curve, or a polynomial.
+Json curve_of_text(std::string_view text, const Limits& limits);
+/// An option whose value is such a map; of a field with a list of maps, it may be repeated.
+Option other_map_option(std::string name, const std::string& field);
+Option other_maps_option(std::string name, const std::string& field);
+
 /// --interval, which for control points of a Bezier curve says where those that are given live, and for other
 /// maps where something is wanted.
 Option own_interval_option(std::string help);

@@ -23,12 +23,16 @@ Operation evaluate_operation();
 Operation exercise_operation();
 Operation explain_operation();
 Operation export_operation();
+Operation extrema_operation();
 Operation graph_operation();
 Operation import_operation();
+Operation inflections_operation();
 Operation insert_knots_operation();
 Operation interpolate_operation();
+Operation intersections_operation();
 Operation inverse_formula_operation();
 Operation join_operation();
+Operation nearest_operation();
 Operation periodic_operation();
 Operation product_operation();
 Operation prove_operation();
@@ -39,6 +43,7 @@ Operation reparametrise_operation();
 Operation reverse_operation();
 Operation roots_operation();
 Operation segments_operation();
+Operation self_intersections_operation();
 Operation subdivide_operation();
 Operation sum_operation();
 Operation transform_operation();
@@ -83,6 +88,11 @@ inline constexpr OperationEntry operation_table[] = {
     {"basis-functions", basis_functions_operation},
     {"basis-matrix", basis_matrix_operation},
     {"roots", roots_operation},
+    {"extrema", extrema_operation},
+    {"inflections", inflections_operation},
+    {"nearest", nearest_operation},
+    {"intersections", intersections_operation},
+    {"self-intersections", self_intersections_operation},
     {prove_name, prove_operation},
     {"audit", audit_operation},
     {"import", import_operation},

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "prime_field.hpp"
+#include "prime_images.hpp"
 
 namespace blossom {
 
 namespace {
-
-using WordList = std::vector<std::uint64_t>;
 
 /// Whether a number above 37 is prime; these bases of the Miller-Rabin test decide for all 64-bit numbers.
 bool is_prime(std::uint64_t number) {
@@ -26,20 +24,6 @@ bool is_prime(std::uint64_t number) {
         if (composite) return false;
     }
     return true;
-}
-
-/// The greatest prime below an odd number.
-std::uint64_t prime_below(std::uint64_t number) {
-    do number -= 2;
-    while (!is_prime(number));
-    return number;
-}
-
-WordList words_of(std::span<const Integer> polynomial, const PrimeField& field) {
-    WordList words;
-    words.reserve(polynomial.size());
-    for (const Integer& coefficient : polynomial) words.push_back(field.of(coefficient));
-    return words;
 }
 
 void trim(auto& polynomial, const auto& is_zero) {
@@ -85,36 +69,32 @@ IntegerPolynomial primitive_part(IntegerPolynomial polynomial) {
     return polynomial;
 }
 
-/// Integers from their residues, with one more prime per step.
-class Combination {
-public:
-    void add(const WordList& words, const PrimeField& field) {
-        values_.resize(words.size());
-        const std::uint64_t scale = field.inverse(field.of(modulus_));
-        for (std::size_t k = 0; k < words.size(); ++k) {
-            const std::uint64_t difference = field.sum(words[k], field.prime() - field.of(values_[k]));
-            values_[k].add_product(modulus_, Integer(field.product(difference, scale)));
-        }
-        modulus_ *= Integer(field.prime());
-    }
-    /// The integers of least magnitude with these residues.
-    IntegerPolynomial values() const {
-        IntegerPolynomial centred = values_;
-        const Integer half = modulus_ >> 1;
-        for (Integer& value : centred) {
-            if (value > half) value -= modulus_;
-        }
-        return centred;
-    }
-
-private:
-    IntegerPolynomial values_;
-    Integer modulus_ = 1;
-};
-
-constexpr std::uint64_t primes_end = (std::uint64_t{1} << 62) - 1;
-
 }  // namespace
+
+std::uint64_t prime_below(std::uint64_t number) {
+    do number -= 2;
+    while (!is_prime(number));
+    return number;
+}
+
+void Combination::add(const WordList& words, const PrimeField& field) {
+    values_.resize(words.size());
+    const std::uint64_t scale = field.inverse(field.of(modulus_));
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const std::uint64_t difference = field.sum(words[k], field.prime() - field.of(values_[k]));
+        values_[k].add_product(modulus_, Integer(field.product(difference, scale)));
+    }
+    modulus_ *= Integer(field.prime());
+}
+
+IntegerPolynomial Combination::values() const {
+    IntegerPolynomial centred = values_;
+    const Integer half = modulus_ >> 1;
+    for (Integer& value : centred) {
+        if (value > half) value -= modulus_;
+    }
+    return centred;
+}
 
 std::optional<IntegerPolynomial> exact_quotient(std::span<const Integer> a, std::span<const Integer> b) {
     if (a.size() < b.size()) return a.empty() ? std::optional(IntegerPolynomial()) : std::nullopt;

@@ -32,6 +32,20 @@ std::optional<IntegerPolynomial> exact_quotient(std::span<const Integer> a, std:
 /// algorithm and the computation of polynomial greatest common divisors", 1971.
 IntegerPolynomial primitive_gcd(std::span<const Integer> a, std::span<const Integer> b);
 
+/// The resultant of f = sum f_k t^k and g = sum g_k t^k, whose coefficients are polynomials in s: a
+/// polynomial in s, the determinant of Sylvester's matrix with the rows of f first. The last element of each
+/// list is not the zero polynomial; a list without elements is the polynomial 0, and so is the resultant
+/// then.
+///
+/// For each of several primes, the images of f and g are evaluated at d + 1 numbers s, their resultants are
+/// computed by Euclid's algorithm and interpolated; the primes suffice for the norm of the determinant,
+/// |f|^n |g|^m for the degrees m and n in t, where |f| is the sum of the magnitudes of all coefficients.
+/// Source: Collins, "The calculation of multivariate polynomial resultants", 1971.
+///
+/// Cost: for each of n bits(f) + m bits(g) over 62 primes, d (m n + e (m + n)) + d^2 word operations, with d
+/// = n e_f + m e_g for the degrees e in s.
+IntegerPolynomial resultant(std::span<const IntegerPolynomial> f, std::span<const IntegerPolynomial> g);
+
 /// All rational roots, in no particular order, of a polynomial that is squarefree and not zero.
 ///
 /// Simple roots modulo a small prime are lifted to its powers. A power beyond twice the product of the first
