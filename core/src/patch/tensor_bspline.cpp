@@ -1,4 +1,4 @@
-#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/core/spline/progressive.hpp>
@@ -128,8 +128,8 @@ TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
     require_within(spline.knots(direction).points() + knots.size(),
                    limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
                    Part::knots);
-    return with_rows(spline, direction,
-                     [&](const BSplineCurve& row) { return insert_knots(row, knots, limits); });
+    return changed_along(
+        spline, direction, [&](const BSplineCurve& along) { return insert_knots(along, knots, limits); });
 }
 
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,

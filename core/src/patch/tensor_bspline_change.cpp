@@ -1,3 +1,4 @@
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
@@ -19,20 +20,20 @@ TensorBSpline elevate(const TensorBSpline& spline, std::size_t direction, std::s
     require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
     require_within(knots.points() + r * knots.spans().size(), limits.numbers / rows / spline.dimension(),
                    "numbers", "the number of points of a row", Part::by);
-    return with_rows(spline, direction, [&](const BSplineCurve& row) { return elevate(row, r, limits); });
+    return changed_along(spline, direction,
+                         [&](const BSplineCurve& rows_along) { return elevate(rows_along, r, limits); });
 }
 
 std::pair<TensorBSpline, TensorBSpline> split(const TensorBSpline& spline, std::size_t direction,
                                               const Rational& u, const Limits& limits) {
-    return {
-        with_rows(spline, direction, [&](const BSplineCurve& row) { return split(row, u, limits).first; }),
-        with_rows(spline, direction, [&](const BSplineCurve& row) { return split(row, u, limits).second; })};
+    const auto [before, behind] = split(curve_along(spline, direction), u, limits);
+    return {with_curve_along(spline, direction, before), with_curve_along(spline, direction, behind)};
 }
 
 TensorBSpline restricted(const TensorBSpline& spline, std::size_t direction, const Interval& interval,
                          const Limits& limits) {
-    return with_rows(spline, direction,
-                     [&](const BSplineCurve& row) { return restricted(row, interval, limits); });
+    return changed_along(spline, direction,
+                         [&](const BSplineCurve& rows) { return restricted(rows, interval, limits); });
 }
 
 TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std::size_t> orders,
@@ -46,8 +47,8 @@ TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std
     TensorBSpline derived = spline;
     for (std::size_t d = 0; d < orders.size(); ++d) {
         if (orders[d] == 0) continue;
-        derived = with_rows(
-            derived, d, [&](const BSplineCurve& row) { return derivative_curve(row, orders[d], limits); });
+        derived = changed_along(
+            derived, d, [&](const BSplineCurve& rows) { return derivative_curve(rows, orders[d], limits); });
     }
     return derived;
 }
