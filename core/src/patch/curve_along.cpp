@@ -77,7 +77,7 @@ BezierCurve curve_along(const PlacedPatch& patch, std::size_t direction) {
     require_segment(patch.patch.shape(), direction);
     const auto& ends = patch.frames[direction].vertices();
     const PointGrid grid = grid_of(patch.patch.shape(), patch.patch.control_net());
-    return {side_by_side(grid, direction), {ends[0][0], ends[1][0]}};
+    return BezierCurve(side_by_side(grid, direction), Interval(ends[0][0], ends[1][0]));
 }
 
 PolynomialCurve curve_along(const PolynomialPatch& patch, std::size_t direction) {
@@ -89,8 +89,7 @@ TensorBSpline with_curve_along(const TensorBSpline& spline, std::size_t directio
                                const BSplineCurve& curve) {
     std::vector<KnotVector> knots = spline.knots();
     knots[direction] = curve.knots();
-    PointGrid grid =
-        rows_of(grid_of(spline).counts, direction, curve.control_points(), spline.dimension());
+    PointGrid grid = rows_of(grid_of(spline).counts, direction, curve.control_points(), spline.dimension());
     return {std::move(knots), std::move(grid.points)};
 }
 

@@ -124,12 +124,8 @@ Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t>
 
 TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
                            std::span<const Rational> knots, const Limits& limits) {
-    const std::size_t rows = spline.control_points().size() / spline.knots(direction).points();
-    require_within(spline.knots(direction).points() + knots.size(),
-                   limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
-                   Part::knots);
-    return changed_along(
-        spline, direction, [&](const BSplineCurve& along) { return insert_knots(along, knots, limits); });
+    return changed_along(spline, direction,
+                         [&](const BSplineCurve& rows) { return insert_knots(rows, knots, limits); });
 }
 
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,

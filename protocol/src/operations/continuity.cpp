@@ -179,22 +179,34 @@ struct AtKnot {
                                        : answer_of(contact(curve, s, limits), form, s);
     }
     Json operator()(const TensorBSpline& spline) const {
-        const auto at = request.required("at", [&](const Json& value) {
-            return read_some_directions(value, spline.directions(), limits);
+        const Json* entry = nullptr;
+        const std::size_t direction = request.required("at", [&](const Json& value) {
+            std::vector<std::size_t> given;
+            read_each_direction(value, spline.directions(), "entries", [&](const Json& element) {
+                const auto index = static_cast<std::size_t>(&element - value.array()->data());
+                if (!element.is_null()) given.push_back(index);
+                return 0;
+            });
+            if (given.size() != 1) {
+                throw Error(ErrorCode::wrong_arity,
+                            "a knot is a number in one direction, with null in the others");
+            }
+            entry = &(*value.array())[given.front()];
+            return given.front();
         });
         request.finish();
-        const auto is_given = [](const std::optional<Rational>& entry) { return entry.has_value(); };
-        if (std::ranges::count_if(at, is_given) != 1) {
-            throw Error(ErrorCode::wrong_arity,
-                        "a knot is a number in one direction, with null in the others", Place{"at"});
-        }
-        const auto direction = static_cast<std::size_t>(std::ranges::find_if(at, is_given) - at.begin());
-        const Rational& s = *at[direction];
+        const bool divided = form.separate_weights();
         return within("at", [&] {
             return within(direction, [&] {
+                if (entry->text() && *entry->text() == "seam") {
+                    return answer_of(divided ? projected_seam_contact(spline, direction, limits)
+                                             : seam_contact(spline, direction, limits),
+                                     form, true);
+                }
+                const Rational s = read_number(*entry, limits);
                 return as_parameter(Part::at, [&] {
-                    return answer_of(form.separate_weights() ? projected_contact(spline, direction, s, limits)
-                                                             : contact(spline, direction, s, limits),
+                    return answer_of(divided ? projected_contact(spline, direction, s, limits)
+                                             : contact(spline, direction, s, limits),
                                      form, true);
                 });
             });
@@ -226,9 +238,12 @@ std::string render_continuity(const Answered& answered) {
 Members continuity_fields() {
     return {{},
             {{{map_field(),
-               required("at", Shape::one_of({ValueKind::number, Shape::words({"seam"}), cut_shape()}),
-                        "the parameter, or seam where a curve ends and begins again; in several directions a "
-                        "number in one and null in the others")},
+               required("at",
+                        Shape::one_of({ValueKind::number, Shape::words({"seam"}),
+                                       Shape::list(Shape::one_of(
+                                           {ValueKind::number, Shape::words({"seam"}), ValueKind::null}))}),
+                        "the parameter, or seam where a map ends and begins again; in several directions one "
+                        "of them in one and null in the others")},
               {maps_field("two curves, left and right, or two patches with a common face"),
                optional("at", ValueKind::number, "the parameter at which two curves meet")}}}};
 }

@@ -1,7 +1,7 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/curve/subdivision.hpp>
-#include <blossom/core/patch/tensor_bspline_change.hpp>
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/spline/spline_split.hpp>
 
 #include "control_nets.hpp"
@@ -94,11 +94,10 @@ struct Subdivide {
         return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
     Pieces operator()(const BSplineCurve& curve) const {
-        const bool clamp = request.optional("clamped", read_boolean).value_or(false);
+        const bool clamp = is_clamped();
         return divided([&](const Json& at) {
             const Rational t = read_number(at, limits);
-            const auto [left, right] = as_parameter(Part::at, [&] { return split(curve, t, limits); });
-            if (clamp) return std::vector{clamped(left, limits), clamped(right, limits)};
+            const auto [left, right] = as_parameter(Part::at, [&] { return halves(curve, t, clamp); });
             return std::vector{left, right};
         });
     }
@@ -115,15 +114,25 @@ struct Subdivide {
         });
     }
     Pieces operator()(const TensorBSpline& spline) const {
+        const bool clamp = is_clamped();
         return divided([&](const Json& at) {
             return parts_of_box(spline, spline.directions(), at, limits,
                                 [&](const TensorBSpline& part, std::size_t d, const Rational& t) {
-                                    return split(part, d, t, limits);
+                                    const auto [left, right] = halves(curve_along(part, d), t, clamp);
+                                    return std::pair(with_curve_along(part, d, left),
+                                                     with_curve_along(part, d, right));
                                 });
         });
     }
 
 private:
+    bool is_clamped() const { return request.optional("clamped", read_boolean).value_or(false); }
+    std::pair<BSplineCurve, BSplineCurve> halves(const BSplineCurve& curve, const Rational& t,
+                                                 bool clamp) const {
+        auto [left, right] = split(curve, t, limits);
+        if (!clamp) return {std::move(left), std::move(right)};
+        return {clamped(left, limits), clamped(right, limits)};
+    }
     template <class Divide>
     Pieces divided(const Divide& divide) const {
         auto parts = request.required("at", divide);
@@ -150,7 +159,7 @@ Operation subdivide_operation() {
                          "the parameter; for a simplex a point or midpoints, for a tensor product a number "
                          "or null per direction"),
                      optional("clamped", ValueKind::boolean,
-                              "of a bspline curve: whether the parts are clamped at their other ends too")}},
+                              "of a bspline: whether the parts are clamped at their other ends too")}},
         .result = {{maps_member("the parts")}},
         .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
         .options = with_map_options({
