@@ -68,6 +68,6 @@ TEST_CASE(
     CHECK(*at_pointer(refused, "/error/code")->text() == "not_continuous");
     CHECK(at_pointer(refused, "/error/message")->text()->find("In row 1: The curves do not meet at 1") !=
           std::string::npos);
-    CHECK(refusal_text(R"("op": "join", "direction": 0, "maps": [{)" + box.substr(8) +
-                       R"(, {"kind": "bezier", "control_points": [0, 1]}])") != "");
+    CHECK(refusal_text(R"("op": "join", "direction": 0, "maps": [)" + box.substr(7) +
+                       R"(, {"kind": "bezier", "control_points": [0, 1]}])") == "wrong_kind /maps/1");
 }
