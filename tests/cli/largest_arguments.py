@@ -397,7 +397,20 @@ def part(a_map, level):
     """An interval, of a B-spline within its domain."""
     if a_map["kind"] == "bspline" and not directions_of(a_map):
         return a_map["knots"][a_map["degree"] : a_map["degree"] + 2]
+    if a_map["kind"] == "bspline":
+        return a_map["knots"][0][a_map["degrees"][0] : a_map["degrees"][0] + 2]
     return pair(a_map, level)
+
+
+def along(default):
+    """The index of a direction of a tensor product."""
+    return ([DEGREE, HUGE], lambda a_map, level: (level or default) if "degrees" in a_map else None)
+
+
+def inner_knot(a_map, level):
+    if level:
+        return level(1, 2)
+    return a_map["knots"][0][a_map["degrees"][0] + 1] if "degrees" in a_map and a_map["kind"] == "bspline" else parameter(a_map, small, 0, 1)
 
 
 def vertices(a_map, level):
@@ -556,7 +569,6 @@ FIELDS = {
     "by": count_field(1),
     "to": ([DEGREE, NUMBERS, HUGE, 0], lambda a_map, level: 1 if level is None else level),
     "knots": (MANY, inserted_knots),
-    "knot": (STYLE_AXIS, lambda a_map, level: (level or small)(1, 2) if level or directions_of(a_map) else parameter(a_map, small, 0, 1)),
     "times": count_field(None),
     "multiplicity": count_field(None),
     "from": (STYLES[1:], lambda a_map, level: level and pair(a_map, level)),
@@ -601,6 +613,15 @@ OF_OPERATION = {
     ("subdivide", "at"): (STYLES[1:], lambda a_map, level: parameter(a_map, level or small, 1, 2)),
     ("continuity", "at"): (STYLES[1:], at_in_one_direction),
     ("trim", "interval"): (STYLES[1:], part),
+    ("remove-knot", "knot"): (STYLE_AXIS, inner_knot),
+    ("insert-knots", "direction"): along(None),
+    ("clamp", "direction"): along(None),
+    ("reparametrise", "direction"): along(None),
+    ("remove-knot", "direction"): along(0),
+    ("join", "direction"): along(0),
+    ("trim", "direction"): along(0),
+    ("reverse", "direction"): along(0),
+    ("periodic", "direction"): along(0),
     ("convert", "to"): ([], lambda a_map, level: "bernstein"),
     ("audit", "at"): (MANY, lambda a_map, level: parameters(a_map, level) if level or "text" in a_map else None),
     ("audit", "computed"): ([], computed),
@@ -707,6 +728,10 @@ class Operation:
         a_map = maker(Shape(sizes)) if maker else None
         if self.name == "periodic" and "control_points" in a_map:
             a_map["control_points"] = a_map["control_points"][:1] * len(a_map["control_points"])
+        if self.name == "periodic" and "control_net" in a_map and "degrees" in a_map:
+            a_map["control_net"] = a_map["control_net"][:1] * len(a_map["control_net"])
+            if "weights" in a_map:
+                a_map["weights"] = a_map["weights"][:1] * len(a_map["weights"])
         request = {"op": self.name}
         if "map" in self.takes_maps:
             request["map"] = a_map

@@ -49,11 +49,14 @@ std::vector<std::size_t> directions_or_all(std::optional<std::size_t> direction,
     return all;
 }
 
+void require_tensor(const Patch& patch) {
+    if (patch.tensor) return;
+    throw Error(ErrorCode::wrong_kind, "a simplex has no directions; a tensor product is needed here",
+                Place{"map"});
+}
+
 PlacedPatch placed_tensor(const Patch& patch, const Limits& limits) {
-    if (!patch.tensor) {
-        throw Error(ErrorCode::wrong_kind, "a simplex has no directions; a tensor product is needed here",
-                    Place{"map"});
-    }
+    require_tensor(patch);
     Patch net = as_net(patch, limits);
     return {std::get<BezierPatch>(std::move(net.map)), std::move(net.frames)};
 }

@@ -28,6 +28,8 @@ std::optional<std::size_t> require_direction(Fields& request, const Map& map, co
 /// The direction alone, or all directions of the map; none of a curve.
 std::vector<std::size_t> directions_or_all(std::optional<std::size_t> direction, const Map& map);
 
+/// Errors: `wrong_kind` for a simplex.
+void require_tensor(const Patch& patch);
 /// The control net with the intervals of its directions. Errors: `wrong_kind` for a simplex.
 PlacedPatch placed_tensor(const Patch& patch, const Limits& limits);
 Patch tensor_patch(PlacedPatch placed);
@@ -54,6 +56,7 @@ struct AlongDirections {
     AnyMap operator()(Patch patch) const
         requires std::is_invocable_v<const Operation&, const BezierCurve&>
     {
+        require_tensor(patch);
         for (const std::size_t d : directions) patch = in_direction(patch, d);
         return patch;
     }
