@@ -408,9 +408,9 @@ def along(default):
 
 
 def inner_knot(a_map, level):
-    if level:
-        return level(1, 2)
-    return a_map["knots"][0][a_map["degrees"][0] + 1] if "degrees" in a_map and a_map["kind"] == "bspline" else parameter(a_map, small, 0, 1)
+    if level is None and a_map["kind"] == "bspline":
+        return a_map["knots"][0][a_map["degrees"][0] + 1] if directions_of(a_map) else parameter(a_map, small, 0, 1)
+    return (level or small)(1, 2)
 
 
 def vertices(a_map, level):

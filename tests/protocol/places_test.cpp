@@ -134,8 +134,6 @@ const std::vector<std::string> requests{
     R"({"op": "reparametrise", "direction": 1, "interval": ["3", "1"], )" + box + "}",
     R"({"op": "periodic", "direction": 0, "map": {"kind": "bspline", "degrees": [1, 0],
         "knots": [["0", "0", "1", "2", "2"], ["0", "1"]], "control_net": [["0"], ["2"], ["0"]]}})",
-    R"({"op": "continuity", "at": ["seam", null], "map": {"kind": "bspline", "degrees": [1, 0],
-        "knots": [["0", "0", "1", "2", "2"], ["0", "1"]], "control_net": [["0"], ["2"], ["0"]]}})",
     R"({"op": "roots", "interval": ["-4", "4"], "width": "1/10", )" + cubic + "}",
     R"({"op": "prove", "statement": "claim 1 == 1"})",
     R"({"op": "prove", "statement": ["claim 1 == 1", "claim 2 == 2"]})",
