@@ -1,3 +1,4 @@
+#include <blossom/core/maps/patch_map.hpp>
 #include <blossom/core/patch/curve_along.hpp>
 #include <blossom/rational/error.hpp>
 
