@@ -56,6 +56,7 @@
 #include <blossom/core/nurbs/rational_spline.hpp>
 #include <blossom/core/patch/combined_maps.hpp>
 #include <blossom/core/patch/coordinate_sums.hpp>
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/net_interpolation.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
