@@ -183,8 +183,7 @@ TensorReduction reduce(const TensorBSpline& spline, std::span<const std::size_t>
         const PlacedPatch piece = placed_segment(spline, spans, limits);
         std::vector<Rational> corner;
         for (const Interval& interval : box_of(spline, spans)) corner.push_back(interval.a());
-        const PlacedPatch reduced =
-            placed_segment(result.spline, spans_at(result.spline, corner), limits);
+        const PlacedPatch reduced = placed_segment(result.spline, spans_at(result.spline, corner), limits);
         const BezierPatch raised = elevated_to(over_frames(reduced, piece.frames, limits), own, limits);
         result.l2_squared += integral_of_square(net_difference(piece.patch, raised), piece.frames, limits);
     }
