@@ -145,6 +145,10 @@ BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::siz
     return {NetShape::tensor(degrees, limits), grid.points};
 }
 
+std::vector<Coordinates> points_of_box(const TensorBSpline& spline, std::span<const std::size_t> spans) {
+    return cropped(spline, spans).points;
+}
+
 std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::size_t> spans) {
     std::vector<Interval> box;
     box.reserve(spans.size());

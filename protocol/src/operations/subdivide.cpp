@@ -32,14 +32,15 @@ Patch piece_of(const Patch& patch, BezierPatch net, std::size_t factor,
     return piece;
 }
 
-/// The pieces with vertex i of the factor replaced by the point, in the order of i.
+/// The pieces with a vertex of the factor replaced by the point, in the order of the vertices.
 std::vector<Patch> pieces_at(const Patch& patch, std::size_t factor, const Coordinates& point,
                              const Limits& limits) {
     std::vector<Patch> pieces;
+    const std::vector<std::size_t> replaced = replaced_vertices(point);
     for (BezierPatch& net : subdivide(std::get<BezierPatch>(patch.map), factor, point, limits)) {
         std::vector<Coordinates> elements(point.size(), Coordinates(point.size()));
         for (std::size_t k = 0; k < point.size(); ++k) elements[k][k] = 1;
-        elements[pieces.size()] = point;
+        elements[replaced[pieces.size()]] = point;
         pieces.push_back(piece_of(patch, std::move(net), factor, elements));
     }
     return pieces;
@@ -154,10 +155,11 @@ Operation subdivide_operation() {
         .documentation =
             "The parameter may lie outside the interval of a Bezier curve, but in the domain of a B-spline.",
         .request = {{map_field(),
-                     required(
-                         "at", Shape::one_of({ValueKind::number, Shape::words({"midpoints"}), cut_shape()}),
-                         "the parameter; for a simplex a point or midpoints, for a tensor product a number "
-                         "or null per direction"),
+                     required("at",
+                              Shape::one_of({ValueKind::number, Shape::words({"midpoints"}), cut_shape()}),
+                              "the parameter; for a simplex a point, inside or on a face, or midpoints, for "
+                              "a tensor product a number "
+                              "or null per direction"),
                      optional("clamped", ValueKind::boolean,
                               "of a bspline: whether the parts are clamped at their other ends too")}},
         .result = {{maps_member("the parts")}},

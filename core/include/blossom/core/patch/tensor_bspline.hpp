@@ -76,6 +76,10 @@ TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,
                            const Limits& limits = {});
 
+/// The control points on which the polynomial on a box of spans depends, n + 1 per direction, the last
+/// direction fastest. Errors: `outside_domain`, `wrong_arity`.
+std::vector<Coordinates> points_of_box(const TensorBSpline& spline, std::span<const std::size_t> spans);
+
 /// The intervals of a box of spans.
 std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::size_t> spans);
 
