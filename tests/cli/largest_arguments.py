@@ -257,6 +257,14 @@ def polynomial_with_degrees(shape):
     return value
 
 
+def taylor_with_variables(shape):
+    value = polynomial_with_variables(shape)
+    value |= {"kind": "taylor", "center": [shape.style(i, shape.directions) for i in range(shape.directions)]}
+    if shape.rational:
+        value["denominator"] = [[[0] * shape.directions, 1], [[shape.degree] + [0] * (shape.directions - 1), 1]]
+    return value
+
+
 def bspline_with_degrees(shape):
     shape.directions = min(shape.directions, 190)
     n = shape.net_degree()
@@ -286,6 +294,7 @@ KINDS = {
     "simplex": [simplex],
     "polynomial_with_variables": [polynomial_with_variables, polynomial_text_with_variables, polynomial_with_degrees],
     "bspline_with_degrees": [bspline_with_degrees],
+    "taylor_with_variables": [taylor_with_variables],
 }
 
 
@@ -564,7 +573,8 @@ FIELDS = {
     "vertices": ([(1000, small), (100, spread_fractions), (2, long), (12, exponents)], lambda a_map, level: level and vertices(a_map, level)),
     "degree": count_field(None),
     "degrees": (COUNTS, lambda a_map, level: level and [level] * directions_of(a_map)),
-    "center": (STYLES[1:], lambda a_map, level: level and level(1, 2)),
+    "center": (STYLES[1:], lambda a_map, level: level and ([level(i, 2) for i in range(len(a_map["variables"]))] if "variables" in a_map else level(1, 2))),
+    "faces": ([], lambda a_map, level: None),
     "counts": ([[DEGREE, 1], [5000, 5000], [HUGE, HUGE], [0, DEGREE]], lambda a_map, level: level),
     "by": count_field(1),
     "to": ([DEGREE, NUMBERS, HUGE, 0], lambda a_map, level: 1 if level is None else level),

@@ -18,6 +18,9 @@ const std::string closed =
     R"({"kind": "bspline", "degrees": [1, 0], "knots": [[0, 0, 1, 2, 2], [0, 1]], "control_net": [[0], [2], [0]]})";
 const std::string two_boxes = R"([{"kind": "tensor", "degrees": [1, 0], "control_net": [[0], [1]]},
     {"kind": "tensor", "degrees": [1, 0], "intervals": [[1, 2], [0, 1]], "control_net": [[1], [3]]}])";
+const std::string two_planes =
+    R"([{"kind": "tensor", "degrees": [1, 1], "control_net": [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]},
+        {"kind": "tensor", "degrees": [1, 1], "control_net": [[[1, 0], [1, 1]], [[3, 0], [2, 1]]]}])";
 const std::string document =
     R"({"degree": 1, "dimension": 1, "control_points": [0, 2], "knots": [0, 0, 1, 1]})";
 
@@ -78,6 +81,9 @@ const std::vector<Arguments> command_lines{
     {"reverse", "--map", closed, "--direction", "0"},
     {"reparametrise", "--map", closed, "--direction", "0"},
     {"periodic", "--map", closed, "--direction", "0"},
+    {"reduce", "--map", box, "--to", "1,0"},
+    {"convert", "x*y", "--variables", "x,y", "--to", "taylor", "--center", "1,2"},
+    {"continuity", "--maps", two_planes, "--faces", "1,0; 1,1 | 0,0; 0,1", "--geometric"},
     {"trim", "t^2", "--interval", "1,2"},
     {"trim", "t^2", "--over", "1,2"},
     {"sum", "t", bezier, "--factors", "1,2"},

@@ -200,3 +200,135 @@ def rows(a_map, direction):
             row.append(points[place])
         found.append({"kind": "bspline", "degree": a_map["degrees"][direction], "knots": a_map["knots"][direction], "control_points": row})
     return found
+
+
+# Polynomials in two variables: a dictionary from (i, j) to the coefficient of x^i y^j.
+
+
+def sum2(*terms):
+    """Of pairs of a factor and a polynomial."""
+    total = {}
+    for factor, p in terms:
+        for index, c in p.items():
+            total[index] = total.get(index, 0) + factor * c
+    return {index: c for index, c in total.items() if c}
+
+
+def product2(p, q):
+    total = {}
+    for (i, j), c in p.items():
+        for (k, m), d in q.items():
+            total[i + k, j + m] = total.get((i + k, j + m), 0) + c * d
+    return {index: c for index, c in total.items() if c}
+
+
+def power2(p, n):
+    return product2(p, power2(p, n - 1)) if n else {(0, 0): Fraction(1)}
+
+
+def value2(p, x, y):
+    return sum((c * x**i * y**j for (i, j), c in p.items()), Fraction(0))
+
+
+def composed2(p, x, y):
+    """p(x, y) for polynomials x and y."""
+    return sum2(*((c, product2(power2(x, i), power2(y, j))) for (i, j), c in p.items()))
+
+
+def in_one(p, variable):
+    return {((k, 0) if variable == 0 else (0, k)): c for k, c in enumerate(p) if c}
+
+
+def integral_over_unit_triangle(p):
+    return sum((c * Fraction(factorial(i) * factorial(j), factorial(i + j + 2)) for (i, j), c in p.items()), Fraction(0))
+
+
+def triangle_at(a, b, c):
+    """The coordinates of a + s (b - a) + t (c - a) as polynomials in s and t."""
+    return [{index: x for index, x in (((0, 0), a[k]), ((1, 0), b[k] - a[k]), ((0, 1), c[k] - a[k])) if x} for k in range(2)]
+
+
+def integral_over(corners, p):
+    """Over a triangle or a convex quadrilateral."""
+    total = Fraction(0)
+    for b, c in zip(corners[1:], corners[2:]):
+        x, y = triangle_at(corners[0], b, c)
+        area = abs((b[0] - corners[0][0]) * (c[1] - corners[0][1]) - (b[1] - corners[0][1]) * (c[0] - corners[0][0]))
+        total += area * integral_over_unit_triangle(composed2(p, x, y))
+    return total
+
+
+def functions_in(a_map, d, span):
+    """The basis functions of a direction on a span, each as a polynomial in one variable."""
+    n = a_map["degrees"][d]
+    if a_map["kind"] == "tensor":
+        a, b = (Fraction(x) for x in a_map.get("intervals", [[0, 1]] * directions_of(a_map))[d])
+        return dict(enumerate(bernstein(n, k, a, b) for k in range(n + 1)))
+    return dict(zip(range(span - n, span + 1), spline_basis(tuple(knots_of(a_map, d)), n, span)))
+
+
+def spans_in(a_map, d):
+    """Pairs of an interval and its span."""
+    if a_map["kind"] == "tensor":
+        return [(domain_of(a_map, d), 0)]
+    knots, n = knots_of(a_map, d), a_map["degrees"][d]
+    return [((knots[i], knots[i + 1]), i) for i in range(n, len(knots) - n - 1) if knots[i] < knots[i + 1]]
+
+
+def surface_pieces(a_map):
+    """The corners of each piece of a map of the plane, and a polynomial for each homogeneous coordinate."""
+    if a_map["kind"] == "simplex":
+        corners = [tuple(Fraction(x) for x in v) for v in a_map["vertices"]]
+        a, b, c = corners
+        area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+        def coordinate(p, q):  # 1 at the third corner, 0 on the line from p to q
+            return {index: x / area for index, x in (((1, 0), p[1] - q[1]), ((0, 1), q[0] - p[0]), ((0, 0), p[0] * q[1] - q[0] * p[1])) if x}
+
+        x = [coordinate(b, c), coordinate(c, a), coordinate(a, b)]
+        weights = [w for _, w in a_map["weights"]] if "weights" in a_map else None
+        points = homogeneous([p for _, p in a_map["control_net"]], weights)
+        basis = []
+        for index, _ in a_map["control_net"]:
+            term = {(0, 0): Fraction(factorial(sum(index)), prod(factorial(i) for i in index))}
+            for k in range(3):
+                term = product2(term, power2(x[k], index[k]))
+            basis.append(term)
+        return [(corners, [sum2(*((p[j], f) for p, f in zip(points, basis))) for j in range(len(points[0]))])]
+    counts, points = grid_of(a_map)
+    pieces = []
+    for (u, i), (v, k) in product(spans_in(a_map, 0), spans_in(a_map, 1)):
+        terms = [[] for _ in points[0]]
+        for m, p in functions_in(a_map, 0, i).items():
+            for n, q in functions_in(a_map, 1, k).items():
+                both = product2(in_one(p, 0), in_one(q, 1))
+                for j, c in enumerate(points[m * counts[1] + n]):
+                    terms[j].append((c, both))
+        corners = [(u[0], v[0]), (u[1], v[0]), (u[1], v[1]), (u[0], v[1])]
+        pieces.append((corners, [sum2(*of_coordinate) for of_coordinate in terms]))
+    return pieces
+
+
+def common_segments(one, other):
+    """Of the edges of two polygons: the segments with a length that they have in common."""
+    found = []
+    for a, b in zip(one, one[1:] + one[:1]):
+        d = (b[0] - a[0], b[1] - a[1])
+        for p, q in zip(other, other[1:] + other[:1]):
+            if any(d[0] * (x[1] - a[1]) != d[1] * (x[0] - a[0]) for x in (p, q)):
+                continue
+            t = sorted(((x[0] - a[0]) * d[0] + (x[1] - a[1]) * d[1]) / (d[0] ** 2 + d[1] ** 2) for x in (p, q))
+            begin, end = max(t[0], 0), min(t[1], 1)
+            if begin < end:
+                found.append([(a[0] + s * d[0], a[1] + s * d[1]) for s in (begin, end)])
+    return found
+
+
+def order_across(f, g, begin, end, rational):
+    """The order to which two maps agree on a line; None where they are one map."""
+    if rational:
+        f, g = [product2(p, g[-1]) for p in f[:-1]], [product2(p, f[-1]) for p in g[:-1]]
+    off = (begin[1] - end[1], end[0] - begin[0])
+    x, y = triangle_at(begin, end, (begin[0] + off[0], begin[1] + off[1]))
+    orders = [j for p, q in zip(f, g) for _, j in composed2(sum2((1, p), (-1, q)), x, y)]
+    return min(orders) - 1 if orders else None

@@ -52,8 +52,8 @@ bool all_zero(const std::vector<Polynomial>& polynomials) {
     return std::ranges::all_of(polynomials, &Polynomial::is_zero);
 }
 
-/// Divides by the greatest common divisor; the first that is not 0 gets a positive leading coefficient, and
-/// all together have no common factor among their numbers.
+/// Divides by the greatest common divisor; the first coefficient that is not 0 becomes positive, and all
+/// together have no common factor.
 std::vector<Polynomial> primitive(std::vector<Polynomial> functions) {
     Polynomial common;
     for (const Polynomial& function : functions) common = gcd(common, function);
@@ -66,9 +66,8 @@ std::vector<Polynomial> primitive(std::vector<Polynomial> functions) {
     Integer content;
     for (const Integer& numerator : cleared.numerators()) content = gcd(content, numerator);
     Rational factor(cleared.denominator(), content);
-    const auto first =
-        std::ranges::find_if(functions, [](const Polynomial& function) { return !function.is_zero(); });
-    if (first->leading_coefficient().sign() < 0) factor = -factor;
+    if (std::ranges::find_if(numbers, [](const Rational& x) { return !x.is_zero(); })->sign() < 0)
+        factor = -factor;
     for (Polynomial& function : functions) function *= Polynomial(factor);
     return functions;
 }

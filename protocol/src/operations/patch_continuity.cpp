@@ -279,8 +279,11 @@ std::vector<Joint> read_joints(const Json& value, const SurfacePair& maps, const
         throw Error(ErrorCode::not_adjacent,
                     "no edge of one map is a part of one of the other with its parameter changed affinely");
     }
-    const auto edges =
-        read_each_direction(value, 2, "faces", [&](const Json& edge) { return read_edge(edge, limits); });
+    const auto edges = read_list(value, [&](const Json& edge) { return read_edge(edge, limits); });
+    if (edges.size() != 2) {
+        throw Error(ErrorCode::wrong_arity, "an edge of each of the two maps is needed; " +
+                                                std::to_string(edges.size()) + " are given");
+    }
     if (edges[0].off.has_value() != edges[1].off.has_value()) {
         throw Error(ErrorCode::wrong_arity, "a point off the edge is given for both maps or for none");
     }
