@@ -345,10 +345,9 @@ Json continuity_of_patches(Fields& request, std::vector<Map> maps, const Limits&
         require_plane(compared.left, 0);
         require_plane(compared.right, 1);
     };
-    const auto named = request.optional("faces", [&](const Json& value) {
-        require_planes();
-        return read_joints(value, compared, limits);
-    });
+    if (request.has("faces")) require_planes();
+    const auto named =
+        request.optional("faces", [&](const Json& value) { return read_joints(value, compared, limits); });
     const bool geometric = request.optional("geometric", read_boolean).value_or(false);
     request.finish();
 
