@@ -95,6 +95,24 @@ TEST_CASE("tangent planes are compared along an edge, with functions or a parame
     CHECK(geometric("edges/0/right", "[[3, 0, 3], [2, 1, 2]]", found) == R"([["0", "0"], ["0", "1"]])");
 }
 
+TEST_CASE("two quarters of a cylinder go on in each other, by their homogeneous points") {
+    const auto quarter = [](const std::string& points) {
+        return R"({"kind": "tensor", "degrees": [2, 1], "weights": [[1, 1], [1, 1], [2, 2]], "control_net": )" +
+               points + "}";
+    };
+    const std::string request =
+        R"({"op": "continuity", "maps": [)" +
+        quarter("[[[1, 0, 0], [1, 0, 1]], [[1, 1, 0], [1, 1, 1]], [[0, 1, 0], [0, 1, 1]]]") + ", " +
+        quarter("[[[0, 1, 0], [0, 1, 1]], [[-1, 1, 0], [-1, 1, 1]], [[-1, 0, 0], [-1, 0, 1]]]") + "]" +
+        by_name + "}";
+    CHECK(served_at("/result/order", request) == "0");
+    CHECK(served_at("/result/geometric/order", request) == "1");
+    // (2, -2, 0, -2) + (-2, 0, 0, 0) + (0, 2, 0, 2) = 0
+    for (const std::string name : {"alpha", "beta", "delta"})
+        CHECK(served_at("/result/geometric/edges/0/" + name, request) == R"("1")");
+    CHECK(served_at("/result/geometric/edges/0/gamma", request) == R"("0")");
+}
+
 TEST_CASE("the domains of named edges are glued by third points") {
     const std::string sheets = R"("op": "continuity", "maps": [
         {"kind": "tensor", "degrees": [1, 1], "control_net": [[0, 0], [1, 1]]},
