@@ -257,6 +257,14 @@ def polynomial_with_degrees(shape):
     return value
 
 
+def taylor_with_variables(shape):
+    value = polynomial_with_variables(shape)
+    value |= {"kind": "taylor", "center": [shape.style(i, shape.directions) for i in range(shape.directions)]}
+    if shape.rational:
+        value["denominator"] = [[[0] * shape.directions, 1], [[shape.degree] + [0] * (shape.directions - 1), 1]]
+    return value
+
+
 def bspline_with_degrees(shape):
     shape.directions = min(shape.directions, 190)
     n = shape.net_degree()
@@ -286,6 +294,7 @@ KINDS = {
     "simplex": [simplex],
     "polynomial_with_variables": [polynomial_with_variables, polynomial_text_with_variables, polynomial_with_degrees],
     "bspline_with_degrees": [bspline_with_degrees],
+    "taylor_with_variables": [taylor_with_variables],
 }
 
 
@@ -397,7 +406,20 @@ def part(a_map, level):
     """An interval, of a B-spline within its domain."""
     if a_map["kind"] == "bspline" and not directions_of(a_map):
         return a_map["knots"][a_map["degree"] : a_map["degree"] + 2]
+    if a_map["kind"] == "bspline":
+        return a_map["knots"][0][a_map["degrees"][0] : a_map["degrees"][0] + 2]
     return pair(a_map, level)
+
+
+def along(default):
+    """The index of a direction of a tensor product."""
+    return ([DEGREE, HUGE], lambda a_map, level: (level or default) if "degrees" in a_map else None)
+
+
+def inner_knot(a_map, level):
+    if level is None and a_map["kind"] == "bspline":
+        return a_map["knots"][0][a_map["degrees"][0] + 1] if directions_of(a_map) else parameter(a_map, small, 0, 1)
+    return (level or small)(1, 2)
 
 
 def vertices(a_map, level):
@@ -551,12 +573,12 @@ FIELDS = {
     "vertices": ([(1000, small), (100, spread_fractions), (2, long), (12, exponents)], lambda a_map, level: level and vertices(a_map, level)),
     "degree": count_field(None),
     "degrees": (COUNTS, lambda a_map, level: level and [level] * directions_of(a_map)),
-    "center": (STYLES[1:], lambda a_map, level: level and level(1, 2)),
+    "center": (STYLES[1:], lambda a_map, level: level and ([level(i, 2) for i in range(len(a_map["variables"]))] if "variables" in a_map else level(1, 2))),
+    "faces": ([], lambda a_map, level: None),
     "counts": ([[DEGREE, 1], [5000, 5000], [HUGE, HUGE], [0, DEGREE]], lambda a_map, level: level),
     "by": count_field(1),
     "to": ([DEGREE, NUMBERS, HUGE, 0], lambda a_map, level: 1 if level is None else level),
     "knots": (MANY, inserted_knots),
-    "knot": (STYLE_AXIS, lambda a_map, level: (level or small)(1, 2) if level or directions_of(a_map) else parameter(a_map, small, 0, 1)),
     "times": count_field(None),
     "multiplicity": count_field(None),
     "from": (STYLES[1:], lambda a_map, level: level and pair(a_map, level)),
@@ -601,6 +623,15 @@ OF_OPERATION = {
     ("subdivide", "at"): (STYLES[1:], lambda a_map, level: parameter(a_map, level or small, 1, 2)),
     ("continuity", "at"): (STYLES[1:], at_in_one_direction),
     ("trim", "interval"): (STYLES[1:], part),
+    ("remove-knot", "knot"): (STYLE_AXIS, inner_knot),
+    ("insert-knots", "direction"): along(None),
+    ("clamp", "direction"): along(None),
+    ("reparametrise", "direction"): along(None),
+    ("remove-knot", "direction"): along(0),
+    ("join", "direction"): along(0),
+    ("trim", "direction"): along(0),
+    ("reverse", "direction"): along(0),
+    ("periodic", "direction"): along(0),
     ("convert", "to"): ([], lambda a_map, level: "bernstein"),
     ("audit", "at"): (MANY, lambda a_map, level: parameters(a_map, level) if level or "text" in a_map else None),
     ("audit", "computed"): ([], computed),
@@ -707,6 +738,10 @@ class Operation:
         a_map = maker(Shape(sizes)) if maker else None
         if self.name == "periodic" and "control_points" in a_map:
             a_map["control_points"] = a_map["control_points"][:1] * len(a_map["control_points"])
+        if self.name == "periodic" and "control_net" in a_map and "degrees" in a_map:
+            a_map["control_net"] = a_map["control_net"][:1] * len(a_map["control_net"])
+            if "weights" in a_map:
+                a_map["weights"] = a_map["weights"][:1] * len(a_map["weights"])
         request = {"op": self.name}
         if "map" in self.takes_maps:
             request["map"] = a_map

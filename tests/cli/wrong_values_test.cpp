@@ -14,6 +14,13 @@ const std::string surface = R"({"kind": "bspline", "degrees": [1, 1],
     "knots": [["0", "0", "1", "2", "2"], ["0", "0", "1", "1"]], "control_net": [["1", "2"], ["3", "5"], ["4", "4"]]})";
 const std::string two_maps =
     "[" + bezier + R"(, {"kind": "bezier", "control_points": [4, 7, 9], "interval": [1, 2]}])";
+const std::string closed =
+    R"({"kind": "bspline", "degrees": [1, 0], "knots": [[0, 0, 1, 2, 2], [0, 1]], "control_net": [[0], [2], [0]]})";
+const std::string two_boxes = R"([{"kind": "tensor", "degrees": [1, 0], "control_net": [[0], [1]]},
+    {"kind": "tensor", "degrees": [1, 0], "intervals": [[1, 2], [0, 1]], "control_net": [[1], [3]]}])";
+const std::string two_planes =
+    R"([{"kind": "tensor", "degrees": [1, 1], "control_net": [[[0, 0], [0, 1]], [[1, 0], [1, 1]]]},
+        {"kind": "tensor", "degrees": [1, 1], "control_net": [[[1, 0], [1, 1]], [[3, 0], [2, 1]]]}])";
 const std::string document =
     R"({"degree": 1, "dimension": 1, "control_points": [0, 2], "knots": [0, 0, 1, 1]})";
 
@@ -66,6 +73,17 @@ const std::vector<Arguments> command_lines{
     {"interpolate", "--lattice", "[[[1, 0], 1], [[0, 1], 2]]", "--vertices", "0; 1"},
     {"insert-knots", "--control-points", "0; 1; 2", "--knots", "0,0,1,2,2", "--degree", "1", "--insert", "1",
      "--multiplicity", "2"},
+    {"insert-knots", "--map", closed, "--direction", "0", "--insert", "1/2"},
+    {"remove-knot", "--map", closed, "--direction", "0", "--knot", "1", "--times", "1"},
+    {"join", two_boxes, "--direction", "0"},
+    {"clamp", "--map", closed, "--direction", "0"},
+    {"trim", "--map", closed, "--direction", "0", "--over", "0,1"},
+    {"reverse", "--map", closed, "--direction", "0"},
+    {"reparametrise", "--map", closed, "--direction", "0"},
+    {"periodic", "--map", closed, "--direction", "0"},
+    {"reduce", "--map", box, "--to", "1,0"},
+    {"convert", "x*y", "--variables", "x,y", "--to", "taylor", "--center", "1,2"},
+    {"continuity", "--maps", two_planes, "--faces", "1,0; 1,1 | 0,0; 0,1", "--geometric"},
     {"trim", "t^2", "--interval", "1,2"},
     {"trim", "t^2", "--over", "1,2"},
     {"sum", "t", bezier, "--factors", "1,2"},

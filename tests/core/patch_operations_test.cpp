@@ -94,9 +94,11 @@ TEST_CASE("patch subdivision: the pieces at a point reproduce the map") {
     });
     const BezierPatch patch(NetShape::simplex(2, 1), std::vector<Coordinates>(3, Coordinates{1}));
     const Rational half(1, 2);
-    const auto error = failure([&] { subdivide(patch, 0, {half, 0, half}); });
+    const auto error = failure([&] { subdivide(patch, 0, {0, 1, 0}); });
     CHECK(error->code() == ErrorCode::degenerate_simplex);
-    CHECK(error->message().find("opposite to vertex 1") != std::string::npos);
+    CHECK(error->message().find("the point is vertex 1") != std::string::npos);
+    CHECK(replaced_vertices({half, 0, half}) == std::vector<std::size_t>{0, 2});
+    CHECK(subdivide(patch, 0, {half, 0, half}).size() == 2);
     CHECK(failure_code([&] { subdivide(patch, 0, {half, half, half}); }) == ErrorCode::not_affine);
     CHECK(failure_code([&] { subdivide(patch, 0, {half, half}); }) == ErrorCode::mismatched_dimensions);
 }

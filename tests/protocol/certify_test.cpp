@@ -41,6 +41,28 @@ TEST_CASE("certify: a value, control points, derivatives and the expansion are s
                "casteljau = p[1, 2, 3] = 41/3 *)"));
 }
 
+TEST_CASE(
+    "certify: a value of a tensor product is one of the curves along its directions, the last one first") {
+    const std::string bilinear =
+        R"({"kind": "tensor", "degrees": [1, 1], "control_net": [["0", "1"], ["2", "5"]]})";
+    const std::string value = about(bilinear, R"("op": "blossom", "arguments": [["1/2"], ["1/3"]])");
+    CHECK(says(value, "rows for direction 0 = p[1/3] = (1/3, 3)"));
+    CHECK(says(value, "given control point 1 = p[1] = 3\n"));
+    CHECK(says(value, "value = p[1/2] = 5/3 *)"));
+    CHECK(says(about(bilinear, R"("op": "agree", "arguments": [["1/2"], ["1/3"]])"),
+               "casteljau = p[1/2] = 5/3"));
+    CHECK(says(about(R"({"kind": "polynomial", "text": "u*v", "variables": ["u", "v"], "degrees": [1, 1]})",
+                     R"("op": "blossom", "arguments": [["1/2"], [{"vector": "3"}]])"),
+               "value = p[1/2] = 3/2 *)"));
+    CHECK(says(
+        about(
+            R"({"kind": "bspline", "degrees": [1, 0], "knots": [[0, 0, 1, 2, 2], [0, 1]], "control_net": [[0], [2], [0]]})",
+            R"("op": "blossom", "segment": [2, 0], "arguments": [["3/2"], []])"),
+        "value = p[3/2] = 1 *)"));
+    CHECK(certified(about(bilinear, R"("op": "derivative", "direction": [1, 0])")) == "wrong_kind");
+    CHECK(certified(about(bilinear, R"("op": "agree")")) == "wrong_kind");
+}
+
 TEST_CASE("certify: control points and Taylor coefficients that are given are certified with the answer") {
     const std::string value = about(parabola, R"("op": "blossom", "arguments": ["0", "5"])");
     CHECK(says(value, "given control point 1 = p[1, 3] = 1\n"));

@@ -105,7 +105,8 @@ TEST_CASE("the pieces of patches are the patch on other domains") {
     CHECK(values_of_pieces(R"(["1/4", "1/4"])", box, "[2, 3]") == std::vector<std::string>(4, R"("20")"));
     CHECK(served_at("/result/maps/0/intervals", R"({"op": "subdivide", "at": ["1/4", "1/2"], )" + box +
                                                     "}") == R"([["0", "1/4"], ["0", "1/2"]])");
-    CHECK(refusal(R"("op": "subdivide", "at": [0, "1/4"], )" + triangle) == "degenerate_simplex /at");
+    CHECK(values_of_pieces(R"([0, "1/4"])", triangle, "[2, 3]") == std::vector<std::string>(2, R"("20")"));
+    CHECK(refusal(R"("op": "subdivide", "at": [0, 1], )" + triangle) == "degenerate_simplex /at");
     CHECK(refusal(R"("op": "subdivide", "at": ["1/4"], )" + box) == "wrong_arity /at");
     CHECK(refusal(R"("op": "subdivide", "at": [0, null], )" + box) == "degenerate_simplex /at/0");
 }

@@ -58,10 +58,15 @@
 #include <blossom/core/nurbs/rational_spline.hpp>
 #include <blossom/core/patch/combined_maps.hpp>
 #include <blossom/core/patch/coordinate_sums.hpp>
+#include <blossom/core/patch/curve_along.hpp>
+#include <blossom/core/patch/edge_contact.hpp>
 #include <blossom/core/patch/net_interpolation.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/patch_derivative.hpp>
+#include <blossom/core/patch/patch_graph.hpp>
+#include <blossom/core/patch/patch_reduction.hpp>
+#include <blossom/core/patch/tangent_contact.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/patch/tensor_bspline_contact.hpp>

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <numeric>
 #include <optional>
 #include <string>
 
@@ -140,6 +139,14 @@ BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<c
     return std::ranges::is_sorted(order) ? result : permuted(result, factor, order);
 }
 
+std::vector<std::size_t> replaced_vertices(const Coordinates& point) {
+    std::vector<std::size_t> vertices;
+    for (std::size_t k = 0; k < point.size(); ++k) {
+        if (!point[k].is_zero()) vertices.push_back(k);
+    }
+    return vertices;
+}
+
 std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor, const Coordinates& point,
                                    const Limits& limits) {
     const std::size_t vertices = patch.shape()[factor].dimension + 1;
@@ -150,17 +157,13 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
                     Part::at);
     }
     within(Part::at, [&] { require_mass(point, 1, "the point to subdivide at"); });
-    for (std::size_t k = 0; k < vertices; ++k) {
-        if (!point[k].is_zero()) continue;
+    const std::vector<std::size_t> replaced = replaced_vertices(point);
+    if (replaced.size() == 1) {
         throw Error(ErrorCode::degenerate_simplex,
-                    "barycentric coordinate " + std::to_string(k) +
-                        " of the point is 0: it lies on the face opposite to vertex " + std::to_string(k) +
-                        ", with which it spans no simplex",
+                    "the point is vertex " + std::to_string(replaced.front()) + ", which divides nothing",
                     Part::at);
     }
-    std::vector<std::size_t> all(vertices);
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    return with_vertices_replaced(patch, factor, point, all, limits);
+    return with_vertices_replaced(patch, factor, point, replaced, limits);
 }
 
 // The pieces are walks of s steps from (0, m) to (m, s): in each step one of the two vertices advances by

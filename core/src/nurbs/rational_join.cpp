@@ -98,4 +98,9 @@ BSplineCurve rational_join(std::span<const std::vector<BezierCurve>> maps, const
     return joined(pieces_in_one_representation(maps, limits), knots, reason_of_rational_curves, limits);
 }
 
+BSplineCurve rational_join_rows(std::span<const std::vector<BezierCurve>> maps, std::size_t rows,
+                                const KnotVector& knots, const Limits& limits) {
+    return joined(pieces_in_one_representation(maps, limits), knots, reason_of_rows(rows), limits);
+}
+
 }  // namespace blossom

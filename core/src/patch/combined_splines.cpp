@@ -1,4 +1,5 @@
 #include <blossom/core/patch/combined_maps.hpp>
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/rational/error.hpp>
@@ -195,8 +196,8 @@ TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const Coor
     }
     TensorBSpline result(std::move(separated), grid_of_boxes(nets, boxes).points);
     for (std::size_t d = 0; d < knots.size(); ++d) {
-        result = with_rows(result, d, [&](const BSplineCurve& row) {
-            return spline_of_pieces(knots[d], bezier_segments(row, limits), limits);
+        result = changed_along(result, d, [&](const BSplineCurve& rows) {
+            return spline_of_pieces(knots[d], bezier_segments(rows, limits), limits);
         });
     }
     return result;

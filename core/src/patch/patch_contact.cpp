@@ -69,19 +69,6 @@ void require_comparable(const PlacedPatch& left, const PlacedPatch& right, const
     }
 }
 
-/// The control net over other simplices.
-BezierPatch over_frames(const PlacedPatch& patch, std::span<const BarycentricFrame> frames,
-                        const Limits& limits) {
-    BezierPatch net = patch.patch;
-    for (std::size_t factor = 0; factor < frames.size(); ++factor) {
-        std::vector<Coordinates> elements;
-        for (const Coordinates& vertex : frames[factor].vertices())
-            elements.push_back(patch.frames[factor].of_point(vertex));
-        net = with_frame(net, factor, elements, limits);
-    }
-    return net;
-}
-
 /// The coordinates of one patch times the weight of the other.
 BezierPatch crossed(const BezierPatch& patch, const BezierPatch& other, const Limits& limits) {
     Form form = form_rows(patch);
@@ -126,6 +113,18 @@ std::vector<Coordinates> common_interval(const std::vector<Coordinates>& left,
 }
 
 }  // namespace
+
+BezierPatch over_frames(const PlacedPatch& patch, std::span<const BarycentricFrame> frames,
+                        const Limits& limits) {
+    BezierPatch net = patch.patch;
+    for (std::size_t factor = 0; factor < frames.size(); ++factor) {
+        std::vector<Coordinates> elements;
+        for (const Coordinates& vertex : frames[factor].vertices())
+            elements.push_back(patch.frames[factor].of_point(vertex));
+        net = with_frame(net, factor, elements, limits);
+    }
+    return net;
+}
 
 SharedFace shared_face(std::span<const BarycentricFrame> left, std::span<const BarycentricFrame> right) {
     require_same_factors(left, right);

@@ -58,6 +58,28 @@ BezierPatch control_net(const PolynomialPatch& patch, std::span<const Barycentri
     return net;
 }
 
+PolynomialPatch shifted(const PolynomialPatch& patch, std::span<const Rational> center,
+                        const Limits& limits) {
+    const NetShape& shape = patch.shape();
+    if (center.size() != shape.dimension()) {
+        throw Error(ErrorCode::mismatched_dimensions, "a centre of " + std::to_string(center.size()) +
+                                                          " coordinates for " +
+                                                          std::to_string(shape.dimension()) + " variables");
+    }
+    BezierPatch net(shape, polar_of(shape, patch.coefficients()));
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        const std::size_t s = shape[f].dimension;
+        std::vector<Coordinates> elements{point_argument(center.first(s))};
+        center = center.subspan(s);
+        for (std::size_t k = 0; k < s; ++k) {
+            elements.emplace_back(s + 1);
+            elements.back()[k + 1] = 1;
+        }
+        net = with_frame(net, f, elements, limits);
+    }
+    return {shape, form_of(shape, net.control_net())};
+}
+
 PolynomialPatch monomial_form(const BezierPatch& patch, std::span<const BarycentricFrame> frames,
                               const Limits& limits) {
     require_frames(patch.shape(), frames);

@@ -1,9 +1,10 @@
-#include <blossom/core/maps/bspline_curve.hpp>
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/core/spline/progressive.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <string>
 #include <utility>
@@ -124,12 +125,8 @@ Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t>
 
 TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
                            std::span<const Rational> knots, const Limits& limits) {
-    const std::size_t rows = spline.control_points().size() / spline.knots(direction).points();
-    require_within(spline.knots(direction).points() + knots.size(),
-                   limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
-                   Part::knots);
-    return with_rows(spline, direction,
-                     [&](const BSplineCurve& row) { return insert_knots(row, knots, limits); });
+    return changed_along(spline, direction,
+                         [&](const BSplineCurve& rows) { return insert_knots(rows, knots, limits); });
 }
 
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,
@@ -146,6 +143,10 @@ BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::siz
         });
     }
     return {NetShape::tensor(degrees, limits), grid.points};
+}
+
+std::vector<Coordinates> points_of_box(const TensorBSpline& spline, std::span<const std::size_t> spans) {
+    return cropped(spline, spans).points;
 }
 
 std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::size_t> spans) {

@@ -1,10 +1,14 @@
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/de_boor.hpp>
+#include <blossom/core/spline/knot_insertion.hpp>
 #include <blossom/core/spline/spline_elevation.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 #include <blossom/core/spline/spline_split.hpp>
 #include <blossom/rational/error.hpp>
 
+#include <algorithm>
+#include <map>
 #include <string>
 
 #include "tensor_rows.hpp"
@@ -19,20 +23,20 @@ TensorBSpline elevate(const TensorBSpline& spline, std::size_t direction, std::s
     require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
     require_within(knots.points() + r * knots.spans().size(), limits.numbers / rows / spline.dimension(),
                    "numbers", "the number of points of a row", Part::by);
-    return with_rows(spline, direction, [&](const BSplineCurve& row) { return elevate(row, r, limits); });
+    return changed_along(spline, direction,
+                         [&](const BSplineCurve& rows_along) { return elevate(rows_along, r, limits); });
 }
 
 std::pair<TensorBSpline, TensorBSpline> split(const TensorBSpline& spline, std::size_t direction,
                                               const Rational& u, const Limits& limits) {
-    return {
-        with_rows(spline, direction, [&](const BSplineCurve& row) { return split(row, u, limits).first; }),
-        with_rows(spline, direction, [&](const BSplineCurve& row) { return split(row, u, limits).second; })};
+    const auto [before, behind] = split(curve_along(spline, direction), u, limits);
+    return {with_curve_along(spline, direction, before), with_curve_along(spline, direction, behind)};
 }
 
 TensorBSpline restricted(const TensorBSpline& spline, std::size_t direction, const Interval& interval,
                          const Limits& limits) {
-    return with_rows(spline, direction,
-                     [&](const BSplineCurve& row) { return restricted(row, interval, limits); });
+    return changed_along(spline, direction,
+                         [&](const BSplineCurve& rows) { return restricted(rows, interval, limits); });
 }
 
 TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std::size_t> orders,
@@ -46,10 +50,78 @@ TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std
     TensorBSpline derived = spline;
     for (std::size_t d = 0; d < orders.size(); ++d) {
         if (orders[d] == 0) continue;
-        derived = with_rows(
-            derived, d, [&](const BSplineCurve& row) { return derivative_curve(row, orders[d], limits); });
+        derived = changed_along(
+            derived, d, [&](const BSplineCurve& rows) { return derivative_curve(rows, orders[d], limits); });
     }
     return derived;
+}
+
+namespace {
+
+/// A clamped curve over textbook knots.
+BSplineCurve with_textbook_ends(const BSplineCurve& curve, const Limits& limits) {
+    BSplineCurve result = clamped(curve, limits);
+    if (result.knots().convention() == KnotConvention::textbook) return result;
+    std::vector<Rational> knots = result.knots().knots();
+    knots.insert(knots.begin(), knots.front());
+    knots.push_back(knots.back());
+    return {result.degree(), std::move(knots), result.control_points()};
+}
+
+void require_same_domain(const std::vector<TensorBSpline>& maps, std::size_t i, std::size_t direction) {
+    const auto domain = [&](std::size_t map) {
+        const Interval interval = maps[map].knots(direction).domain();
+        return "[" + to_string(interval.a()) + ", " + to_string(interval.b()) + "]";
+    };
+    if (maps[i].knots(direction).domain() == maps.front().knots(direction).domain()) return;
+    throw Error(ErrorCode::not_adjacent,
+                "the domain " + domain(i) + " of map " + std::to_string(i) + " in direction " +
+                    std::to_string(direction) + " is not that of map 0, " + domain(0),
+                Part::maps / i);
+}
+
+/// Gives all maps the same degree and knots in one direction.
+void unite_knots(std::vector<TensorBSpline>& maps, std::size_t direction, const Limits& limits) {
+    std::size_t degree = 0;
+    for (const TensorBSpline& map : maps) degree = std::max(degree, map.knots(direction).degree());
+    std::map<Rational, std::size_t> multiplicities;
+    for (TensorBSpline& map : maps) {
+        map = elevate(map, direction, degree - map.knots(direction).degree(), limits);
+        map = changed_along(map, direction,
+                            [&](const BSplineCurve& rows) { return with_textbook_ends(rows, limits); });
+        for (const auto& [knot, multiplicity] : map.knots(direction).distinct()) {
+            std::size_t& greatest = multiplicities[knot];
+            greatest = std::max(greatest, multiplicity);
+        }
+    }
+    for (TensorBSpline& map : maps) {
+        std::vector<Rational> missing;
+        for (const auto& [knot, multiplicity] : multiplicities)
+            missing.insert(missing.end(), multiplicity - map.knots(direction).multiplicity(knot), knot);
+        map = insert_knots(map, direction, missing, limits);
+    }
+}
+
+}  // namespace
+
+std::vector<TensorBSpline> with_common_knots(std::vector<TensorBSpline> maps, std::size_t direction,
+                                             const Limits& limits) {
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        if (maps[i].directions() != maps.front().directions()) {
+            throw Error(ErrorCode::mismatched_dimensions,
+                        "map " + std::to_string(i) + " has " + std::to_string(maps[i].directions()) +
+                            " directions, map 0 has " + std::to_string(maps.front().directions()),
+                        Part::maps / i);
+        }
+    }
+    for (std::size_t d = 0; d < maps.front().directions(); ++d) {
+        if (d == direction) continue;
+        for (std::size_t i = 1; i < maps.size(); ++i) require_same_domain(maps, i, d);
+        const bool same = std::ranges::all_of(
+            maps, [&](const TensorBSpline& map) { return map.knots(d) == maps.front().knots(d); });
+        if (!same) unite_knots(maps, d, limits);
+    }
+    return maps;
 }
 
 TensorBSpline bspline_of(const PlacedPatch& patch, const Limits& limits) {

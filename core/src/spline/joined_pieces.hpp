@@ -32,6 +32,9 @@ BSplineCurve joined(std::vector<JoinedPiece> pieces, const Limits& limits);
 using Reason = std::function<std::string(const BezierCurve& left, const BezierCurve& right, const Rational& s,
                                          const Contact& contact)>;
 
+/// That of the first row of curves side by side, see `join_rows`.
+Reason reason_of_rows(std::size_t rows);
+
 /// `join` of the pieces over given knots.
 BSplineCurve joined(std::vector<JoinedPiece> pieces, const KnotVector& knots, const Reason& reason,
                     const Limits& limits);

@@ -68,6 +68,15 @@ void require_continuous(std::span<const JoinedPiece> pieces, const KnotVector& k
     }
 }
 
+/// The curve in some of its coordinates.
+BezierCurve coordinates_from(const BezierCurve& curve, std::size_t first, std::size_t count) {
+    const auto begin = static_cast<std::ptrdiff_t>(first);
+    std::vector<Coordinates> points = curve.control_points().to_points();
+    for (Coordinates& point : points)
+        point = {point.begin() + begin, point.begin() + begin + static_cast<std::ptrdiff_t>(count)};
+    return BezierCurve(points, curve.interval());
+}
+
 std::string reason_of_polynomials(const BezierCurve& /*left*/, const BezierCurve& /*right*/,
                                   const Rational& s, const Contact& contact) {
     return to_string(contact, s);
@@ -163,6 +172,25 @@ BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const Limits& 
 BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const KnotVector& knots,
                   const Limits& limits) {
     return joined(adjacent_pieces(maps), knots, reason_of_polynomials, limits);
+}
+
+Reason reason_of_rows(std::size_t rows) {
+    return
+        [rows](const BezierCurve& left, const BezierCurve& right, const Rational& s, const Contact& contact) {
+            const std::size_t dimension = left.dimension() / rows;
+            for (std::size_t row = 0; row < rows; ++row) {
+                const Contact own = blossom::contact(coordinates_from(left, row * dimension, dimension),
+                                                     coordinates_from(right, row * dimension, dimension), s);
+                if (own.order == contact.order)
+                    return "In row " + std::to_string(row) + ": " + to_string(own, s);
+            }
+            return to_string(contact, s);
+        };
+}
+
+BSplineCurve join_rows(std::span<const std::vector<BezierCurve>> maps, std::size_t rows,
+                       const KnotVector& knots, const Limits& limits) {
+    return joined(adjacent_pieces(maps), knots, reason_of_rows(rows), limits);
 }
 
 BSplineCurve join(std::span<const BezierCurve> curves, const Limits& limits) {

@@ -201,6 +201,7 @@ Members tensor_members() {
 
 std::string_view patch_name(const Map& map) {
     const auto& patch = std::get<Patch>(map.value);
+    if (!patch.center.empty()) return "taylor in several variables";
     if (patch.is_polynomial()) return "polynomial in several variables";
     return patch.tensor ? "tensor" : "simplex";
 }
@@ -241,7 +242,9 @@ constinit const Kind patch_kind{
     .words = {{{"tensor", read_tensor, tensor_members, "A control net over a box."},
                {"simplex", read_simplex, simplex_members, "A control net over a simplex of dimension s."},
                {"polynomial", read_several_variables, members_in_several_variables,
-                "A polynomial in several variables.", "variables"}}},
+                "A polynomial in several variables.", "variables"},
+               {"taylor", read_expansion, expansion_members,
+                "A polynomial in several variables by its expansion at a point.", "variables"}}},
     .write = write_value<Patch, write>,
     .formula = formula_of_value<Patch, formula>,
     .degree_text = patch_degree,

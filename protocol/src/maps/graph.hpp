@@ -4,7 +4,8 @@
 
 namespace blossom::protocol {
 
-/// The curve (t, P(t)). Errors, at a place in the map: `wrong_kind`; `limit_exceeded`.
+/// The map (t, P(t)), with the coordinates of the parameter in front. Errors, at a place in the map:
+/// `wrong_kind`; `limit_exceeded`.
 Map graph_of(const Map& map, const Limits& limits);
 
 }  // namespace blossom::protocol

@@ -36,7 +36,8 @@ struct TargetField {
     std::string_view name;
     std::string_view value;  ///< the name of its value in the help
     std::string_view help;
-    bool is_list = false;  ///< numbers, not one
+    bool is_list = false;     ///< numbers, not one
+    bool has_points = false;  ///< a number for a curve, a point for a patch
 };
 
 /// How a curve that is one polynomial becomes a map of this kind: a value of the field "to" of `convert`.
@@ -53,7 +54,7 @@ struct Target {
 
 struct Kind {
     std::string_view name;          ///< its name in messages, or those of its maps
-    std::array<KindWord, 3> words;  ///< see `words_of`
+    std::array<KindWord, 4> words;  ///< see `words_of`
     Json (*write)(const Map& map);
     std::string (*formula)(const Map& map, std::string_view name);
     Target target = {};                                     ///< named if curves can be converted to this kind

@@ -20,6 +20,8 @@ struct Patch {
     /// The simplices of a control net, one per factor; none where parameters are barycentric.
     std::vector<BarycentricFrame> frames;
     std::vector<std::string> variables;  ///< of a polynomial
+    /// Of a polynomial in kind taylor: it is written in powers of the differences from here.
+    Coordinates center = {};
 
     const NetShape& shape() const { return shape_of(map); }
     std::size_t dimension() const { return points_of(map).dimension(); }

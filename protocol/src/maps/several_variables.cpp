@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/rational/number_text.hpp>
 
 #include <algorithm>
@@ -150,36 +151,8 @@ std::map<std::vector<std::size_t>, Coordinates> terms_of(const PolynomialPatch& 
     return terms;
 }
 
-}  // namespace
-
-Members members_in_several_variables() {
-    const Shape terms = Shape::list(Shape::pair(Shape::list(ValueKind::count), ValueKind::point), 1);
-    return {
-        {required("variables", Shape::list(ValueKind::text, 1), "the names of the variables, in order"),
-         optional("denominator", Shape::one_of({ValueKind::polynomial_text, terms}),
-                  "a polynomial, or its terms: the map is rational"),
-         homogeneous_field()},
-        {{{required("text",
-                    Shape::one_of({ValueKind::polynomial_text, Shape::list(ValueKind::polynomial_text, 1)}),
-                    "a polynomial in these variables, or one per coordinate")},
-          {required(
-              "terms", terms,
-              R"(pairs of exponents and a point; for x^2 + 3xy this is `[[[2, 0], "1"], [[1, 1], "3"]]`)")}},
-         {{optional(
-              "degree", ValueKind::count,
-              "the formal total degree, by default the actual one; the blossom takes this many points")},
-          {optional(
-              "degrees", Shape::list(ValueKind::count),
-              "instead of `degree`: one formal degree per variable. The map is then a tensor product, and "
-              "its blossom takes this many numbers per variable")}}}};
-}
-
-Map read_several_variables(Fields& fields, const Limits& limits) {
-    Names names =
-        fields.required("variables", [&](const Json& value) { return read_variables(value, limits); });
-    Coordinatewise map = read_polynomials(
-        fields, "terms", [&](const Json& value) { return read_texts(value, names, limits); },
-        [&](const Json& value) { return read_terms(value, names, limits); });
+/// What the map is when its polynomials are read.
+Map map_of(Fields& fields, Coordinatewise map, Names names, const Limits& limits) {
     const auto denominator = fields.optional(
         "denominator", [&](const Json& value) { return read_denominator(value, names, limits); });
     const PointForm form =
@@ -196,13 +169,87 @@ Map read_several_variables(Fields& fields, const Limits& limits) {
     }
 }
 
+/// "(x - 1)", "(x + 2)" or "x".
+std::string difference_text(const std::string& name, const Rational& center) {
+    if (center.is_zero()) return name;
+    return "(" + name + (center.sign() < 0 ? " + " : " - ") + to_string(abs(center)) + ")";
+}
+
+Shape terms_shape() { return Shape::list(Shape::pair(Shape::list(ValueKind::count), ValueKind::point), 1); }
+
+/// The formal degrees of a polynomial in several variables.
+Choice formal_degrees() {
+    return {
+        {optional("degree", ValueKind::count,
+                  "the formal total degree, by default the actual one; the blossom takes this many points")},
+        {optional(
+            "degrees", Shape::list(ValueKind::count),
+            "instead of `degree`: one formal degree per variable. The map is then a tensor product, and "
+            "its blossom takes this many numbers per variable")}};
+}
+
+}  // namespace
+
+Members members_in_several_variables() {
+    return {
+        {required("variables", Shape::list(ValueKind::text, 1), "the names of the variables, in order"),
+         optional("denominator", Shape::one_of({ValueKind::polynomial_text, terms_shape()}),
+                  "a polynomial, or its terms: the map is rational"),
+         homogeneous_field()},
+        {{{required("text",
+                    Shape::one_of({ValueKind::polynomial_text, Shape::list(ValueKind::polynomial_text, 1)}),
+                    "a polynomial in these variables, or one per coordinate")},
+          {required(
+              "terms", terms_shape(),
+              R"(pairs of exponents and a point; for x^2 + 3xy this is `[[[2, 0], "1"], [[1, 1], "3"]]`)")}},
+         formal_degrees()}};
+}
+
+Map read_several_variables(Fields& fields, const Limits& limits) {
+    Names names =
+        fields.required("variables", [&](const Json& value) { return read_variables(value, limits); });
+    Coordinatewise map = read_polynomials(
+        fields, "terms", [&](const Json& value) { return read_texts(value, names, limits); },
+        [&](const Json& value) { return read_terms(value, names, limits); });
+    return map_of(fields, std::move(map), std::move(names), limits);
+}
+
+Members expansion_members() {
+    return {{required("variables", Shape::list(ValueKind::text, 1), "the names of the variables, in order"),
+             required("center", Shape::list(ValueKind::number, 1), "the point, one number per variable"),
+             required("terms", terms_shape(),
+                      "pairs of exponents and a point, the coefficient of these powers of the differences "
+                      "from the centre"),
+             optional("denominator", terms_shape(), "the terms of a polynomial: the map is rational"),
+             homogeneous_field()},
+            {formal_degrees()}};
+}
+
+Map read_expansion(Fields& fields, const Limits& limits) {
+    Names names =
+        fields.required("variables", [&](const Json& value) { return read_variables(value, limits); });
+    Coordinates center =
+        fields.required("center", [&](const Json& value) { return read_tuple(value, names.size(), limits); });
+    Coordinatewise terms =
+        fields.required("terms", [&](const Json& value) { return read_terms(value, names, limits); });
+    Map map = map_of(fields, std::move(terms), std::move(names), limits);
+    auto& patch = std::get<Patch>(map.value);
+    Coordinates back = center;
+    for (Rational& coordinate : back) coordinate = -coordinate;
+    patch.map = shifted(std::get<PolynomialPatch>(patch.map), back, limits);
+    patch.center = std::move(center);
+    return map;
+}
+
 Json write(const PolynomialPatch& polynomial, const Patch& patch, const PointForm& form) {
-    Json map = Json::Object{{"kind", "polynomial"},
+    const bool expanded = !patch.center.empty();
+    Json map = Json::Object{{"kind", expanded ? "taylor" : "polynomial"},
                             {"variables", Json::Array(patch.variables.begin(), patch.variables.end())}};
     write_degrees(map, patch);
+    if (expanded) map["center"] = Json::Array(patch.center.begin(), patch.center.end());
     const PointForm numerators{.scalar = form.scalar};
     Json::Array terms, denominator;
-    for (auto& [exponents, point] : terms_of(polynomial)) {
+    for (auto& [exponents, point] : terms_of(expanded ? shifted(polynomial, patch.center) : polynomial)) {
         Coordinates numerator = point;
         const Json index = Json::Array(exponents.begin(), exponents.end());
         if (form.separate_weights()) {
@@ -224,11 +271,17 @@ std::string degree_text(const Patch& patch) {
 }
 
 std::string formula(const PolynomialPatch& polynomial, const Map& map, std::string_view name) {
-    const auto& names = std::get<Patch>(map.value).variables;
+    const auto& patch = std::get<Patch>(map.value);
+    const auto& names = patch.variables;
+    const bool expanded = !patch.center.empty();
+    const PolynomialPatch shown = expanded ? shifted(polynomial, patch.center) : polynomial;
+    std::vector<std::string> factors = names;
+    for (std::size_t i = 0; expanded && i < names.size(); ++i)
+        factors[i] = difference_text(names[i], patch.center[i]);
     std::vector<std::string> texts;
-    texts.reserve(polynomial.dimension());
-    for (std::size_t j = 0; j < polynomial.dimension(); ++j)
-        texts.push_back(to_text(polynomial.coordinate(j), names));
+    texts.reserve(shown.dimension());
+    for (std::size_t j = 0; j < shown.dimension(); ++j)
+        texts.push_back(to_text(shown.coordinate(j), factors));
     return fmt::format("{}({}) = {}", name, fmt::join(names, ", "),
                        coordinates_text(std::move(texts), map.form));
 }

@@ -92,7 +92,8 @@ constinit const Kind taylor_kind{
     .target = {"taylor",
                read_taylor_target,
                false,
-               {"center", "A", "the centre of the powers for taylor; by default 0"}},
+               {"center", "A", "the centre of the powers for taylor; by default 0; of a patch a point", false,
+                true}},
 };
 
 }  // namespace blossom::protocol

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "along_direction.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "segment.hpp"
 
@@ -41,6 +42,13 @@ std::vector<CertifiedValue> claims(std::vector<StatedValue> stated, std::size_t 
                         falling_factorial(degree, order) * multiple, std::move(point)});
     }
     return list;
+}
+
+CertifiedMap certified_direction(const Patch& patch, std::size_t direction, const Limits& limits) {
+    const GivenCurve given{{}, limits};
+    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map))
+        return given(curve_along(*polynomial, direction));
+    return given(curve_along(placed_tensor(patch, limits), direction));
 }
 
 CertifiedMap certified_map(const Map& map, std::optional<std::size_t> span, const Limits& limits) {

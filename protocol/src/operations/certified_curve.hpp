@@ -17,6 +17,9 @@ namespace blossom::protocol {
 /// arguments are those of the `stated_values`. Source: Goldman, theorem 9.
 std::vector<CertifiedValue> claims(std::vector<StatedValue> stated, std::size_t degree, std::size_t order);
 
+/// The curve along a direction of a tensor product, see `curve_along`, likewise.
+CertifiedMap certified_direction(const Patch& patch, std::size_t direction, const Limits& limits);
+
 /// The polynomial of a map, or of one span of a B-spline, with the claims that its points are the given
 /// ones: they determine it. Monomial coefficients need no claim.
 /// Errors: `wrong_kind` for samples and patches; `outside_domain`, `limit_exceeded`.

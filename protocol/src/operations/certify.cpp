@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "along_direction.hpp"
 #include "blossom_arguments.hpp"
 #include "certificates/certificate.hpp"
 #include "certified_curve.hpp"
@@ -33,6 +34,7 @@ struct Question {
     const Json& request;
     const Answer& answer;
     std::optional<std::size_t> span;  ///< of a B-spline, where the request names one
+    std::optional<Patch> patch;       ///< a tensor product, or its polynomial on a box of spans
     Certificate& certificate;
     const Limits& limits;
 
@@ -63,11 +65,54 @@ struct Question {
     }
 };
 
+/// The tensor product in which the curve along a direction is one point.
+Patch with_point_along(Patch patch, std::size_t direction, const Coordinates& point, const Limits& limits) {
+    const std::vector<Coordinates> points{point};
+    if (const auto* polynomial = std::get_if<PolynomialPatch>(&patch.map)) {
+        patch.map = with_curve_along(*polynomial, direction, PolynomialCurve(points));
+        return patch;
+    }
+    return tensor_patch(
+        with_curve_along(placed_tensor(patch, limits), direction, BezierCurve(points, Interval())));
+}
+
+/// A blossom value of a tensor product by the values of the curves along its directions, the last one first:
+/// each has the rows for the next as its coordinates.
+void certify_tensor(const Question& question, const Json::Object& values) {
+    Patch patch = *question.patch;
+    const Json::Array& lists = *question.request.find("arguments")->array();
+    for (std::size_t d = lists.size(); d-- > 0;) {
+        const std::vector<Argument> arguments =
+            read_arguments(lists[d], question.map().form, question.limits);
+        question.certificate.maps.push_back(certified_direction(patch, d, question.limits));
+        if (d == 0) {
+            for (const auto& [name, value] : values)
+                question.claim({name, arguments, 1, question.point(value, arguments)});
+            continue;
+        }
+        const Coordinates rows = Blossom(question.curve(), question.limits)(arguments);
+        question.claim({fmt::format("rows for direction {}", d - 1), arguments, 1, rows});
+        patch = with_point_along(std::move(patch), d, rows, question.limits);
+    }
+}
+
 void certify_blossom(const Question& question) {
+    if (question.patch) {
+        certify_tensor(question, {{"value", *question.result().find("value")}});
+        return;
+    }
     if (question.spline())
         question.certificate.maps.push_back(certified_map(question.map(), question.span, question.limits));
     const std::vector<Argument> arguments = question.arguments();
     question.claim({"value", arguments, 1, question.point(*question.result().find("value"), arguments)});
+}
+
+/// Errors: `wrong_kind` for a tensor product.
+void require_curve(const Question& question) {
+    if (!question.patch) return;
+    throw Error(ErrorCode::wrong_kind,
+                "of a tensor product, a certificate is made of blossom values at given arguments",
+                Place{"map"});
 }
 
 /// The coefficients of the elementary symmetric functions: C(n, k) p(0^(n-k), delta^k) / C(n, k).
@@ -92,6 +137,11 @@ void certify_expansion(const Question& question) {
 }
 
 void certify_agree(const Question& question) {
+    if (question.patch && question.request.find("arguments")) {
+        certify_tensor(question, *question.result().find("values")->object());
+        return;
+    }
+    require_curve(question);
     if (!question.request.find("arguments")) {
         certify_expansion(question);
         return;
@@ -124,6 +174,7 @@ struct CertifyPoints {
 };
 
 void certify_control_points(const Question& question) {
+    require_curve(question);
     const Map& points = question.answer.maps.front();
     const CertifyPoints certify{question, 0};
     if (const auto* curve = std::get_if<BezierCurve>(&points.value)) {
@@ -134,6 +185,7 @@ void certify_control_points(const Question& question) {
 }
 
 void certify_derivative(const Question& question) {
+    require_curve(question);
     if (question.map().form.separate_weights()) {
         throw Error(
             ErrorCode::wrong_kind,
@@ -178,6 +230,14 @@ const Certified& read_operation(const Json& value) {
     return certified[read_alternative(value, certified_names(), "an operation with certificates")];
 }
 
+/// The polynomial of a tensor product.
+std::optional<Patch> tensor_of(Fields& request, const Map& map, const Limits& limits) {
+    if (const auto* spline = std::get_if<TensorBSpline>(&map.value))
+        return read_segment(request, *spline, limits);
+    const auto* patch = std::get_if<Patch>(&map.value);
+    return patch && patch->tensor ? std::optional(*patch) : std::nullopt;
+}
+
 Certificate certificate_of(const Json& request, const Limits& limits) {
     Fields fields(request);
     const Certified& entry = fields.required("op", read_operation);
@@ -185,10 +245,11 @@ Certificate certificate_of(const Json& request, const Limits& limits) {
     const Map& map = answer.given.front();
     Certificate certificate{std::string(entry.operation), {}};
     const auto span = read_span(fields, map, limits);
+    const std::optional<Patch> patch = tensor_of(fields, map, limits);
     // The polynomials of a spline are selected by the parameters of the request.
-    if (!std::holds_alternative<BSplineCurve>(map.value))
+    if (!patch && !std::holds_alternative<BSplineCurve>(map.value))
         certificate.maps.push_back(certified_map(map, span, limits));
-    entry.certify({request, answer, span, certificate, limits});
+    entry.certify({request, answer, span, patch, certificate, limits});
     std::erase_if(certificate.maps, [](const CertifiedMap& claims) { return claims.values.empty(); });
     return certificate;
 }
@@ -220,8 +281,10 @@ Operation certify_operation() {
         .summary = "Answer requests as a file in which Coq checks every number",
         .documentation =
             "Coq computes each number again, from the definition of the blossom in the theorems.",
-        .request = {{required("requests", Shape::list(Shape::request_of(certified_names())),
-                              "the requests; their maps are curves")}},
+        .request = {{required(
+            "requests", Shape::list(Shape::request_of(certified_names())),
+            "the requests; their maps are curves, and tensor products for blossom values at "
+            "given arguments")}},
         .result = {{required("document", ValueKind::text, "the file for Coq")}},
         .example = {"certify",
                     R"({"op":"blossom","map":{"kind":"polynomial","text":"1 + 2t"},"arguments":["1/2"]})"},

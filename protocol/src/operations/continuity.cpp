@@ -15,6 +15,7 @@
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
 #include "maps/parameters.hpp"
+#include "patch_continuity.hpp"
 #include "shared_fields.hpp"
 #include "table.hpp"
 
@@ -31,45 +32,9 @@ Json arguments_json(std::span<const Argument> arguments) {
     return list;
 }
 
-/// The arguments as points; one list for a simplex.
-Json arguments_json(const PatchArguments& arguments, bool tensor) {
-    Json::Array lists;
-    for (const auto& list : arguments) {
-        Json::Array written;
-        for (const Coordinates& point : list) {
-            written.push_back(tensor ? Json(point.front()) : Json(Json::Array(point.begin(), point.end())));
-        }
-        if (!tensor) return written;
-        lists.emplace_back(std::move(written));
-    }
-    return lists;
-}
-
-/// A contact of polynomials; write(arguments) gives those of the first difference.
-template <class Write>
-Json contact_json(const auto& contact, const PointForm& form, std::string reason, const Write& write) {
-    Json result = Json::Object{{"order", order_json(contact.order)}};
-    if (const auto& difference = contact.first_difference) {
-        result["first_difference"] = Json::Object{{"arguments", write(difference->arguments)},
-                                                  {"left", to_json(difference->left, form)},
-                                                  {"right", to_json(difference->right, form)}};
-    }
-    result["reason"] = std::move(reason);
-    return result;
-}
-
 Json answer_of(const Contact& contact, const PointForm& form, const Rational& s) {
     return contact_json(contact, form, to_string(contact, s),
                         [](const auto& arguments) { return arguments_json(arguments); });
-}
-
-/// Of maps that are divided by their weights where the form says so: then the values of the first difference
-/// are points multiplied by weights.
-Json answer_of(const PatchContact& contact, const PointForm& form, bool tensor) {
-    const bool divided = form.separate_weights();
-    return contact_json(contact, divided ? PointForm{.scalar = form.scalar} : form,
-                        divided ? projected_contact_text(contact) : to_string(contact),
-                        [&](const auto& arguments) { return arguments_json(arguments, tensor); });
 }
 
 /// The contact of maps that are divided by their weights, by their derivatives.
@@ -121,48 +86,14 @@ Json continuity_of_curves(const std::vector<Map>& maps, const Rational& s, const
     });
 }
 
-PlacedPatch required_net(const Map& map, std::size_t i) {
-    const auto* patch = std::get_if<Patch>(&map.value);
-    if (patch && !patch->frames.empty()) return {std::get<BezierPatch>(patch->map), patch->frames};
-    throw Error(
-        ErrorCode::wrong_kind,
-        R"(two tensor or two simplex maps are needed, these with "vertices": their domains say where they meet)",
-        Place{"maps"} / i);
-}
-
-/// The continuity of patches along the common part of their domains.
-Json continuity_of_patches(const std::vector<Map>& maps, const Limits& limits) {
-    const PlacedPatch left = required_net(maps[0], 0);
-    const PlacedPatch right = required_net(maps[1], 1);
-    const PointForm& form = maps[0].form;
-    return within("maps", [&] {
-        const auto [face, common, is_partial] = shared_face(left.frames, right.frames);
-        const PatchContact found = form.separate_weights() ? projected_contact(left, right, face, limits)
-                                                           : contact(left, right, face, limits);
-        const bool tensor = std::get<Patch>(maps[0].value).tensor;
-        Json result = answer_of(found, form, tensor);
-        if (is_partial) result["face"] = arguments_json(common, tensor);
-        return result;
-    });
-}
-
 Json continuity_of_maps(Fields& request, const Limits& limits) {
     std::vector<Map> maps = read_maps_field(request, limits);
-    const bool patches =
-        std::ranges::any_of(maps, [](const Map& map) { return std::holds_alternative<Patch>(map.value); });
-    std::optional<Rational> s;
-    if (patches) {
-        request.finish();
-    } else {
-        s = read_at(request, limits);
-    }
-    if (maps.size() != 2) {
-        throw Error(ErrorCode::wrong_arity,
-                    "there are two sides, left and right, not " + std::to_string(maps.size()), Place{"maps"});
-    }
-    for (std::size_t i = 0; patches && i < maps.size(); ++i) required_net(maps[i], i);
+    const bool patches = std::ranges::any_of(maps, is_surface_map);
+    if (patches) return continuity_of_patches(request, std::move(maps), limits);
+    const Rational s = read_at(request, limits);
+    require_two_sides(maps);
     make_form_common(maps, limits);
-    return patches ? continuity_of_patches(maps, limits) : continuity_of_curves(maps, *s, limits);
+    return continuity_of_curves(maps, s, limits);
 }
 
 /// The continuity at a knot; in several directions "at" has null for the others.
@@ -179,22 +110,34 @@ struct AtKnot {
                                        : answer_of(contact(curve, s, limits), form, s);
     }
     Json operator()(const TensorBSpline& spline) const {
-        const auto at = request.required("at", [&](const Json& value) {
-            return read_some_directions(value, spline.directions(), limits);
+        const Json* entry = nullptr;
+        const std::size_t direction = request.required("at", [&](const Json& value) {
+            std::vector<std::size_t> given;
+            read_each_direction(value, spline.directions(), "entries", [&](const Json& element) {
+                const auto index = static_cast<std::size_t>(&element - value.array()->data());
+                if (!element.is_null()) given.push_back(index);
+                return 0;
+            });
+            if (given.size() != 1) {
+                throw Error(ErrorCode::wrong_arity,
+                            "a knot is a number in one direction, with null in the others");
+            }
+            entry = &(*value.array())[given.front()];
+            return given.front();
         });
         request.finish();
-        const auto is_given = [](const std::optional<Rational>& entry) { return entry.has_value(); };
-        if (std::ranges::count_if(at, is_given) != 1) {
-            throw Error(ErrorCode::wrong_arity,
-                        "a knot is a number in one direction, with null in the others", Place{"at"});
-        }
-        const auto direction = static_cast<std::size_t>(std::ranges::find_if(at, is_given) - at.begin());
-        const Rational& s = *at[direction];
+        const bool divided = form.separate_weights();
         return within("at", [&] {
             return within(direction, [&] {
+                if (entry->text() && *entry->text() == "seam") {
+                    return answer_of(divided ? projected_seam_contact(spline, direction, limits)
+                                             : seam_contact(spline, direction, limits),
+                                     form, true);
+                }
+                const Rational s = read_number(*entry, limits);
                 return as_parameter(Part::at, [&] {
-                    return answer_of(form.separate_weights() ? projected_contact(spline, direction, s, limits)
-                                                             : contact(spline, direction, s, limits),
+                    return answer_of(divided ? projected_contact(spline, direction, s, limits)
+                                             : contact(spline, direction, s, limits),
                                      form, true);
                 });
             });
@@ -218,19 +161,28 @@ Answer answer_continuity(Request& request, const Limits& limits) {
 
 std::string render_continuity(const Answered& answered) {
     std::string text = answered.has_given() ? description(answered.given()) + "\n\n" : "";
-    return text + fmt::format("Order of contact: {}\n{}.\n",
-                              answered.style.bold(point_text(*answered.result().find("order"))),
-                              *answered.result().find("reason")->text());
+    const auto add = [&](const char* what, const Json& contact) {
+        text += fmt::format("{}: {}\n{}.\n", what, answered.style.bold(point_text(*contact.find("order"))),
+                            *contact.find("reason")->text());
+    };
+    add("Order of contact", answered.result());
+    if (const Json* geometric = answered.result().find("geometric"))
+        add("\nOrder of geometric contact", *geometric);
+    return text;
 }
 
 Members continuity_fields() {
     return {{},
             {{{map_field(),
-               required("at", Shape::one_of({ValueKind::number, Shape::words({"seam"}), cut_shape()}),
-                        "the parameter, or seam where a curve ends and begins again; in several directions a "
-                        "number in one and null in the others")},
+               required("at",
+                        Shape::one_of({ValueKind::number, Shape::words({"seam"}),
+                                       Shape::list(Shape::one_of(
+                                           {ValueKind::number, Shape::words({"seam"}), ValueKind::null}))}),
+                        "the parameter, or seam where a map ends and begins again; in several directions one "
+                        "of them in one and null in the others")},
               {maps_field("two curves, left and right, or two patches with a common face"),
-               optional("at", ValueKind::number, "the parameter at which two curves meet")}}}};
+               optional("at", ValueKind::number, "the parameter at which two curves meet"), faces_field(),
+               geometric_field()}}}};
 }
 
 Members continuity_result() {
@@ -246,6 +198,7 @@ Members continuity_result() {
          optional("face", Shape::list(Shape::list(ValueKind::number)),
                   "of boxes that meet along a part of a side, the ends of the common part in each direction; "
                   "the order is that along this part"),
+         edges_member(), geometric_member(),
          optional("first_difference", Shape::object(difference), "the first values that differ"),
          required("reason", ValueKind::text, "the same as a sentence")}};
 }
@@ -270,6 +223,8 @@ Operation continuity_operation() {
                          "the parameter, or seam for the end and the beginning; in several directions a "
                          "number for one "
                          "and - for the others"),
+            faces_option(),
+            flag_option("--geometric", "geometric"),
         }),
         .answer = answer_continuity,
         .render = render_continuity,

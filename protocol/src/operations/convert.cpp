@@ -70,7 +70,11 @@ std::vector<std::string> usual_variables(std::size_t count, bool tensor) {
 }
 
 Patch as_polynomial(const Patch& patch, const Limits& limits) {
-    if (patch.is_polynomial()) return patch;
+    if (patch.is_polynomial()) {
+        Patch polynomial = patch;
+        polynomial.center.clear();
+        return polynomial;
+    }
     if (patch.is_barycentric()) {
         throw Error(ErrorCode::wrong_kind,
                     R"(a simplex without "vertices" is not a polynomial in the coordinates of its points)",
@@ -92,8 +96,9 @@ TensorBSpline as_bspline(const Patch& patch, const Limits& limits) {
     return bspline_of({std::get<BezierPatch>(net.map), std::move(net.frames)}, limits);
 }
 
-enum class PatchForm { monomial, bspline, bernstein, tensor, simplex };
-constexpr std::string_view patch_form_names[] = {"monomial", "bspline", "bernstein", "tensor", "simplex"};
+enum class PatchForm { monomial, taylor, bspline, bernstein, tensor, simplex };
+constexpr std::string_view patch_form_names[] = {"monomial",  "taylor", "bspline",
+                                                 "bernstein", "tensor", "simplex"};
 /// The targets that are control nets.
 constexpr std::span net_form_names = std::span(patch_form_names).last<3>();
 
@@ -122,6 +127,8 @@ struct Conversion {
             case PatchForm::monomial:
                 request.finish();
                 return as_polynomial(patch, limits);
+            case PatchForm::taylor:
+                return as_expansion(patch);
             case PatchForm::bspline:
                 request.finish();
                 return as_bspline(patch, limits);
@@ -132,6 +139,16 @@ struct Conversion {
                 break;
         }
         return net_over(request, patch, to == PatchForm::tensor, limits);
+    }
+    /// Reads the field "center", by default the origin.
+    Patch as_expansion(const Patch& patch) const {
+        const auto center = request.optional("center", [&](const Json& value) {
+            return read_tuple(value, patch.shape().dimension(), limits);
+        });
+        request.finish();
+        Patch expansion = as_polynomial(patch, limits);
+        expansion.center = center.value_or(Coordinates(patch.shape().dimension()));
+        return expansion;
     }
     /// Converts the polynomial of the field "segment"; the target bspline leaves a B-spline unchanged.
     AnyMap operator()(const TensorBSpline& spline) const {
@@ -161,10 +178,12 @@ Members convert_fields() {
                                       "for a curve: the interval; by default that of the map"));
         }
         if (!target.field.name.empty()) {
-            fields.push_back(
-                optional(target.field.name,
-                         target.field.is_list ? Shape::list(ValueKind::count, 2, 2) : ValueKind::number,
-                         std::string(target.field.help)));
+            fields.push_back(optional(target.field.name,
+                                      target.field.is_list ? Shape::list(ValueKind::count, 2, 2)
+                                      : target.field.has_points
+                                          ? Shape::one_of({ValueKind::number, numbers_shape()})
+                                          : Shape(ValueKind::number),
+                                      std::string(target.field.help)));
         }
         targets.push_back(std::move(fields));
     }
@@ -173,6 +192,8 @@ Members convert_fields() {
          optional("degree", ValueKind::count, "for a simplex: the new formal degree"), degrees_field()});
     return {{map_field(), segment_field()}, {std::move(targets)}};
 }
+
+Json numbers_of_patch(std::string_view text, const Json&) { return number_list(text); }
 
 std::vector<Option> options() {
     std::vector<Option> all{
@@ -185,7 +206,7 @@ std::vector<Option> options() {
         if (field.name.empty()) continue;
         const std::string name(field.name);
         all.push_back(field_option("--" + name, name, std::string(field.value),
-                                   field.is_list ? number_list : plain_text));
+                                   field.is_list ? number_list : plain_text, numbers_of_patch));
     }
     std::ranges::move(std::vector{field_option("--vertices", "vertices", "P0;P1;...", tuple_list),
                                   field_option("--intervals", "intervals", "A,B;C,D;...", tuple_list),

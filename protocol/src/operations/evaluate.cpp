@@ -17,11 +17,11 @@ Answer answer_evaluate(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
     const ParameterForm form = parameter_form(map);
     const Parameters parameters = read_parameters(request, form, limits);
-    const bool pyramid = form.scalar && request.optional("pyramid", read_boolean).value_or(false);
+    const bool pyramid = request.optional("pyramid", read_boolean).value_or(false);
     request.finish();
 
     Json result = Json::Object{{"values", written_at(values_at(map, parameters, limits), map.form)}};
-    if (pyramid) add_pyramids(result, map, parameters.numbers, limits);
+    if (pyramid) add_pyramids(result, map, parameters, limits);
     return result;
 }
 
@@ -43,14 +43,14 @@ Operation evaluate_operation() {
         .documentation = "A spline can be evaluated in its domain, every other curve anywhere.",
         .request = {{map_field(), required("at", parameters_shape(), "the parameters"),
                      optional("pyramid", ValueKind::boolean,
-                              "of a curve: show every point of de Casteljau's or de Boor's algorithm")}},
-        .result =
-            {{values_member(),
-              optional(
-                  "pyramids", Shape::list(Shape::list(Shape::list(ValueKind::point))),
-                  "for each parameter the levels of the algorithm, from the control points to the value"),
-              optional("pyramid_weights", Shape::list(Shape::list(numbers_shape())),
-                       "the weights of these points, where the map has weights")}},
+                              "show every point of de Casteljau's or de Boor's algorithm")}},
+        .result = {{values_member(),
+                    optional("pyramids", Shape::list(Shape::list(Shape::list(ValueKind::point))),
+                             "for each parameter the levels of the algorithm, from the control points to the "
+                             "value, each in the "
+                             "order of the control net; of a tensor product the last direction comes first"),
+                    optional("pyramid_weights", Shape::list(Shape::list(numbers_shape())),
+                             "the weights of these points, where the map has weights")}},
         .example = {"evaluate", "1 + 1/2t^2; t - 3t^2", "--at", "0,1/3,-0.25"},
         .options = with_map_options({
             field_option("--at", "at", "T1,T2,...", number_list, patch_parameters,

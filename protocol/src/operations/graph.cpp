@@ -1,6 +1,7 @@
 #include "maps/graph.hpp"
 #include "listing.hpp"
 #include "map_options.hpp"
+#include "pictures/obj.hpp"
 #include "pictures/plot.hpp"
 #include "shared_fields.hpp"
 #include "table.hpp"
@@ -19,8 +20,8 @@ Answer answer_graph(Request& request, const Limits& limits) {
 
 Operation graph_operation() {
     return {
-        .summary = "Compute the curve (t, P(t)) of a map P",
-        .documentation = "The parameter is added as the first coordinate.",
+        .summary = "Compute the map (t, P(t)) of a map P",
+        .documentation = "The parameter, or each of its coordinates, is added in front.",
         .request = {{map_field()}},
         .result = {{map_member("the graph")}},
         .example = {"graph", "--control-points", "0; 3; 1"},
@@ -28,6 +29,7 @@ Operation graph_operation() {
         .answer = answer_graph,
         .render = described_listing,
         .plot = plot_of_result,
+        .mesh = obj_of,
     };
 }
 

@@ -32,6 +32,9 @@ struct WithWeight {
         return BSplineCurve(curve.knots(), weighted(curve.control_points()));
     }
 
+    AnyMap operator()(const TensorBSpline& spline) const {
+        return TensorBSpline(spline.knots(), weighted(spline.control_points()));
+    }
     AnyMap operator()(const Patch& patch) const {
         const auto* net = std::get_if<BezierPatch>(&patch.map);
         Patch result = patch;

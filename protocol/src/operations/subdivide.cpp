@@ -1,7 +1,7 @@
 #include <blossom/core/blossom/conversion.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/curve/subdivision.hpp>
-#include <blossom/core/patch/tensor_bspline_change.hpp>
+#include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/spline/spline_split.hpp>
 
 #include "control_nets.hpp"
@@ -32,14 +32,15 @@ Patch piece_of(const Patch& patch, BezierPatch net, std::size_t factor,
     return piece;
 }
 
-/// The pieces with vertex i of the factor replaced by the point, in the order of i.
+/// The pieces with a vertex of the factor replaced by the point, in the order of the vertices.
 std::vector<Patch> pieces_at(const Patch& patch, std::size_t factor, const Coordinates& point,
                              const Limits& limits) {
     std::vector<Patch> pieces;
+    const std::vector<std::size_t> replaced = replaced_vertices(point);
     for (BezierPatch& net : subdivide(std::get<BezierPatch>(patch.map), factor, point, limits)) {
         std::vector<Coordinates> elements(point.size(), Coordinates(point.size()));
         for (std::size_t k = 0; k < point.size(); ++k) elements[k][k] = 1;
-        elements[pieces.size()] = point;
+        elements[replaced[pieces.size()]] = point;
         pieces.push_back(piece_of(patch, std::move(net), factor, elements));
     }
     return pieces;
@@ -94,11 +95,10 @@ struct Subdivide {
         return (*this)(control_points(polynomial_map(curve, limits), interval_of(curve), limits));
     }
     Pieces operator()(const BSplineCurve& curve) const {
-        const bool clamp = request.optional("clamped", read_boolean).value_or(false);
+        const bool clamp = is_clamped();
         return divided([&](const Json& at) {
             const Rational t = read_number(at, limits);
-            const auto [left, right] = as_parameter(Part::at, [&] { return split(curve, t, limits); });
-            if (clamp) return std::vector{clamped(left, limits), clamped(right, limits)};
+            const auto [left, right] = as_parameter(Part::at, [&] { return halves(curve, t, clamp); });
             return std::vector{left, right};
         });
     }
@@ -115,15 +115,25 @@ struct Subdivide {
         });
     }
     Pieces operator()(const TensorBSpline& spline) const {
+        const bool clamp = is_clamped();
         return divided([&](const Json& at) {
             return parts_of_box(spline, spline.directions(), at, limits,
                                 [&](const TensorBSpline& part, std::size_t d, const Rational& t) {
-                                    return split(part, d, t, limits);
+                                    const auto [left, right] = halves(curve_along(part, d), t, clamp);
+                                    return std::pair(with_curve_along(part, d, left),
+                                                     with_curve_along(part, d, right));
                                 });
         });
     }
 
 private:
+    bool is_clamped() const { return request.optional("clamped", read_boolean).value_or(false); }
+    std::pair<BSplineCurve, BSplineCurve> halves(const BSplineCurve& curve, const Rational& t,
+                                                 bool clamp) const {
+        auto [left, right] = split(curve, t, limits);
+        if (!clamp) return {std::move(left), std::move(right)};
+        return {clamped(left, limits), clamped(right, limits)};
+    }
     template <class Divide>
     Pieces divided(const Divide& divide) const {
         auto parts = request.required("at", divide);
@@ -145,12 +155,13 @@ Operation subdivide_operation() {
         .documentation =
             "The parameter may lie outside the interval of a Bezier curve, but in the domain of a B-spline.",
         .request = {{map_field(),
-                     required(
-                         "at", Shape::one_of({ValueKind::number, Shape::words({"midpoints"}), cut_shape()}),
-                         "the parameter; for a simplex a point or midpoints, for a tensor product a number "
-                         "or null per direction"),
+                     required("at",
+                              Shape::one_of({ValueKind::number, Shape::words({"midpoints"}), cut_shape()}),
+                              "the parameter; for a simplex a point, inside or on a face, or midpoints, for "
+                              "a tensor product a number "
+                              "or null per direction"),
                      optional("clamped", ValueKind::boolean,
-                              "of a bspline curve: whether the parts are clamped at their other ends too")}},
+                              "of a bspline: whether the parts are clamped at their other ends too")}},
         .result = {{maps_member("the parts")}},
         .example = {"subdivide", "--control-points", "0,0; 1,2; 3,0", "--at", "1/3"},
         .options = with_map_options({

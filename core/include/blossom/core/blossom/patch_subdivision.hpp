@@ -21,15 +21,20 @@ namespace blossom {
 BezierPatch with_frame(const BezierPatch& patch, std::size_t factor, std::span<const Coordinates> elements,
                        const Limits& limits = {});
 
-/// The s + 1 patches into which a point of one factor divides its simplex: in the i-th patch, the point
-/// replaces vertex i. For a segment they are over [t, b] and [a, t].
+/// The patches into which a point of one factor divides its simplex, one for each of `replaced_vertices`,
+/// which the point replaces there: s + 1 for a point inside, 2 for one on an edge. For a segment they are
+/// over [t, b] and [a, t].
 ///
 /// One pyramid gives all of them. Cost: C(n + s, s + 1) combinations of points. Errors: `not_affine` unless
-/// the sum of the coordinates of the point is 1; `degenerate_simplex` if a coordinate is 0, naming the face
-/// that contains the point; `mismatched_dimensions`, `limit_exceeded`. Source: DeRose, section 5.2.
+/// the sum of the coordinates of the point is 1; `degenerate_simplex` for a vertex;
+/// `mismatched_dimensions`, `limit_exceeded`. Source: DeRose, section 5.2.
 /// Statement: derose-tri-subdiv.
 std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor, const Coordinates& point,
                                    const Limits& limits = {});
+
+/// The vertices with which a point does not span a face of the simplex: those whose barycentric coordinates
+/// are not 0.
+std::vector<std::size_t> replaced_vertices(const Coordinates& point);
 
 /// The 2^s patches into which the midpoints of the edges divide the simplex of one factor: for a triangle,
 /// the three at the corners and the one between the midpoints.

@@ -26,4 +26,8 @@ BSplineCurve rational_join(std::span<const std::vector<BezierCurve>> maps, const
 BSplineCurve rational_join(std::span<const std::vector<BezierCurve>> maps, const KnotVector& knots,
                            const Limits& limits = {});
 
+/// The same of curves side by side, see `join_rows`.
+BSplineCurve rational_join_rows(std::span<const std::vector<BezierCurve>> maps, std::size_t rows,
+                                const KnotVector& knots, const Limits& limits = {});
+
 }  // namespace blossom

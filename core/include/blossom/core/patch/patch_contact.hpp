@@ -18,6 +18,10 @@ struct PlacedPatch {
     std::vector<BarycentricFrame> frames;
 };
 
+/// The control net over other simplices, one per factor. Errors: those of `with_frame`.
+BezierPatch over_frames(const PlacedPatch& patch, std::span<const BarycentricFrame> frames,
+                        const Limits& limits = {});
+
 /// The contact of two patches; its first difference is at k + 1 vertices off the face and at vertices of the
 /// face, all of the left patch.
 using PatchContact = ContactAt<PatchArguments>;

@@ -24,4 +24,10 @@ BezierPatch control_net(const PolynomialPatch& patch, std::span<const Barycentri
 PolynomialPatch monomial_form(const BezierPatch& patch, std::span<const BarycentricFrame> frames,
                               const Limits& limits = {});
 
+/// The polynomial q with q(x) = p(x + c), where c has the coordinates of all factors one after the other:
+/// its coefficients are those of p in powers of x - c. Cost: that of a control net over c and the unit
+/// vectors. Errors: `mismatched_dimensions`; `limit_exceeded`.
+PolynomialPatch shifted(const PolynomialPatch& patch, std::span<const Rational> center,
+                        const Limits& limits = {});
+
 }  // namespace blossom

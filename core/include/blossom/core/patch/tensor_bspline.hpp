@@ -66,8 +66,8 @@ Coordinates evaluate(const TensorBSpline& spline, std::span<const Rational> para
 Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t> orders,
                        std::span<const Rational> parameters, const Limits& limits = {});
 
-/// The same map over more knots in one direction, by Boehm's algorithm on every row. Cost and errors: those
-/// of `insert_knots_boehm` per row.
+/// The same map over more knots in one direction. Cost and errors: those of `insert_knots` in
+/// knot_insertion.hpp for the curve along the direction.
 TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
                            std::span<const Rational> knots, const Limits& limits = {});
 
@@ -75,6 +75,10 @@ TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
 /// `limit_exceeded`.
 BezierPatch bezier_segment(const TensorBSpline& spline, std::span<const std::size_t> spans,
                            const Limits& limits = {});
+
+/// The control points on which the polynomial on a box of spans depends, n + 1 per direction, the last
+/// direction fastest. Errors: `outside_domain`, `wrong_arity`.
+std::vector<Coordinates> points_of_box(const TensorBSpline& spline, std::span<const std::size_t> spans);
 
 /// The intervals of a box of spans.
 std::vector<Interval> box_of(const TensorBSpline& spline, std::span<const std::size_t> spans);

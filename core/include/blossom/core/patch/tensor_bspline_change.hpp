@@ -31,6 +31,14 @@ TensorBSpline restricted(const TensorBSpline& spline, std::size_t direction, con
 TensorBSpline derivative_spline(const TensorBSpline& spline, std::span<const std::size_t> orders,
                                 const Limits& limits = {});
 
+/// The maps with common degrees and knots in all directions but one: the greatest degrees, and knots as often
+/// as in any of the maps. Where the knots differ, those at the ends are clamped in the textbook convention.
+///
+/// Cost: that of raising degrees and inserting knots. Errors: `mismatched_dimensions` for another number of
+/// directions, `not_adjacent` for other domains in these directions; the place is `Part::maps / i`.
+std::vector<TensorBSpline> with_common_knots(std::vector<TensorBSpline> maps, std::size_t direction,
+                                             const Limits& limits = {});
+
 /// A Bezier patch over a box as a tensor product with n + 1 knots at each end. The intervals of the box are
 /// increasing or reversed. Errors: `mismatched_dimensions` if the patch is not a tensor product.
 TensorBSpline bspline_of(const PlacedPatch& patch, const Limits& limits = {});

@@ -21,4 +21,10 @@ PatchContact contact(const TensorBSpline& spline, std::size_t direction, const R
 PatchContact projected_contact(const TensorBSpline& spline, std::size_t direction, const Rational& parameter,
                                const Limits& limits = {});
 
+/// The least contact of the end of the domain of a direction with its beginning, moved behind it, see
+/// periodic_spline.hpp.
+PatchContact seam_contact(const TensorBSpline& spline, std::size_t direction, const Limits& limits = {});
+PatchContact projected_seam_contact(const TensorBSpline& spline, std::size_t direction,
+                                    const Limits& limits = {});
+
 }  // namespace blossom

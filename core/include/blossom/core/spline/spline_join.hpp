@@ -34,6 +34,10 @@ BSplineCurve join(std::span<const BezierCurve> curves, const KnotVector& knots, 
 BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const Limits& limits = {});
 BSplineCurve join(std::span<const std::vector<BezierCurve>> maps, const KnotVector& knots,
                   const Limits& limits = {});
+/// The same of curves side by side, `rows` of them with their coordinates one after the other, see
+/// curve_along.hpp; the reason of an error is that of the first row that is not continuous enough.
+BSplineCurve join_rows(std::span<const std::vector<BezierCurve>> maps, std::size_t rows,
+                       const KnotVector& knots, const Limits& limits = {});
 
 /// The interval of curves over adjacent intervals, in increasing direction.
 Interval covered(std::span<const BezierCurve> pieces);
