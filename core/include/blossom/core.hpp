@@ -16,6 +16,7 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/blossom/patch_values.hpp>
+#include <blossom/core/blossom/polar.hpp>
 #include <blossom/core/constructions/constructions.hpp>
 #include <blossom/core/constructions/net_constructions.hpp>
 #include <blossom/core/constructions/net_shape.hpp>
@@ -56,13 +57,16 @@
 #include <blossom/core/nurbs/rational_spline.hpp>
 #include <blossom/core/patch/combined_maps.hpp>
 #include <blossom/core/patch/coordinate_sums.hpp>
+#include <blossom/core/patch/net_bounds.hpp>
 #include <blossom/core/patch/net_interpolation.hpp>
+#include <blossom/core/patch/partial_derivatives.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/patch_derivative.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
+#include <blossom/core/patch/tensor_bspline_restriction.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
 #include <blossom/core/spline/basis_matrix.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>

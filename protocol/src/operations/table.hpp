@@ -12,8 +12,10 @@ Operation barycentric_operation();
 Operation basis_functions_operation();
 Operation basis_matrix_operation();
 Operation blossom_operation();
+Operation bounds_operation();
 Operation certify_operation();
 Operation clamp_operation();
+Operation compose_operation();
 Operation continuity_operation();
 Operation control_points_operation();
 Operation convert_operation();
@@ -23,19 +25,25 @@ Operation evaluate_operation();
 Operation exercise_operation();
 Operation explain_operation();
 Operation export_operation();
+Operation gcd_operation();
 Operation graph_operation();
 Operation import_operation();
 Operation insert_knots_operation();
 Operation interpolate_operation();
 Operation inverse_formula_operation();
+Operation jacobian_operation();
 Operation join_operation();
+Operation normal_operation();
 Operation periodic_operation();
+Operation polar_operation();
 Operation product_operation();
 Operation prove_operation();
 Operation quotient_operation();
 Operation reduce_operation();
 Operation remove_knot_operation();
 Operation reparametrise_operation();
+Operation restrict_operation();
+Operation resultant_operation();
 Operation reverse_operation();
 Operation roots_operation();
 Operation segments_operation();
@@ -80,6 +88,14 @@ inline constexpr OperationEntry operation_table[] = {
     {"product", product_operation},
     {"quotient", quotient_operation},
     {"transform", transform_operation},
+    {"polar", polar_operation},
+    {"restrict", restrict_operation},
+    {"compose", compose_operation},
+    {"jacobian", jacobian_operation},
+    {"normal", normal_operation},
+    {"bounds", bounds_operation},
+    {"gcd", gcd_operation},
+    {"resultant", resultant_operation},
     {"basis-functions", basis_functions_operation},
     {"basis-matrix", basis_matrix_operation},
     {"roots", roots_operation},
