@@ -184,8 +184,8 @@ void require_some_arguments(const NetShape& shape, const PatchArguments& argumen
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         if (arguments[f].size() <= shape[f].degree) continue;
         throw Error(ErrorCode::wrong_arity,
-                    "factor " + std::to_string(f) + " has degree " + std::to_string(shape[f].degree) +
-                        " and so many arguments at most, not " + std::to_string(arguments[f].size()),
+                    std::to_string(arguments[f].size()) + " arguments for the degree " +
+                        std::to_string(shape[f].degree) + "; there are at most as many as the degree",
                     Part::arguments / f);
     }
 }

@@ -123,19 +123,19 @@ Answer answer_compose(Request& request, const Limits& limits) {
     }
     const CommonMaps outer = map_at(maps, outer_place, limits);
     const CommonMaps inner = map_at(maps, inner_place, limits);
+    const auto* splines = std::get_if<std::vector<TensorBSpline>>(&outer.maps);
+    if (!splines && patch_of(outer).is_barycentric()) {
+        throw Error(ErrorCode::wrong_kind,
+                    "the parameters of the outer map are barycentric; \"vertices\" make them points",
+                    Place{"maps"} / outer_place);
+    }
     if (inner.dimension(0) != parameters_of(outer)) {
         throw Error(ErrorCode::mismatched_dimensions,
                     fmt::format("the inner map has {} coordinates, and the outer one {} parameters",
                                 inner.dimension(0), parameters_of(outer)),
                     Place{"maps"} / inner_place);
     }
-    const auto* splines = std::get_if<std::vector<TensorBSpline>>(&outer.maps);
     Patch patch = splines ? segment_with_values(splines->front(), inner, limits) : patch_of(outer);
-    if (patch.is_barycentric()) {
-        throw Error(ErrorCode::wrong_kind,
-                    "the parameters of the outer map are barycentric; \"vertices\" make them points",
-                    Place{"maps"} / outer_place);
-    }
     const bool rational = inner.forms.front().rational;
     PointForm form = outer.forms.front();
     if (rational && !form.rational) patch.map = with_weight_one(patch.map, limits);

@@ -54,9 +54,9 @@ Answer answer_normal(Request& request, const Limits& limits) {
     const std::size_t dimension = given.dimension(0);
     if (derived.size() != dimension) {
         throw Error(ErrorCode::mismatched_dimensions,
-                    fmt::format("a map of {} parameters has a normal in dimension {}, and this one has {} "
-                                "coordinates",
-                                derived.size() - 1, derived.size(), dimension),
+                    fmt::format("a map has a normal where it has one coordinate more than parameters; the "
+                                "numbers of these are {} and {}",
+                                dimension, derived.size() - 1),
                     Place{"map"});
     }
     return answer_of(of_derivatives(derived, normal_vector(dimension, given.forms.front().rational, limits),
@@ -71,9 +71,9 @@ Map jacobian_of(const CommonMaps& given, const Limits& limits) {
     if (derived.size() != dimension + 1) {
         throw Error(
             ErrorCode::mismatched_dimensions,
-            fmt::format("the map has {} coordinates and {} parameters; a determinant needs as many of "
-                        "both",
-                        dimension, derived.size() - 1),
+            fmt::format(
+                "a determinant needs as many coordinates as parameters; the numbers of these are {} and {}",
+                dimension, derived.size() - 1),
             Place{"map"});
     }
     return of_derivatives(derived, jacobian_determinant(dimension, given.forms.front().rational, limits),
