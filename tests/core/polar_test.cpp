@@ -1,3 +1,4 @@
+#include <blossom/core/algebra/resultant.hpp>
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/polar.hpp>
 #include <blossom/core/patch/net_bounds.hpp>

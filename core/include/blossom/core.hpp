@@ -4,6 +4,7 @@
 
 #include <blossom/core/algebra/polynomial.hpp>
 #include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/algebra/resultant.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/algebra/sparse_polynomial.hpp>
 #include <blossom/core/blossom/agreement.hpp>

@@ -1,4 +1,4 @@
-#include <blossom/core/algebra/polynomial.hpp>
+#include <blossom/core/algebra/resultant.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <blossom/core/algebra/resultant.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/blossom/conversion.hpp>
 

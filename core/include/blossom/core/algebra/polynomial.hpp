@@ -77,12 +77,6 @@ Polynomial divide_exactly(const Polynomial& a, const Polynomial& b);
 /// Cost: (deg a)(deg b) operations on integers whose length grows with the degrees.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
 
-/// The determinant of Sylvester's matrix of the actual degrees m and n: 0 if and only if the polynomials have
-/// a common root, or one of them is 0; a^n for a constant a. By the remainders of Euclid's algorithm: res(a,
-/// b) = (-1)^(m n) lc(b)^(m - deg r) res(b, r). Cost: m n operations on rationals whose length grows with the
-/// degrees.
-Rational resultant(const Polynomial& a, const Polynomial& b);
-
 /// base^exponent, with 0^0 = 1. Errors: `limit_exceeded` for a degree above `Limits::numbers`.
 Polynomial pow(const Polynomial& base, Count exponent);
 

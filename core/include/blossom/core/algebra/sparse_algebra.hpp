@@ -53,10 +53,4 @@ bool may_have_repeated_factor(const SparsePolynomial& polynomial, std::size_t va
 /// Computed by primitive remainder sequences, one variable after the other, for polynomials of moderate size.
 SparsePolynomial gcd(const SparsePolynomial& a, const SparsePolynomial& b);
 
-/// The resultant with respect to one variable, a polynomial in the others: the determinant of Sylvester's
-/// matrix of the degrees m and n in this variable, 0 if one of the polynomials is 0. By elimination without
-/// fractions. Cost: (m + n)^3 / 3 products and exact divisions of polynomials. Source: Bareiss, Sylvester's
-/// identity and multistep integer-preserving Gaussian elimination, 1968.
-SparsePolynomial resultant(const SparsePolynomial& a, const SparsePolynomial& b, std::size_t variable);
-
 }  // namespace blossom
