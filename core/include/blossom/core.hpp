@@ -64,10 +64,10 @@
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/patch_derivative.hpp>
+#include <blossom/core/patch/spline_restriction.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/patch/tensor_bspline_contact.hpp>
-#include <blossom/core/patch/tensor_bspline_restriction.hpp>
 #include <blossom/core/spline/basis_functions.hpp>
 #include <blossom/core/spline/basis_matrix.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>

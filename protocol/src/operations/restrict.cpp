@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 #include <blossom/core/blossom/polar.hpp>
-#include <blossom/core/patch/tensor_bspline_restriction.hpp>
+#include <blossom/core/patch/spline_restriction.hpp>
 
 #include <algorithm>
 

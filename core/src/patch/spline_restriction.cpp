@@ -1,6 +1,6 @@
 #include <blossom/core/blossom/polar.hpp>
+#include <blossom/core/patch/spline_restriction.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
-#include <blossom/core/patch/tensor_bspline_restriction.hpp>
 #include <blossom/core/spline/de_boor.hpp>
 #include <blossom/core/spline/spline_join.hpp>
 #include <blossom/rational/error.hpp>
