@@ -4,6 +4,7 @@
 #include <blossom/core/spline/progressive.hpp>
 #include <blossom/rational/combinatorics.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <string>
 #include <utility>
