@@ -298,6 +298,9 @@ KINDS = {
 }
 
 
+CURVES = {maker for kind in ("polynomial", "bezier", "taylor", "bspline", "progressive", "hermite", "samples") for maker in KINDS[kind]}
+
+
 # What a field must be to fit a map.
 def directions_of(a_map):
     """0 for a curve; the coordinates of a point for a simplex, the directions for a tensor product."""
@@ -642,6 +645,10 @@ OF_OPERATION = {
     ("sum", "factors"): (STYLES[1:], lambda a_map, level: level and [level(1, 2), level(2, 2)]),
     ("transform", "matrix"): ([*STYLES[1:], 1000], matrix_of_rows),
     ("transform", "translation"): ([], lambda a_map, level: None),
+    ("restrict", "vertices"): (STYLES[1:], lambda a_map, level: [parameter(a_map, small, 0, 2), parameter(a_map, level or small, 1, 2)]),
+    ("restrict", "at"): ([], lambda a_map, level: None),
+    ("bounds", "depth"): count_field(None),
+    ("resultant", "variable"): ([], lambda a_map, level: a_map.get("variables", [None])[-1]),
     ("export", "format"): ([], lambda a_map, level: "splinepy" if directions_of(a_map) else "tinyspline"),
     ("inverse-formula", "degree"): ([DEGREE, 600, 200, 40, DIGITS, HUGE], lambda a_map, level: level or 3),
     ("basis-functions", "degree"): ([DEGREE, 300, 40, HUGE], lambda a_map, level: level or 2),
@@ -663,8 +670,13 @@ OF_OPERATION = {
 }
 
 
+def curve_in_domain(a_map):
+    ends = [parameter(a_map, small, i, 2) for i in range(2)]
+    return {"kind": "bezier", "control_points": ends}
+
+
 # Operations on several maps over one domain.
-ON_ONE_DOMAIN = {"sum", "product", "quotient"}
+ON_ONE_DOMAIN = {"sum", "product", "quotient", "compose", "gcd", "resultant"}
 
 
 def words_of(schema, field):
@@ -735,6 +747,8 @@ class Operation:
         for name, most in (("dimension", NUMBERS), ("points of the map", NUMBERS)):
             if name in sizes:
                 sizes[name] = min(sizes[name], most)
+        if self.name in ("jacobian", "normal"):
+            sizes.setdefault("dimension", (1 if maker in CURVES else sizes.get("directions of the map", 2)) + (self.name == "normal"))
         a_map = maker(Shape(sizes)) if maker else None
         if self.name == "periodic" and "control_points" in a_map:
             a_map["control_points"] = a_map["control_points"][:1] * len(a_map["control_points"])
@@ -749,6 +763,8 @@ class Operation:
             second = dict(a_map)
             if a_map["kind"] == "bezier" and self.name not in ON_ONE_DOMAIN:
                 second["interval"] = [1, 2]
+            if self.name == "compose":
+                second = curve_in_domain(a_map)
             request["maps"] = [a_map, second]
         for field, (levels, value) in self.fields.items():
             if self.name == "audit" and (field in ("document", "format")) != ("document" in chosen or "format" in chosen):

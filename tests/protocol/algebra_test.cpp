@@ -49,3 +49,46 @@ TEST_CASE("a determinant with too many products is refused before they are made"
     CHECK(refusal_text(R"("op": "product", "as": "determinant", "maps": [)" + ten + "]") ==
           "limit_exceeded /maps");
 }
+
+TEST_CASE("a request for a polar, a restriction or a composition is refused where it is wrong") {
+    const std::string cubic = R"("map": {"kind": "polynomial", "text": "t^3"})";
+    const std::string of_square = R"("map": )" + square;
+    CHECK(refusal_text(R"("op": "polar", "arguments": [1, 2, 3, 4], )" + cubic) == "wrong_arity /arguments");
+    CHECK(refusal_text(R"("op": "polar", "arguments": [[1, 2], []], )" + of_square) ==
+          "wrong_arity /arguments/0");
+    CHECK(refusal_text(R"("op": "polar", "arguments": [[0, 0], [1, 1]], "map": )" + triangle) ==
+          "wrong_arity /arguments");
+    CHECK(refusal_text(R"("op": "restrict", "vertices": [[0, 0]], )" + of_square) == "wrong_arity /vertices");
+    CHECK(refusal_text(R"("op": "restrict", "vertices": [[0, 0], [1]], )" + of_square) ==
+          "mismatched_dimensions /vertices/1");
+    CHECK(refusal_text(R"("op": "restrict", "vertices": [[0, 0], [1, 0], [0, 1]], "interval": [0, 1], )" +
+                       of_square) == "wrong_kind /interval");
+    CHECK(refusal_text(R"("op": "restrict", "at": [1, 2], )" + of_square) == "wrong_arity /at");
+    CHECK(refusal_text(R"("op": "restrict", "at": [1, null], "map": )" + triangle) == "wrong_kind /at");
+    CHECK(refusal_text(R"("op": "restrict", "vertices": [0, 3], "map": )" + hat) ==
+          "outside_domain /vertices/1/0");
+    CHECK(refusal_text(R"("op": "compose", )" + maps(square, number)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "compose", )" + maps(hat, number)) == "outside_domain /maps/1");
+    CHECK(refusal_text(R"("op": "compose", )" + maps(hat, R"({"kind": "polynomial", "text": "t"})")) ==
+          "outside_domain /maps/1");
+    CHECK(refusal_text(R"("op": "compose", )" +
+                       maps(R"({"kind": "simplex", "degree": 0, "control_net": [[[0, 0, 0], 1]]})", line)) ==
+          "wrong_kind /maps/0");
+}
+
+TEST_CASE("a request for a Jacobian, bounds or a resultant is refused where it is wrong") {
+    const std::string barycentric =
+        R"("map": {"kind": "simplex", "degree": 0, "control_net": [[[0, 0], 1]]})";
+    CHECK(refusal_text(R"("op": "jacobian", "map": )" + square) == "mismatched_dimensions /map");
+    CHECK(refusal_text(R"("op": "normal", "map": )" + number) == "mismatched_dimensions /map");
+    CHECK(refusal_text(R"("op": "jacobian", )" + barycentric) == "wrong_kind /map");
+    CHECK(refusal_text(R"("op": "bounds", "map": )" + line) == "mismatched_dimensions /map");
+    CHECK(refusal_text(R"("op": "gcd", )" + maps(line, number)) == "mismatched_dimensions /maps/0");
+    CHECK(refusal_text(R"("op": "gcd", )" + maps(square, square)) == "wrong_kind /maps/0");
+    CHECK(refusal_text(R"("op": "gcd", )" + maps(hat, number)) == "wrong_kind /maps/0");
+    const std::string xy = R"({"kind": "polynomial", "variables": ["x", "y"], "text": "x*y"})";
+    CHECK(refusal_text(R"("op": "resultant", )" + maps(xy, xy)) == "missing_field /variable");
+    CHECK(refusal_text(R"("op": "resultant", "variable": "z", )" + maps(xy, xy)) == "wrong_kind /variable");
+    CHECK(refusal_text(R"("op": "resultant", )" + maps(xy, number)) == "mismatched_dimensions /maps/1");
+    CHECK(refusal_text(R"("op": "resultant", "maps": [)" + number + "]") == "wrong_arity /maps");
+}

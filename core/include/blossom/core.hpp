@@ -5,6 +5,7 @@
 #include <blossom/core/algebra/elimination.hpp>
 #include <blossom/core/algebra/polynomial.hpp>
 #include <blossom/core/algebra/polynomial_text.hpp>
+#include <blossom/core/algebra/resultant.hpp>
 #include <blossom/core/algebra/sparse_algebra.hpp>
 #include <blossom/core/algebra/sparse_polynomial.hpp>
 #include <blossom/core/blossom/agreement.hpp>
@@ -17,6 +18,7 @@
 #include <blossom/core/blossom/patch_blossom.hpp>
 #include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/blossom/patch_values.hpp>
+#include <blossom/core/blossom/polar.hpp>
 #include <blossom/core/constructions/constructions.hpp>
 #include <blossom/core/constructions/net_constructions.hpp>
 #include <blossom/core/constructions/net_shape.hpp>
@@ -60,12 +62,15 @@
 #include <blossom/core/patch/coordinate_sums.hpp>
 #include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/edge_contact.hpp>
+#include <blossom/core/patch/net_bounds.hpp>
 #include <blossom/core/patch/net_interpolation.hpp>
+#include <blossom/core/patch/partial_derivatives.hpp>
 #include <blossom/core/patch/patch_contact.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/patch_derivative.hpp>
 #include <blossom/core/patch/patch_graph.hpp>
 #include <blossom/core/patch/patch_reduction.hpp>
+#include <blossom/core/patch/spline_restriction.hpp>
 #include <blossom/core/patch/tangent_contact.hpp>
 #include <blossom/core/patch/tensor_bspline.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>

@@ -108,15 +108,21 @@ std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArra
         std::vector<Integer> zeros(shape.size() * polar.dimension());
         return {std::move(shape), PointArray(polar.dimension(), RationalVector(std::move(zeros), 1))};
     }
-    const IntegerArguments integers = cleared_one_by_one(directions, bits_of(polar), limits);
+    return partial_polar(std::move(shape), polar, directions, factor, limits);
+}
+
+std::pair<NetShape, PointArray> partial_polar(NetShape shape, const PointArray& polar,
+                                              const PatchArguments& arguments, const Integer& factor,
+                                              const Limits& limits) {
+    const IntegerArguments integers = cleared_one_by_one(arguments, bits_of(polar), limits);
     auto rows = each_row(polar, [&](std::span<const Integer> row) {
         std::vector<Integer> scaled(row.begin(), row.end());
         for (Integer& entry : scaled) entry *= factor;
         return scaled;
     });
     for (std::size_t f = 0; f < shape.factors(); ++f) {
-        for (const Tuple<Integer>& direction : integers.tuples[f]) {
-            for (auto& row : rows) row = constructions::fold<Integer>(shape, f, row, direction);
+        for (const Tuple<Integer>& argument : integers.tuples[f]) {
+            for (auto& row : rows) row = constructions::fold<Integer>(shape, f, row, argument);
             shape = shape.with_degree(f, shape[f].degree - 1);
         }
     }
@@ -171,6 +177,17 @@ void require_lists(const NetShape& shape, const PatchArguments& lists, Part part
 
 void require_directions(const NetShape& shape, const PatchArguments& directions) {
     require_lists(shape, directions, Part::directions, "direction");
+}
+
+void require_some_arguments(const NetShape& shape, const PatchArguments& arguments) {
+    require_lists(shape, arguments, Part::arguments, "argument");
+    for (std::size_t f = 0; f < shape.factors(); ++f) {
+        if (arguments[f].size() <= shape[f].degree) continue;
+        throw Error(ErrorCode::wrong_arity,
+                    std::to_string(arguments[f].size()) + " arguments for the degree " +
+                        std::to_string(shape[f].degree) + "; there are at most as many as the degree",
+                    Part::arguments / f);
+    }
 }
 
 void require_arguments(const NetShape& shape, const PatchArguments& arguments) {

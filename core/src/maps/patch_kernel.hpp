@@ -47,6 +47,15 @@ Coordinates polar_derivative_at(const NetShape& shape, const PointArray& polar,
 std::pair<NetShape, PointArray> polar_derivative(NetShape shape, const PointArray& polar,
                                                  const PatchArguments& directions, const Limits& limits);
 
+/// `factor` times the values at the elements of the frame with these arguments besides, k_f of them in factor
+/// f, of degrees n_f - k_f. One level of de Casteljau's algorithm per argument.
+std::pair<NetShape, PointArray> partial_polar(NetShape shape, const PointArray& polar,
+                                              const PatchArguments& arguments, const Integer& factor,
+                                              const Limits& limits);
+
+/// Errors: `wrong_arity` for more arguments than the degree of a factor; `mismatched_dimensions`.
+void require_some_arguments(const NetShape& shape, const PatchArguments& arguments);
+
 /// Errors: `wrong_arity`; `mismatched_dimensions`, at the factor.
 void require_point(std::span<const SimplexFactor> shape, const PatchPoint& point);
 /// The errors of `require_point` for each direction, below `Part::directions`.

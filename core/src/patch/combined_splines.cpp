@@ -1,3 +1,4 @@
+#include <blossom/core/blossom/polar.hpp>
 #include <blossom/core/patch/combined_maps.hpp>
 #include <blossom/core/patch/curve_along.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
@@ -115,22 +116,6 @@ PointGrid grid_of_boxes(std::span<const BezierPatch> nets, std::span<const std::
     return grid;
 }
 
-/// The greatest degree of the products in one direction.
-std::size_t degree_of_sums(std::span<const TensorBSpline> maps, std::span<const CoordinateSum> sums,
-                           std::size_t direction, const Limits& limits) {
-    std::size_t greatest = 0;
-    for (const CoordinateSum& sum : sums) {
-        for (const CoordinateProduct& product : sum) {
-            std::size_t degree = 0;
-            for (const CoordinateOf& one : product.coordinates)
-                degree += maps[one.map].knots(direction).degree();
-            greatest = std::max(greatest, degree);
-        }
-    }
-    require_within(greatest, limits.degree, "degree", "the degree of a product", Part::maps);
-    return greatest;
-}
-
 bool are_affine(std::span<const CoordinateSum> sums) {
     return std::ranges::all_of(sums, [](const CoordinateSum& sum) {
         return std::ranges::all_of(
@@ -155,32 +140,26 @@ TensorBSpline combined_points(std::span<const TensorBSpline> maps, std::span<con
     return {maps[0].knots(), std::move(points)};
 }
 
-}  // namespace
-
-TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const CoordinateSum> sums,
-                       const Limits& limits) {
-    if (maps.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", Part::maps);
-    require_same_boxes(maps);
-    const auto has_first_knots = [&](const TensorBSpline& map) { return map.knots() == maps[0].knots(); };
-    if (are_affine(sums) && std::ranges::all_of(maps, has_first_knots)) return combined_points(maps, sums);
+/// The map that piecewise(nets) makes on each box of the nets of all maps, of degrees[d] in direction d and
+/// into so many dimensions.
+template <class Piecewise>
+TensorBSpline on_common_boxes(std::span<const TensorBSpline> maps, std::span<const std::size_t> degrees,
+                              std::size_t dimension, const Piecewise& piecewise, const Limits& limits) {
     std::vector<TensorBSpline> operands(maps.begin(), maps.end());
     std::vector<KnotVector> knots;      // of the result
     std::vector<KnotVector> separated;  // of its pieces, which have no points in common
     std::vector<std::size_t> boxes;
-    std::size_t count = std::max<std::size_t>(sums.size(), 1);
-    for (std::size_t d = 0; d < maps[0].directions(); ++d) {
-        const std::size_t n = degree_of_sums(maps, sums, d, limits);
+    std::size_t count = std::max<std::size_t>(dimension, 1);
+    for (std::size_t d = 0; d < degrees.size(); ++d) {
+        const std::size_t n = degrees[d];
         const KnotVector& first = maps[0].knots(d);
         const auto inner = common_inner_knots(maps, d, n);
         const auto has_these = [&](const TensorBSpline& map) { return map.knots(d) == first; };
         const bool same = n == first.degree() && std::ranges::all_of(maps, has_these);
         boxes.push_back(inner.size() + 1);
-        const auto refuse = [&](std::size_t more) {
-            require_within(more, limits.numbers / count, "numbers", "the number of points of a row",
-                           Part::maps);
-        };
-        refuse((inner.size() + 1) * (n + 1));
-        count *= (inner.size() + 1) * (n + 1);
+        const std::size_t row = boxes.back() * (n + 1);
+        require_within(row, limits.numbers / count, "numbers", "the number of points of a row", Part::maps);
+        count *= row;
         knots.push_back(same ? first : knots_with_ends(n, first.domain(), inner, 0));
         separated.push_back(knots_with_ends(n, first.domain(), inner, n + 1));
         for (TensorBSpline& operand : operands) operand = refined(std::move(operand), d, inner, limits);
@@ -192,7 +171,7 @@ TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const Coor
         std::vector<BezierPatch> pieces;
         for (std::size_t i = 0; i < operands.size(); ++i)
             pieces.push_back(bezier_segment(operands[i], spans[i][b], limits));
-        nets.push_back(combined(std::span<const BezierPatch>(pieces), sums, limits));
+        nets.push_back(piecewise(pieces));
     }
     TensorBSpline result(std::move(separated), grid_of_boxes(nets, boxes).points);
     for (std::size_t d = 0; d < knots.size(); ++d) {
@@ -203,6 +182,39 @@ TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const Coor
     return result;
 }
 
+/// The greatest degree of the products in one direction.
+std::size_t degree_of_sums(std::span<const TensorBSpline> maps, std::span<const CoordinateSum> sums,
+                           std::size_t direction, const Limits& limits) {
+    std::size_t greatest = 0;
+    for (const CoordinateSum& sum : sums) {
+        for (const CoordinateProduct& product : sum) {
+            std::size_t degree = 0;
+            for (const CoordinateOf& one : product.coordinates)
+                degree += maps[one.map].knots(direction).degree();
+            greatest = std::max(greatest, degree);
+        }
+    }
+    require_within(greatest, limits.degree, "degree", "the degree of a product", Part::maps);
+    return greatest;
+}
+
+}  // namespace
+
+TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const CoordinateSum> sums,
+                       const Limits& limits) {
+    if (maps.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", Part::maps);
+    require_same_boxes(maps);
+    const auto has_first_knots = [&](const TensorBSpline& map) { return map.knots() == maps[0].knots(); };
+    if (are_affine(sums) && std::ranges::all_of(maps, has_first_knots)) return combined_points(maps, sums);
+    std::vector<std::size_t> degrees;
+    for (std::size_t d = 0; d < maps[0].directions(); ++d)
+        degrees.push_back(degree_of_sums(maps, sums, d, limits));
+    const auto piecewise = [&](const std::vector<BezierPatch>& pieces) {
+        return combined(std::span<const BezierPatch>(pieces), sums, limits);
+    };
+    return on_common_boxes(maps, degrees, sums.size(), piecewise, limits);
+}
+
 BSplineCurve combined(std::span<const BSplineCurve> maps, std::span<const CoordinateSum> sums,
                       const Limits& limits) {
     std::vector<TensorBSpline> splines;
@@ -211,5 +223,22 @@ BSplineCurve combined(std::span<const BSplineCurve> maps, std::span<const Coordi
     const TensorBSpline result = combined(std::span<const TensorBSpline>(splines), sums, limits);
     return {result.knots(0), result.control_points()};
 }
+
+template <PatchRepresentation Outer>
+TensorBSpline composed(const Outer& outer, const TensorBSpline& arguments, const Limits& limits) {
+    std::vector<std::size_t> degrees(arguments.directions());
+    for (std::size_t d = 0; d < degrees.size(); ++d) {
+        for (const SimplexFactor& factor : outer.shape().list())
+            degrees[d] += factor.degree * arguments.knots(d).degree();
+        require_within(degrees[d], limits.degree, "degree", "the degree of the composition");
+    }
+    const auto piecewise = [&](const std::vector<BezierPatch>& pieces) {
+        return composed(outer, pieces.front(), limits);
+    };
+    return on_common_boxes(std::span(&arguments, 1), degrees, outer.dimension(), piecewise, limits);
+}
+
+template TensorBSpline composed(const BezierPatch&, const TensorBSpline&, const Limits&);
+template TensorBSpline composed(const PolynomialPatch&, const TensorBSpline&, const Limits&);
 
 }  // namespace blossom

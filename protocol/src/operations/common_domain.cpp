@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 #include <blossom/core/blossom/patch_subdivision.hpp>
+#include <blossom/core/patch/partial_derivatives.hpp>
 #include <blossom/core/patch/patch_conversion.hpp>
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 #include "text/readable.hpp"
 
@@ -179,9 +181,7 @@ Map combined_in_form(const CommonMaps& given, std::span<const CoordinateSum> sum
         return combined(std::span(maps), sums, limits);
     };
     CommonMap result = std::visit(combine, given.maps);
-    form.homogeneous = form.rational && (std::ranges::any_of(given.forms, &PointForm::homogeneous) ||
-                                         has_point_at_infinity(result));
-    form.scalar = form.scalar && !form.homogeneous;
+    form.homogeneous = std::ranges::any_of(given.forms, &PointForm::homogeneous);
     return map_of(given, std::move(result), form);
 }
 
@@ -202,7 +202,8 @@ void require_points_alike(const CommonMaps& given) {
     }
 }
 
-CommonMaps on_common_domain(std::span<const Map> maps, const Limits& limits, const Place& place) {
+CommonMaps on_common_domain(std::span<const Map> maps, const Limits& limits) {
+    const Place place{"maps"};
     if (maps.empty()) throw Error(ErrorCode::wrong_arity, "at least one map is needed", place);
     std::vector<OnFactors> list;
     CommonMaps common;
@@ -245,7 +246,72 @@ CommonMaps on_common_domain(std::span<const Map> maps, const Limits& limits, con
     return common;
 }
 
-Map map_of(const CommonMaps& given, CommonMap value, const PointForm& form) {
+CommonMaps on_own_domain(const Map& map, const Limits& limits) {
+    try {
+        return on_common_domain(std::span(&map, 1), limits);
+    } catch (const Error& error) {
+        throw error.at(Place{"map"});
+    }
+}
+
+CommonMaps with_partial_derivatives(const CommonMaps& given, const Limits& limits) {
+    CommonMaps result = given;
+    const Overloads derive{
+        [&](const PolynomialPatch& patch) { result.maps = with_partial_derivatives(patch, limits); },
+        [&](const BezierPatch& patch) {
+            if (given.frames.empty()) {
+                throw Error(ErrorCode::wrong_kind,
+                            "barycentric coordinates have no partial derivatives; \"vertices\" give points "
+                            "their coordinates",
+                            Place{"map"});
+            }
+            result.maps = with_partial_derivatives(patch, given.frames, limits);
+        },
+        [&](const TensorBSpline& spline) { result.maps = with_partial_derivatives(spline, limits); },
+    };
+    std::visit([&](const auto& maps) { derive(maps.front()); }, given.maps);
+    const std::size_t count = std::visit([](const auto& maps) { return maps.size(); }, result.maps);
+    result.forms.assign(count, given.forms.front());
+    return result;
+}
+
+std::size_t parameters_of(const CommonMaps& given) {
+    const auto dimensions =
+        std::visit([](const auto& maps) { return dimensions_of(CommonMap(maps.front())); }, given.maps);
+    return std::accumulate(dimensions.begin(), dimensions.end(), std::size_t{0});
+}
+
+Patch patch_of(const CommonMaps& given) {
+    if (const auto* nets = std::get_if<std::vector<BezierPatch>>(&given.maps))
+        return {nets->front(), given.tensor, given.frames, {}};
+    return {std::get<std::vector<PolynomialPatch>>(given.maps).front(), given.tensor, {}, given.variables};
+}
+
+std::vector<PlacedPatch> nets_of(const CommonMaps& given, const Limits& limits) {
+    std::vector<PlacedPatch> pieces;
+    if (const auto* splines = std::get_if<std::vector<TensorBSpline>>(&given.maps)) {
+        for (const auto& box : boxes_of(splines->front(), limits))
+            pieces.push_back(placed_segment(splines->front(), box, limits));
+        return pieces;
+    }
+    const Patch patch = patch_of(given);
+    if (const auto* net = std::get_if<BezierPatch>(&patch.map); net && patch.frames.empty()) {
+        std::vector<Coordinates> units(net->shape()[0].dimension + 1,
+                                       Coordinates(net->shape()[0].dimension + 1));
+        for (std::size_t k = 0; k < units.size(); ++k) units[k][k] = 1;
+        return {{*net, {BarycentricFrame(std::move(units))}}};
+    }
+    const std::vector<BarycentricFrame> frames = domain_or_standard(patch);
+    const Overloads as_net{
+        [](const BezierPatch& net) { return net; },
+        [&](const PolynomialPatch& polynomial) { return control_net(polynomial, frames, limits); },
+    };
+    return {{std::visit(as_net, patch.map), frames}};
+}
+
+Map map_of(const CommonMaps& given, CommonMap value, PointForm form) {
+    form.homogeneous = form.rational && (form.homogeneous || has_point_at_infinity(value));
+    form.scalar = form.scalar && !form.homogeneous;
     const auto as_any = Overloads{
         [&](PolynomialPatch patch) -> AnyMap {
             if (given.are_curves) return PolynomialCurve(patch.coefficients());

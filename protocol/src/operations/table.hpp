@@ -12,12 +12,20 @@ Operation barycentric_operation();
 Operation basis_functions_operation();
 Operation basis_matrix_operation();
 Operation blossom_operation();
+Operation bounds_operation();
 Operation certify_operation();
 Operation clamp_operation();
+Operation compose_operation();
 Operation continuity_operation();
 Operation control_points_operation();
 Operation convert_operation();
 Operation derivative_operation();
+Operation gcd_operation();
+Operation jacobian_operation();
+Operation normal_operation();
+Operation polar_operation();
+Operation restrict_operation();
+Operation resultant_operation();
 Operation elevate_operation();
 Operation evaluate_operation();
 Operation exercise_operation();
@@ -85,6 +93,14 @@ inline constexpr OperationEntry operation_table[] = {
     {"product", product_operation},
     {"quotient", quotient_operation},
     {"transform", transform_operation},
+    {"polar", polar_operation},
+    {"restrict", restrict_operation},
+    {"compose", compose_operation},
+    {"jacobian", jacobian_operation},
+    {"normal", normal_operation},
+    {"bounds", bounds_operation},
+    {"gcd", gcd_operation},
+    {"resultant", resultant_operation},
     {"basis-functions", basis_functions_operation},
     {"basis-matrix", basis_matrix_operation},
     {"roots", roots_operation},

@@ -65,7 +65,7 @@ Transformation read_transformation(Fields& request, std::size_t dimension, bool 
 
 Answer answer_transform(Request& request, const Limits& limits) {
     const Map& map = request.map(limits);
-    const CommonMaps given = on_common_domain(std::span(&map, 1), limits, {});
+    const CommonMaps given = on_own_domain(map, limits);
     const Transformation change = read_transformation(request, given.dimension(0), map.form.scalar, limits);
     request.finish();
     return answer_of(

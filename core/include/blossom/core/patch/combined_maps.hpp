@@ -44,4 +44,8 @@ TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const Coor
 BSplineCurve combined(std::span<const BSplineCurve> maps, std::span<const CoordinateSum> sums,
                       const Limits& limits = {});
 
+/// `composed` with B-splines as arguments, on each of their pieces; with the knots of `combined`.
+template <PatchRepresentation Outer>
+TensorBSpline composed(const Outer& outer, const TensorBSpline& arguments, const Limits& limits = {});
+
 }  // namespace blossom
