@@ -39,6 +39,10 @@ bench command:gp                          pari-gp             pari-gp           
 bench header:simdjson.h                libsimdjson-dev     simdjson-devel      simdjson
 bench command:valgrind                   valgrind            valgrind            valgrind
 bench python:sympy                        python3-sympy       python3-sympy       sympy
+package command:dpkg-buildpackage         dpkg-dev            dpkg-dev            dpkg
+package command:dh                        debhelper           debhelper           debhelper
+package command:lintian                   lintian             lintian             lintian
+package command:help2man                  help2man            help2man            help2man
 ci    command:ccache                      ccache              ccache              ccache
 ci    command:clang++-19                  clang-19            clang               llvm@19
 ci    command:clang-format-19             clang-format-19     clang-tools-extra   llvm@19
