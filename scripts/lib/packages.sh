@@ -14,6 +14,7 @@ build header:fmt/format.h                 libfmt-dev          fmt-devel         
 test  header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel          nlohmann-json
 build header:pugixml.hpp                  libpugixml-dev      pugixml-devel       pugixml
 test  header:catch2/*.hpp                 catch2              catch-devel         catch2
+test  header:gtest/gtest.h                libgtest-dev        gtest-devel         googletest
 test  command:pkg-config                  pkg-config          pkgconf-pkg-config  pkgconf
 test  command:python3                     python3             python3             python
 test  header:pybind11/pybind11.h          pybind11-dev        pybind11-devel      pybind11
