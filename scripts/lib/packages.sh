@@ -15,6 +15,8 @@ test  header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel        
 build header:pugixml.hpp                  libpugixml-dev      pugixml-devel       pugixml
 test  header:catch2/*.hpp                 catch2              catch-devel         catch2
 test  header:gtest/gtest.h                libgtest-dev        gtest-devel         googletest
+test  header:eigen3/Eigen/Core            libeigen3-dev       eigen3-devel        eigen
+test  header:gsl/gsl_bspline.h            libgsl-dev          gsl-devel           gsl
 test  command:pkg-config                  pkg-config          pkgconf-pkg-config  pkgconf
 test  command:python3                     python3             python3             python
 test  header:pybind11/pybind11.h          pybind11-dev        pybind11-devel      pybind11
