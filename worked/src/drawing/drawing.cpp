@@ -187,22 +187,48 @@ bool has_name(const PicturePoint& point) {
     return point.label.kind != FormulaKind::words || !point.label.name.empty();
 }
 
-/// Points at one place have one dot, of the most important role, and one label with all their names.
+/// Whether points at one place are equal. Two points of space may be projected to one place, and the
+/// arguments of two values may have one mean.
+bool places_are_values(const Picture& picture) {
+    return picture.projection.empty() && picture.corners.empty();
+}
+
+/// Points that are drawn at one spot have one dot, of the most important role, and one label with all their
+/// names.
 void add_points(const Picture& picture, const Paper& paper, const Notation& notation, Drawing& drawing) {
+    struct Place {
+        PlanePoint place;
+        std::vector<Formula> names;
+    };
+    std::vector<std::vector<Place>> places_of_dots;
     for (const PicturePoint& point : picture.points) {
         const Spot spot = paper.spot(point.place);
         const auto same = std::ranges::find(drawing.dots, spot, &Drawing::Dot::spot);
+        const auto index = static_cast<std::size_t>(same - drawing.dots.begin());
         if (same == drawing.dots.end()) {
             drawing.dots.push_back({spot, point.role});
-            auto& names = drawing.labels.emplace_back().names;
-            if (has_name(point)) names.push_back(point.label);
-            continue;
+            places_of_dots.emplace_back();
+        } else {
+            same->role = std::max(same->role, point.role);
         }
-        auto& names = drawing.labels[static_cast<std::size_t>(same - drawing.dots.begin())].names;
+        if (!has_name(point)) continue;
+        std::vector<Place>& places = places_of_dots[index];
+        auto own = std::ranges::find(places, point.place, &Place::place);
+        if (own == places.end()) own = places.insert(own, {point.place, {}});
         const auto text = [&](const Formula& name) { return to_text(name, notation); };
-        const bool is_new = std::ranges::find(names, text(point.label), text) == names.end();
-        if (has_name(point) && is_new) names.push_back(point.label);
-        same->role = std::max(same->role, point.role);
+        if (std::ranges::find(own->names, text(point.label), text) == own->names.end())
+            own->names.push_back(point.label);
+    }
+    const auto is_relation = [](const Formula& name) { return name.kind == FormulaKind::relation; };
+    for (const std::vector<Place>& places : places_of_dots) {
+        std::vector<Formula>& names = drawing.labels.emplace_back().names;
+        for (const Place& place : places) {
+            if (places_are_values(picture) && std::ranges::none_of(place.names, is_relation)) {
+                names.push_back(equation(place.names));
+            } else {
+                names.insert(names.end(), place.names.begin(), place.names.end());
+            }
+        }
     }
 }
 
@@ -266,11 +292,7 @@ Length text_width(std::string_view text, bool bold) {
     return bold ? width * 9 / 8 : width;
 }
 
-Formula label_formula(const Drawing::Label& label) {
-    const bool relations = std::ranges::any_of(
-        label.names, [](const Formula& name) { return name.kind == FormulaKind::relation; });
-    return relations ? list_of(label.names) : equation(label.names);
-}
+Formula label_formula(const Drawing::Label& label) { return list_of(label.names); }
 
 std::string pixels(Length length) {
     const std::string sign = length < 0 ? "-" : "";
