@@ -80,3 +80,14 @@ TEST_CASE("only points at one place are equal in a label") {
     picture.corners = {{0, 0}, {1, 0}, {0, 1}};
     CHECK(label(picture) == "A, B");
 }
+
+TEST_CASE("the numbers on an axis are exact") {
+    Picture picture;
+    picture.graph = true;
+    picture.lines.push_back({{{1'000'000'000, 0}, {1'000'000'001, 7}}, Role::control});
+    std::vector<std::string> horizontal;
+    for (const Drawing::Tick& tick : drawn(picture, {}).ticks) {
+        if (tick.horizontal) horizontal.push_back(tick.text);
+    }
+    CHECK(horizontal == std::vector<std::string>{"1000000000", "1000000000.5", "1000000001"});
+}

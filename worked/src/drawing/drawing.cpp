@@ -128,13 +128,13 @@ public:
         if (!axes_) return {};
         std::vector<Drawing::Tick> ticks;
         const Length bottom = height_ - axis_height;
-        for (const Rational& mark : x_.marks(900)) {
-            const Length x = x_.at(mark);
-            ticks.push_back({{{x, bottom}, {x, 40}}, short_text(mark), true});
+        for (const auto& [value, text] : x_.marks(900)) {
+            const Length x = x_.at(value);
+            ticks.push_back({{{x, bottom}, {x, 40}}, text, true});
         }
-        for (const Rational& mark : y_.marks(700)) {
-            const Length y = spot({x_.least, mark}).y;
-            ticks.push_back({{{axis_width, y}, {width_ - 40, y}}, short_text(mark), false});
+        for (const auto& [value, text] : y_.marks(700)) {
+            const Length y = spot({x_.least, value}).y;
+            ticks.push_back({{{axis_width, y}, {width_ - 40, y}}, text, false});
         }
         return ticks;
     }
@@ -142,6 +142,12 @@ public:
 private:
     /// One direction: world = least + (paper - begin) / scale.
     struct Axis {
+        /// A number on an axis, and its exact text.
+        struct Mark {
+            Rational value;
+            std::string text;
+        };
+
         Rational least;
         Rational greatest;
         Rational scale;
@@ -160,14 +166,19 @@ private:
         }
 
         /// Multiples of a round number, at least `apart` from each other.
-        std::vector<Rational> marks(Length apart) const {
+        std::vector<Mark> marks(Length apart) const {
             const Rational step = round_step(Rational(apart) / scale);
             const Rational quotient = least / step;
-            Rational mark = Rational(quotient.numerator() / quotient.denominator()) * step;
-            while (mark - step >= least) mark -= step;
-            while (mark < least) mark += step;
-            std::vector<Rational> marks;
-            for (; mark <= greatest; mark += step) marks.push_back(mark);
+            Integer k = quotient.numerator() / quotient.denominator();
+            while (Rational(k - 1) * step >= least) k -= 1;
+            while (Rational(k) * step < least) k += 1;
+            std::vector<Mark> marks;
+            for (; Rational(k) * step <= greatest; k += 1) {
+                // A multiple of 1, 2 or 5 has at most one digit more than its factor.
+                const auto digits = static_cast<std::int64_t>(to_string(k).size()) + 1;
+                marks.push_back(
+                    {Rational(k) * step, short_text(Rational(k) * step, std::max<std::int64_t>(digits, 4))});
+            }
             return marks;
         }
     };
