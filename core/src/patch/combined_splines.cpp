@@ -175,8 +175,8 @@ TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const Coor
         const bool same = n == first.degree() && std::ranges::all_of(maps, has_these);
         boxes.push_back(inner.size() + 1);
         const auto refuse = [&](std::size_t more) {
-            require_within(more, limits.numbers / count, "numbers", "the number of points of a row",
-                           Part::maps);
+            require_product_within({more, count}, limits.numbers, "numbers",
+                                   "the number of points of the result", Part::maps);
         };
         refuse((inner.size() + 1) * (n + 1));
         count *= (inner.size() + 1) * (n + 1);

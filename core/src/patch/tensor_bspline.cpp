@@ -125,9 +125,8 @@ Coordinates derivative(const TensorBSpline& spline, std::span<const std::size_t>
 TensorBSpline insert_knots(const TensorBSpline& spline, std::size_t direction,
                            std::span<const Rational> knots, const Limits& limits) {
     const std::size_t rows = spline.control_points().size() / spline.knots(direction).points();
-    require_within(spline.knots(direction).points() + knots.size(),
-                   limits.numbers / rows / spline.dimension(), "numbers", "the number of points of a row",
-                   Part::knots);
+    require_product_within({spline.knots(direction).points() + knots.size(), rows, spline.dimension()},
+                           limits.numbers, "numbers", "the number of coordinates of the result", Part::knots);
     return with_rows(spline, direction,
                      [&](const BSplineCurve& row) { return insert_knots(row, knots, limits); });
 }
