@@ -82,7 +82,8 @@ function(blossom_add_layer layer)
     PROPERTIES EXPORT_NAME ${layer}
                POSITION_INDEPENDENT_CODE ON
                DEFINE_SYMBOL "" # sources are compiled alike for shared and for static libraries
-               UNITY_BUILD "${CMAKE_UNITY_BUILD}" # what is not a layer is never joined
+               UNITY_BUILD ${BLOSSOM_JOIN_SOURCES} # what is not a layer is never joined
+               UNITY_BUILD_BATCH_SIZE 16
                SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
                VERSION ${PROJECT_VERSION}
                WINDOWS_EXPORT_ALL_SYMBOLS ON

@@ -14,6 +14,9 @@ build header:fmt/format.h                 libfmt-dev          fmt-devel         
 test  header:nlohmann/json.hpp            nlohmann-json3-dev  json-devel          nlohmann-json
 build header:pugixml.hpp                  libpugixml-dev      pugixml-devel       pugixml
 test  header:catch2/*.hpp                 catch2              catch-devel         catch2
+test  header:gtest/gtest.h                libgtest-dev        gtest-devel         googletest
+test  header:eigen3/Eigen/Core            libeigen3-dev       eigen3-devel        eigen
+test  header:gsl/gsl_bspline.h            libgsl-dev          gsl-devel           gsl
 test  command:pkg-config                  pkg-config          pkgconf-pkg-config  pkgconf
 test  command:python3                     python3             python3             python
 test  header:pybind11/pybind11.h          pybind11-dev        pybind11-devel      pybind11
@@ -39,7 +42,11 @@ bench header:flint/fmpq.h                libflint-dev        flint-devel        
 bench command:gp                          pari-gp             pari-gp             pari
 bench header:simdjson.h                libsimdjson-dev     simdjson-devel      simdjson
 bench command:valgrind                   valgrind            valgrind            valgrind
-bench python:sympy                        python3-sympy       python3-sympy       sympy
+test  python:sympy                        python3-sympy       python3-sympy       sympy
+package command:dpkg-buildpackage         dpkg-dev            dpkg-dev            dpkg
+package command:dh                        debhelper           debhelper           debhelper
+package command:lintian                   lintian             lintian             lintian
+package command:help2man                  help2man            help2man            help2man
 ci    command:ccache                      ccache              ccache              ccache
 ci    command:clang++-19                  clang-19            clang               llvm@19
 ci    command:clang-format-19             clang-format-19     clang-tools-extra   llvm@19

@@ -11,10 +11,7 @@ from fractions import Fraction
 from real_roots_oracle import bounds, derivative, is_number, multiplicity_in, quotient, quotient_bounds, real_roots, without_factors_of
 from spline_oracle import Report, ask, common_factor, composed, control_points, pieces_of, plus, power, scaled, text_of, texts, times, trimmed, value
 
-try:
-    from sympy import QQ, Poly, symbols
-except ImportError:
-    sys.exit(77)
+from sympy import QQ, Poly, symbols
 
 program = sys.argv[1]
 CASES = int(sys.argv[2]) if len(sys.argv) > 2 else 260

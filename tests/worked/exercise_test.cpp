@@ -13,7 +13,7 @@ using namespace blossom::worked;
 namespace {
 
 SheetRequest request(std::string_view topic, std::uint64_t seed, std::size_t level, std::size_t count) {
-    return {std::string(topic), seed, count, level};
+    return {{std::string(topic)}, seed, count, level};
 }
 
 /// The text of a sheet with a single problem, without the number of the sheet in the title.
@@ -114,4 +114,25 @@ TEST_CASE("sheets that cannot be made are refused") {
     CHECK(failure_code([] { exercise_sheet(request("blossom", 1, 4, 1)); }) == ErrorCode::wrong_arity);
     CHECK(failure_code([] { exercise_sheet(request("blossom", 1, 0, 1)); }) == ErrorCode::wrong_arity);
     CHECK(failure_code([] { exercise_sheet(request("blossom", 1, 1, 41)); }) == ErrorCode::limit_exceeded);
+}
+
+TEST_CASE("a sheet has problems on all its topics in turn, and topics have their own numbers") {
+    const std::vector<std::string> topics{"evaluation", "subdivision", "degree-raising"};
+    const Sheet sheet = exercise_sheet({topics, 3, 7, 1});
+    REQUIRE(sheet.problems.steps.size() == 7);
+    CHECK(sheet.problems.title == "De Casteljau's algorithm, Subdivision, Degree raising, level 1, sheet 3");
+    // Each topic has its own problems, whatever stands between them.
+    const Sheet single = exercise_sheet({{"subdivision"}, 3, 2, 1});
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto points = [](const Document& document, std::size_t map) {
+            return std::get<BezierCurve>(std::get<PolynomialMap>(document.maps.at(map).definition))
+                .control_points();
+        };
+        CHECK(points(sheet.problems, 3 * i + 1) == points(single.problems, i));
+        CHECK(points(sheet.problems, 3 * i) != points(sheet.problems, 3 * i + 1));
+        CHECK(points(sheet.problems, 3 * i + 1) != points(sheet.problems, 3 * i + 2));
+    }
+    CHECK(failure_code([] { exercise_sheet({{"evaluation", "nonsense"}, 1, 5, 1}); }) ==
+          ErrorCode::unknown_op);
+    CHECK(failure_code([] { exercise_sheet({{}, 1, 5, 1}); }) == ErrorCode::wrong_arity);
 }

@@ -42,11 +42,11 @@ TEST_CASE("a blossom value in each notation") {
     CHECK(to_text(letters) == "p(u, v, v)");
     CHECK(to_text(letters, brackets) == "p[u, v, v]");
     CHECK(to_text(letters, multiplicative) == "u v v");
-    CHECK(to_text(numbers, multiplicative) == "0·0·1/2");
+    CHECK(to_text(numbers, multiplicative) == "(0)(0)(1/2)");
     CHECK(to_text(numbers, counted) == "b(0^<2>, 1/2)");
     CHECK(to_latex(numbers, counted) == "b({0}^{\\langle 2\\rangle}, \\tfrac{1}{2})");
     // After a factor, the product of arguments needs parentheses.
-    CHECK(to_text(product({number(2), numbers}), multiplicative) == "2(0·0·1/2)");
+    CHECK(to_text(product({number(2), numbers}), multiplicative) == "2((0)(0)(1/2))");
 }
 
 TEST_CASE("LaTeX and MathML come from the same tree") {

@@ -1,9 +1,11 @@
 #include "drawing/label_placement.hpp"
+#include "drawing/drawing.hpp"
 
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
 using namespace blossom::worked;
+using blossom::Rational;
 using blossom::testing::Random;
 
 TEST_CASE("a segment crosses a box exactly when it enters its inside") {
@@ -52,4 +54,40 @@ TEST_CASE("a label beside a lone line is off the line") {
     const auto placed = place_labels({{{2500, 2000}, 800, 180}}, segments, {0, 0, 5000, 4000});
     CHECK_FALSE(crosses(segments.front(), placed.front().box));
     CHECK_FALSE(placed.front().away);
+}
+
+TEST_CASE("only points at one place are equal in a label") {
+    const auto label = [](const Picture& picture) {
+        const Drawing drawing = drawn(picture, {});
+        return to_text(label_formula(drawing.labels.front()));
+    };
+    Picture picture;
+    picture.lines.push_back({{{0, 0}, {1'000'000, 0}}, Role::control});
+    const auto point = [](const Rational& x, const char* name) { return PicturePoint{{x, 0}, symbol(name)}; };
+    picture.points = {point(0, "A"), point(0, "B"), point(1, "C"),
+                      point(0, "A"), point(1, "D"), point(2, "E")};
+    CHECK(label(picture) == "A = B, C = D, E");
+    picture.points.erase(picture.points.begin() + 1, picture.points.end());
+    CHECK(label(picture) == "A");
+
+    // Points in space that are projected to one place are not equal, nor are values with one mean of
+    // arguments.
+    picture.points.push_back(point(0, "B"));
+    CHECK(label(picture) == "A = B");
+    Picture projected = picture;
+    projected.projection = {{1, 0, 0}, {0, 1, 0}};
+    CHECK(label(projected) == "A, B");
+    picture.corners = {{0, 0}, {1, 0}, {0, 1}};
+    CHECK(label(picture) == "A, B");
+}
+
+TEST_CASE("the numbers on an axis are exact") {
+    Picture picture;
+    picture.graph = true;
+    picture.lines.push_back({{{1'000'000'000, 0}, {1'000'000'001, 7}}, Role::control});
+    std::vector<std::string> horizontal;
+    for (const Drawing::Tick& tick : drawn(picture, {}).ticks) {
+        if (tick.horizontal) horizontal.push_back(tick.text);
+    }
+    CHECK(horizontal == std::vector<std::string>{"1000000000", "1000000000.5", "1000000001"});
 }

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <system_error>
 
 #include <blossom/protocol/description.hpp>
+#include <blossom/protocol/pack.hpp>
 #include "completion.hpp"
 #include "explain/chapter_of.hpp"
 #include "explain_options.hpp"
@@ -249,6 +251,34 @@ Subcommand add_schema(CLI::App& app) {
             }};
 }
 
+Subcommand add_pack(CLI::App& app) {
+    CLI::App* command = app.add_subcommand(
+        "pack", "Print cases with exact results, for the tests of other programs, one per line");
+    const CLI::Option* family =
+        add_value(*command, "FAMILY", joined(pack_families(), {}, "|"), "what the cases compute")->required();
+    const CLI::Option* seed =
+        add_value(*command, "--seed", "S", "the same seed gives the same cases; by default 1");
+    const CLI::Option* cases = add_value(*command, "--cases", "N", "the number of cases; by default 100");
+    const LimitOptions limits(*command);
+    command->footer(
+        "Example:\n"
+        "  $ blossom pack evaluate --seed 1 --cases 1000 > evaluate.jsonl");
+    const auto action = [=](const Streams& streams) {
+        constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+        const Pack pack{.family = result_of(*family),
+                        .seed = integer(result_of(*seed, "1"), "--seed", 0, most),
+                        .cases = integer(result_of(*cases, "100"), "--cases", 0, most)};
+        try {
+            write_pack(pack, limits.read(),
+                       [&](std::string_view line) { streams.output(std::string(line) + "\n"); });
+        } catch (const Error& error) {
+            throw UsageError(error.message());
+        }
+        return Outcome::success;
+    };
+    return {command, action};
+}
+
 Subcommand add_completion(CLI::App& app) {
     CLI::App* command =
         app.add_subcommand(std::string(completion_name), "Print a completion script for a shell");
@@ -275,6 +305,7 @@ struct OtherCommand {
 };
 constexpr OtherCommand other_commands[] = {{"check-certificate", add_check_certificate},
                                            {"batch", add_batch},
+                                           {"pack", add_pack},
                                            {"schema", add_schema},
                                            {completion_name, add_completion}};
 

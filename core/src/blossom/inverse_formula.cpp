@@ -68,8 +68,8 @@ SimplexInverseFormula inverse_formula(const SimplexFactor& factor, const Limits&
     const auto [dimension, degree] = factor;
     const NetShape shape = NetShape::simplex(dimension, degree, limits);
     const std::size_t means = multi_index_count(dimension + 1, degree, limits);
-    require_within(means, limits.expansion_work / shape.size(), "expansion_work",
-                   "the number of means, each with a weight for every control point,", Part::degree);
+    require_product_within({means, shape.size()}, limits.expansion_work, "expansion_work",
+                           "the number of weights, of every control point in every mean,", Part::degree);
     const std::vector<MultiIndex> indices = multi_indices(dimension, degree);
     std::map<Coordinates, std::vector<Integer>, std::greater<>> columns;
     for (std::size_t count = 1; count <= degree; ++count) {
@@ -98,8 +98,8 @@ BezierPatch control_net_from_values(const NetShape& shape, const PatchFunction& 
     for (std::size_t f = 0; f < shape.factors(); ++f) {
         formulas.push_back(inverse_formula(shape[f], limits));
         const auto& nodes = formulas.back().nodes;
-        require_within(nodes.size(), limits.numbers / points.size(), "numbers",
-                       "the number of nodes of one factor");
+        require_product_within({nodes.size(), points.size()}, limits.numbers, "numbers",
+                               "the number of nodes");
         std::vector<PatchPoint> longer;
         for (const PatchPoint& point : points) {
             for (const Coordinates& node : nodes) {

@@ -37,8 +37,8 @@ Coordinates blossom_value(const Map& patch, const PatchArguments& arguments, con
 template <PatchRepresentation Map>
 std::vector<Coordinates> evaluate(const Map& patch, std::span<const PatchPoint> points,
                                   const Limits& limits) {
-    require_within(points.size(), limits.numbers / patch.dimension(), "numbers", "the number of parameters",
-                   Part::at);
+    require_product_within({points.size(), patch.dimension()}, limits.numbers, "numbers",
+                           "the number of coordinates of the values", Part::at);
     const std::vector<Rational> numbers = PatchValues(patch, limits).at(points);
     std::vector<Coordinates> values;
     values.reserve(points.size());

@@ -16,7 +16,8 @@ NetShape sum_of(const NetShape& a, const NetShape& b, const Limits& limits) {
 
 ProductTable::ProductTable(const NetShape& a, const NetShape& b, const Limits& limits)
     : shape_(sum_of(a, b, limits)) {
-    require_within(a.size(), limits.numbers / b.size(), "numbers", "the number of coefficients to multiply");
+    require_product_within({a.size(), b.size()}, limits.numbers, "numbers",
+                           "the number of products of coefficients");
     const auto of_a = net_indices(a);
     const auto of_b = net_indices(b);
     places_.reserve(of_a.size() * of_b.size());

@@ -74,15 +74,16 @@ Inner composed(const Outer& outer, const Inner& arguments, const Limits& limits)
     const std::size_t degree = total_degree(shape);
     std::vector<SimplexFactor> factors = arguments.shape().list();
     for (SimplexFactor& factor : factors) {
-        require_within(factor.degree, limits.degree / std::max<std::size_t>(degree, 1), "degree",
-                       "in a composition with a map of degree " + std::to_string(degree) + ", the degree");
+        require_product_within({factor.degree, degree}, limits.degree, "degree",
+                               "the degree of the composition");
         factor.degree *= degree;
     }
     const NetShape result(std::move(factors), limits);
-    require_within(result.size(), limits.numbers / outer.dimension(), "numbers",
-                   "the number of points of the composition");
-    require_within(result.size(), limits.expansion_work / std::max(shape.size(), arguments.shape().size()),
-                   "expansion_work", "the number of points of the composition, each a sum of many products,");
+    require_product_within({result.size(), outer.dimension()}, limits.numbers, "numbers",
+                           "the number of coordinates of the composition");
+    require_product_within({result.size(), std::max(shape.size(), arguments.shape().size())},
+                           limits.expansion_work, "expansion_work",
+                           "the number of products in the composition");
     require_result_bits(
         bits_of(points_of(outer)) +
             degree * (bits_of(points_of(arguments)) + points_of(arguments).denominator().bit_length() + 2),

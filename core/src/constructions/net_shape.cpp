@@ -88,8 +88,8 @@ NetShape::NetShape(std::vector<SimplexFactor> factors, const Limits& limits) : f
     for (const SimplexFactor& factor : factors_) {
         require_within(factor.degree, limits.degree, "degree", "the formal degree");
         counts_.push_back(multi_index_count(factor.dimension, factor.degree, limits));
-        require_within(counts_.back(), limits.numbers / size_, "numbers",
-                       "the number of points of a factor of a control net");
+        require_product_within({size_, counts_.back()}, limits.numbers, "numbers",
+                               "the number of points of a control net");
         size_ *= counts_.back();
     }
 }

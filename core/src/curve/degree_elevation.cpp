@@ -30,8 +30,8 @@ BezierCurve elevate(const BezierCurve& curve, std::size_t r, const Limits& limit
     const std::size_t n = curve.degree();
     const PointArray& points = curve.control_points();
     require_degree(n, r, limits);
-    require_within(n + r + 1, limits.numbers / points.dimension(), "numbers",
-                   "the number of points of the raised net", Part::by);
+    require_product_within({n + r + 1, points.dimension()}, limits.numbers, "numbers",
+                           "the number of coordinates of the raised net", Part::by);
     const auto weights = binomial_weights(n + r);
     require_result_bits(bits_of(points) + (n + r) + weights->denominator.bit_length(), limits,
                         (n + r + 1) * points.dimension());
@@ -61,8 +61,8 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
     const auto [dimension, degree] = shape[factor];
     require_degree(degree, r, limits);
     NetShape raised = shape.with_degree(factor, degree + r, limits);
-    require_within(raised.size(), limits.numbers / patch.dimension(), "numbers",
-                   "the number of points of the raised net", Part::by);
+    require_product_within({raised.size(), patch.dimension()}, limits.numbers, "numbers",
+                           "the number of coordinates of the raised net", Part::by);
     if (r == 0) return patch;
     // A multinomial coefficient of an index of sum n is below (s + 1)^n, in numerators and denominators.
     const auto bits_per_degree = static_cast<std::size_t>(std::bit_width(dimension + 1));
@@ -77,10 +77,8 @@ BezierPatch elevate(const BezierPatch& patch, std::size_t factor, std::size_t r,
                              net.denominator() * Integer(degree + 1))};
     }
     const std::size_t steps = multi_index_count(dimension, r, limits);
-    require_within(
-        shape.size(), limits.expansion_work / steps, "expansion_work",
-        "the number of points, each of which enters " + std::to_string(steps) + " points of the raised net,",
-        Part::by);
+    require_product_within({shape.size(), steps}, limits.expansion_work, "expansion_work",
+                           "the number of terms of the points of the raised net", Part::by);
 
     // On a segment the position of a sum of indices is the sum of their positions.
     const bool segment = dimension == 1;

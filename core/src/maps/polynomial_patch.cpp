@@ -44,8 +44,8 @@ std::vector<MultiIndex> indices_of(const NetShape& shape, std::span<const std::s
 PointArray coefficients_of(const NetShape& shape, std::span<const SparsePolynomial> coordinates,
                            const Limits& limits) {
     if (coordinates.empty()) throw Error(ErrorCode::wrong_arity, "a map needs at least one coordinate");
-    require_within(shape.size(), limits.numbers / coordinates.size(), "numbers",
-                   "the number of coefficients");
+    require_product_within({shape.size(), coordinates.size()}, limits.numbers, "numbers",
+                           "the number of coefficients");
     const std::size_t variables = shape.dimension();
     std::vector<Rational> numbers(coordinates.size() * shape.size());
     for (std::size_t j = 0; j < coordinates.size(); ++j) {
@@ -120,7 +120,8 @@ PolynomialPatch regrouped(const PolynomialPatch& patch, const NetShape& shape, c
                                                 " variables cannot be written in " +
                                                 std::to_string(shape.dimension()));
     }
-    require_within(shape.size(), limits.numbers / patch.dimension(), "numbers", "the number of coefficients");
+    require_product_within({shape.size(), patch.dimension()}, limits.numbers, "numbers",
+                           "the number of coefficients");
     const auto exponents = exponents_of(patch.shape());
     const std::size_t size = patch.shape().size();
     std::vector<Integer> numerators(shape.size() * patch.dimension());

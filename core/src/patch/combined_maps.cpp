@@ -191,8 +191,8 @@ Map combined(std::span<const Map> maps, std::span<const CoordinateSum> sums, con
     const auto degree_of_map = [&](std::size_t map, std::size_t f) { return maps[map].shape()[f].degree; };
     const Degrees degrees = degrees_of_sums(sums, maps[0].shape().factors(), degree_of_map, limits);
     const NetShape shape = with_degrees(maps[0].shape(), degrees, limits);
-    require_within(shape.size(), limits.numbers / sums.size(), "numbers",
-                   "the number of points of the result", Part::maps);
+    require_product_within({shape.size(), sums.size()}, limits.numbers, "numbers",
+                           "the number of coordinates of the result", Part::maps);
     require_bits(maps, sums, shape, limits);
 
     std::vector<Form> forms;

@@ -158,7 +158,8 @@ TensorBSpline on_common_boxes(std::span<const TensorBSpline> maps, std::span<con
         const bool same = n == first.degree() && std::ranges::all_of(maps, has_these);
         boxes.push_back(inner.size() + 1);
         const std::size_t row = boxes.back() * (n + 1);
-        require_within(row, limits.numbers / count, "numbers", "the number of points of a row", Part::maps);
+        require_product_within({row, count}, limits.numbers, "numbers", "the number of points of the result",
+                               Part::maps);
         count *= row;
         knots.push_back(same ? first : knots_with_ends(n, first.domain(), inner, 0));
         separated.push_back(knots_with_ends(n, first.domain(), inner, n + 1));

@@ -21,8 +21,9 @@ TensorBSpline elevate(const TensorBSpline& spline, std::size_t direction, std::s
     const KnotVector& knots = spline.knots(direction);
     const std::size_t rows = spline.control_points().size() / knots.points();
     require_within(r, limits.degree, "degree", "the number of degrees to raise by", Part::by);
-    require_within(knots.points() + r * knots.spans().size(), limits.numbers / rows / spline.dimension(),
-                   "numbers", "the number of points of a row", Part::by);
+    require_product_within({knots.points() + r * knots.spans().size(), rows, spline.dimension()},
+                           limits.numbers, "numbers", "the number of coordinates of the raised net",
+                           Part::by);
     return changed_along(spline, direction,
                          [&](const BSplineCurve& rows_along) { return elevate(rows_along, r, limits); });
 }
@@ -155,8 +156,8 @@ std::vector<std::vector<std::size_t>> boxes_of(const TensorBSpline& spline, cons
     for (std::size_t d = 0; d < spline.directions(); ++d) {
         const std::vector<std::size_t> spans = spline.knots(d).spans();
         each *= spline.knots(d).degree() + 1;
-        require_within(boxes.size(), limits.numbers / each / spans.size(), "numbers",
-                       "the number of Bezier patches, at least");
+        require_product_within({boxes.size(), each, spans.size()}, limits.numbers, "numbers",
+                               "the number of coordinates of the Bezier patches, at least");
         std::vector<std::vector<std::size_t>> longer;
         for (const auto& box : boxes) {
             for (const std::size_t span : spans) {

@@ -1,3 +1,4 @@
+#include <blossom/rational/lists.hpp>
 #include <blossom/worked/exercise.hpp>
 
 #include <algorithm>
@@ -17,13 +18,27 @@ std::uint64_t read_seed(const Json& value, const Limits& limits) {
     throw Error(ErrorCode::wrong_kind, to_string(number) + " is not a seed, an integer from 0 to 2^63 - 1");
 }
 
+std::string read_topic(const Json& value) {
+    std::string name = read_text(value);
+    worked::require_topic(name);
+    return name;
+}
+
+void apply_topics(Json& request, const std::vector<std::string>& values, const Limits&) {
+    request["topic"] = values.size() == 1
+                           ? Json(values.front())
+                           : Json(mapped(values, [](const std::string& name) { return Json(name); }));
+}
+
 Answer answer_exercise(Request& request, const Limits& limits) {
     worked::SheetRequest sheet;
     const auto number = [&](std::string_view name, std::size_t otherwise) {
         return request.optional(name, [&](const Json& value) { return read_count(value, limits); })
             .value_or(otherwise);
     };
-    sheet.topic = request.required("topic", [](const Json& value) { return read_text(value); });
+    sheet.topics = request.required("topic", [](const Json& value) {
+        return value.array() ? read_list(value, read_topic) : std::vector{read_topic(value)};
+    });
     sheet.seed =
         request.optional("seed", [&](const Json& value) { return read_seed(value, limits); }).value_or(1);
     sheet.count = number("count", 5);
@@ -39,15 +54,17 @@ Answer answer_exercise(Request& request, const Limits& limits) {
 
 Operation exercise_operation() {
     std::vector<Option> options{
-        word_option("TOPIC", "topic"),
+        {"TOPIC", {"topic"}, joined(worked::exercise_topics(), {}, "|"), "", apply_topics},
         field_option("--seed", "seed", "N", count),
         field_option("--count", "count", "N", count),
         field_option("--level", "level", "1|2|3", count),
         flag_option("--solutions", "solutions"),
     };
     std::ranges::move(document_options(), std::back_inserter(options));
+    const Shape topic = Shape::words(worked::exercise_topics());
     FieldList fields{
-        required("topic", Shape::words(worked::exercise_topics()), "the topic of the problems"),
+        required("topic", Shape::one_of({topic, Shape::list(topic)}),
+                 "the topic of the problems, or several, which the problems are on in turn"),
         optional("seed", ValueKind::count, "the number of the sheet; by default 1"),
         optional("count", ValueKind::count, "the number of problems; by default 5, at most 40"),
         optional("level", ValueKind::count, "the difficulty, from 1 to 3; by default 1"),

@@ -131,8 +131,8 @@ struct SurfacePair {
 
     /// Errors: `limit_exceeded` for too many pairs of pieces.
     void require_pairs(std::size_t each) const {
-        require_within(left.pieces.size(), limits.expansion_work / 1000 / each / right.pieces.size(),
-                       "expansion_work", "the number of pairs of pieces");
+        require_product_within({left.pieces.size(), right.pieces.size(), each, 1000}, limits.expansion_work,
+                               "expansion_work", "the work of comparing pairs of boxes", Part::maps);
     }
 
     static Json edge_json(const Joint& joint) {

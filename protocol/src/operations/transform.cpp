@@ -44,7 +44,8 @@ Transformation read_transformation(Fields& request, std::size_t dimension, bool 
         result.matrix = matrix->first;
         result.scalar = matrix->second || (scalar && result.matrix.size() == 1);
     } else {
-        require_within(dimension, limits.numbers / dimension, "numbers", "the number of rows of a matrix");
+        require_product_within({dimension, dimension}, limits.numbers, "numbers",
+                               "the number of entries of a matrix");
         result.scalar = scalar;
         result.matrix.assign(dimension, Coordinates(dimension));
         for (std::size_t j = 0; j < dimension; ++j) result.matrix[j][j] = 1;

@@ -1,5 +1,6 @@
 #include <blossom/rational/limits.hpp>
 
+#include <limits>
 #include <string>
 
 namespace blossom {
@@ -15,6 +16,16 @@ void require_within(std::size_t value, std::size_t limit, std::string_view name,
                     const Place& place) {
     if (value <= limit) return;
     throw limit_error(std::string(what) + " " + std::to_string(value) + " exceeds", name, limit, place);
+}
+
+void require_product_within(std::initializer_list<std::size_t> factors, std::size_t limit,
+                            std::string_view name, std::string_view what, const Place& place) {
+    std::size_t product = 1;
+    for (const std::size_t factor : factors) {
+        if (__builtin_mul_overflow(product, factor, &product))
+            product = std::numeric_limits<std::size_t>::max();
+    }
+    require_within(product, limit, name, what, place);
 }
 
 void require_result_bits(std::size_t bits, const Limits& limits, std::size_t count) {

@@ -56,7 +56,7 @@ public:
             case FormulaKind::list:
                 return listed(parts, formula.name);
             case FormulaKind::repeated:
-                return repeated(parts[0], build(parts[1]));
+                return with_multiplicity(bound(parts[0], Binding::atom), build(parts[1]));
             case FormulaKind::pair:
                 return fenced("⟨⟩", listed(parts));
             case FormulaKind::size:
@@ -228,37 +228,37 @@ private:
     }
 
     /// One argument, with its multiplicity.
-    Layout repeated(const Formula& argument, Layout times) const {
-        return {Kind::superscript, "", {bound(argument, Binding::atom), fenced("⟨⟩", std::move(times))}};
+    static Layout with_multiplicity(Layout argument, Layout times) {
+        return {Kind::superscript, "", {std::move(argument), fenced("⟨⟩", std::move(times))}};
     }
 
-    std::vector<Layout> argument_layouts(const std::vector<Formula>& arguments) const {
+    /// With brackets around each argument, or only around those that need them beside a multiplicity.
+    std::vector<Layout> argument_layouts(const std::vector<Formula>& arguments, bool bracketed) const {
         std::vector<Layout> layouts;
         for (auto begin = arguments.begin(); begin != arguments.end();) {
             auto end = begin + 1;
             while (notation_.multiplicities && end != arguments.end() && *end == *begin) ++end;
-            const auto times = end - begin;
-            layouts.push_back(times == 1 ? build(*begin)
-                                         : repeated(*begin, {Kind::number, std::to_string(times), {}}));
+            Layout argument = bracketed ? fenced("()", build(*begin))
+                                        : bound(*begin, end - begin > 1 ? Binding::atom : Binding::relation);
+            layouts.push_back(end - begin == 1
+                                  ? std::move(argument)
+                                  : with_multiplicity(std::move(argument),
+                                                      {Kind::number, std::to_string(end - begin), {}}));
             begin = end;
         }
         return layouts;
     }
 
+    /// Arguments that are no letters are bracketed in the multiplicative notation, in which 2 3 would be 6.
     Layout blossom_layout(const Formula& formula) const {
         const bool multiplicative = notation_.style == BlossomStyle::multiplicative && !formula.parts.empty();
         const bool letters = std::ranges::all_of(formula.parts, [](const Formula& argument) {
             return argument.kind == FormulaKind::symbol || argument.kind == FormulaKind::index;
         });
         std::vector<Layout> inside;
-        for (Layout& argument : argument_layouts(formula.parts)) {
-            if (!inside.empty()) {
-                if (!multiplicative) {
-                    inside.push_back({Kind::comma, ",", {}});
-                } else {
-                    inside.push_back(letters ? Layout{Kind::times, "", {}} : Layout{Kind::binary, "·", {}});
-                }
-            }
+        for (Layout& argument : argument_layouts(formula.parts, multiplicative && !letters)) {
+            if (!inside.empty())
+                inside.push_back(multiplicative ? Layout{Kind::times, "", {}} : Layout{Kind::comma, ",", {}});
             inside.push_back(std::move(argument));
         }
         if (multiplicative) return row(std::move(inside));

@@ -128,13 +128,13 @@ public:
         if (!axes_) return {};
         std::vector<Drawing::Tick> ticks;
         const Length bottom = height_ - axis_height;
-        for (const Rational& mark : x_.marks(900)) {
-            const Length x = x_.at(mark);
-            ticks.push_back({{{x, bottom}, {x, 40}}, short_text(mark), true});
+        for (const auto& [value, text] : x_.marks(900)) {
+            const Length x = x_.at(value);
+            ticks.push_back({{{x, bottom}, {x, 40}}, text, true});
         }
-        for (const Rational& mark : y_.marks(700)) {
-            const Length y = spot({x_.least, mark}).y;
-            ticks.push_back({{{axis_width, y}, {width_ - 40, y}}, short_text(mark), false});
+        for (const auto& [value, text] : y_.marks(700)) {
+            const Length y = spot({x_.least, value}).y;
+            ticks.push_back({{{axis_width, y}, {width_ - 40, y}}, text, false});
         }
         return ticks;
     }
@@ -142,6 +142,12 @@ public:
 private:
     /// One direction: world = least + (paper - begin) / scale.
     struct Axis {
+        /// A number on an axis, and its exact text.
+        struct Mark {
+            Rational value;
+            std::string text;
+        };
+
         Rational least;
         Rational greatest;
         Rational scale;
@@ -160,14 +166,19 @@ private:
         }
 
         /// Multiples of a round number, at least `apart` from each other.
-        std::vector<Rational> marks(Length apart) const {
+        std::vector<Mark> marks(Length apart) const {
             const Rational step = round_step(Rational(apart) / scale);
             const Rational quotient = least / step;
-            Rational mark = Rational(quotient.numerator() / quotient.denominator()) * step;
-            while (mark - step >= least) mark -= step;
-            while (mark < least) mark += step;
-            std::vector<Rational> marks;
-            for (; mark <= greatest; mark += step) marks.push_back(mark);
+            Integer k = quotient.numerator() / quotient.denominator();
+            while (Rational(k - 1) * step >= least) k -= 1;
+            while (Rational(k) * step < least) k += 1;
+            std::vector<Mark> marks;
+            for (; Rational(k) * step <= greatest; k += 1) {
+                // A multiple of 1, 2 or 5 has at most one digit more than its factor.
+                const auto digits = static_cast<std::int64_t>(to_string(k).size()) + 1;
+                marks.push_back(
+                    {Rational(k) * step, short_text(Rational(k) * step, std::max<std::int64_t>(digits, 4))});
+            }
             return marks;
         }
     };
@@ -187,22 +198,48 @@ bool has_name(const PicturePoint& point) {
     return point.label.kind != FormulaKind::words || !point.label.name.empty();
 }
 
-/// Points at one place have one dot, of the most important role, and one label with all their names.
+/// Whether points at one place are equal. Two points of space may be projected to one place, and the
+/// arguments of two values may have one mean.
+bool places_are_values(const Picture& picture) {
+    return picture.projection.empty() && picture.corners.empty();
+}
+
+/// Points that are drawn at one spot have one dot, of the most important role, and one label with all their
+/// names.
 void add_points(const Picture& picture, const Paper& paper, const Notation& notation, Drawing& drawing) {
+    struct Place {
+        PlanePoint place;
+        std::vector<Formula> names;
+    };
+    std::vector<std::vector<Place>> places_of_dots;
     for (const PicturePoint& point : picture.points) {
         const Spot spot = paper.spot(point.place);
         const auto same = std::ranges::find(drawing.dots, spot, &Drawing::Dot::spot);
+        const auto index = static_cast<std::size_t>(same - drawing.dots.begin());
         if (same == drawing.dots.end()) {
             drawing.dots.push_back({spot, point.role});
-            auto& names = drawing.labels.emplace_back().names;
-            if (has_name(point)) names.push_back(point.label);
-            continue;
+            places_of_dots.emplace_back();
+        } else {
+            same->role = std::max(same->role, point.role);
         }
-        auto& names = drawing.labels[static_cast<std::size_t>(same - drawing.dots.begin())].names;
+        if (!has_name(point)) continue;
+        std::vector<Place>& places = places_of_dots[index];
+        auto own = std::ranges::find(places, point.place, &Place::place);
+        if (own == places.end()) own = places.insert(own, {point.place, {}});
         const auto text = [&](const Formula& name) { return to_text(name, notation); };
-        const bool is_new = std::ranges::find(names, text(point.label), text) == names.end();
-        if (has_name(point) && is_new) names.push_back(point.label);
-        same->role = std::max(same->role, point.role);
+        if (std::ranges::find(own->names, text(point.label), text) == own->names.end())
+            own->names.push_back(point.label);
+    }
+    const auto is_relation = [](const Formula& name) { return name.kind == FormulaKind::relation; };
+    for (const std::vector<Place>& places : places_of_dots) {
+        std::vector<Formula>& names = drawing.labels.emplace_back().names;
+        for (const Place& place : places) {
+            if (places_are_values(picture) && std::ranges::none_of(place.names, is_relation)) {
+                names.push_back(equation(place.names));
+            } else {
+                names.insert(names.end(), place.names.begin(), place.names.end());
+            }
+        }
     }
 }
 
@@ -266,11 +303,7 @@ Length text_width(std::string_view text, bool bold) {
     return bold ? width * 9 / 8 : width;
 }
 
-Formula label_formula(const Drawing::Label& label) {
-    const bool relations = std::ranges::any_of(
-        label.names, [](const Formula& name) { return name.kind == FormulaKind::relation; });
-    return relations ? list_of(label.names) : equation(label.names);
-}
+Formula label_formula(const Drawing::Label& label) { return list_of(label.names); }
 
 std::string pixels(Length length) {
     const std::string sign = length < 0 ? "-" : "";

@@ -43,7 +43,7 @@ struct Drawing {
     };
     struct Label {
         Box box;
-        std::vector<Formula> names;  ///< of all points at this place
+        std::vector<Formula> names;  ///< of the points in this dot; an equation for those of one place
         std::optional<Segment> leader;
     };
     struct Dot {
@@ -70,7 +70,7 @@ struct Drawing {
 
 Drawing drawn(const Picture& picture, const Notation& notation);
 
-/// The names of one label in one line: "p(0, 0, 1) = p(1, 1, 1)", and relations separately, "t = 0, t = 1".
+/// The names of one label in one line: "p(0, 0, 1) = p(1, 1, 1), p(0, 1, 1)".
 Formula label_formula(const Drawing::Label& label);
 
 /// Tenths of a pixel as pixels: 123 is "12.3".

@@ -50,9 +50,8 @@ std::vector<PictureCurve> curves_over(const PolynomialMap& map, const Interval& 
     return std::visit(of_curve, map);
 }
 
-std::string short_text(const Rational& value) {
+std::string short_text(const Rational& value, std::int64_t digits) {
     constexpr std::size_t longest = 8;
-    constexpr std::int64_t digits = 4;
     std::string fraction = to_string(value);
     if (fraction.size() <= longest) return fraction;
     const auto length = [](const Integer& integer) {
@@ -65,7 +64,8 @@ std::string short_text(const Rational& value) {
     const Rational size = abs(value);
     std::int64_t exponent = length(size.numerator()) - length(size.denominator());
     if (size < power_of_ten(exponent)) --exponent;
-    std::string text = to_string(rounded(size * power_of_ten(digits - 1 - exponent)));
+    const Rational scaled = size * power_of_ten(digits - 1 - exponent);
+    std::string text = to_string(rounded(scaled));
     if (static_cast<std::int64_t>(text.size()) > digits) ++exponent;
     text.erase(text.find_last_not_of('0') + 1);
     const bool scientific = exponent < -digits || exponent >= digits;
@@ -73,7 +73,8 @@ std::string short_text(const Rational& value) {
     const std::size_t whole = scientific || exponent < 0 ? 1 : static_cast<std::size_t>(exponent) + 1;
     if (text.size() < whole) text.append(whole - text.size(), '0');
     if (text.size() > whole) text.insert(whole, ".");
-    return (value.sign() < 0 ? "-" : "") + text + (scientific ? "e" + std::to_string(exponent) : "");
+    return (scaled.is_integer() ? "" : "≈ ") + std::string(value.sign() < 0 ? "-" : "") + text +
+           (scientific ? "e" + std::to_string(exponent) : "");
 }
 
 }  // namespace blossom::worked

@@ -84,14 +84,21 @@ constexpr std::array<Topic, 16> topics{
           return triangle_subdivision({net, {}, {}, false}, numbers.inside_triangle());
       }}}};
 
-const Topic& find_topic(const std::string& name) {
+const Topic& find_topic(std::string_view name) {
     const auto found = std::ranges::find(topics, name, &Topic::name);
     if (found != topics.end()) return *found;
-    throw Error(
-        ErrorCode::unknown_op,
-        "there are no exercises on " + quoted(name) + "; there are on " + joined(topics, &Topic::name),
-        Part::topic);
+    throw Error(ErrorCode::unknown_op, "there are no exercises on " + quoted(name) + "; there are on " +
+                                           joined(topics, &Topic::name));
 }
+
+/// The problems of one topic.
+struct Source {
+    const Topic& topic;
+    ProblemNumbers numbers;
+
+    Source(const Topic& own, const SheetRequest& request)
+        : topic(own), numbers(request.seed, request.level, own.name) {}
+};
 
 class Renaming {
 public:
@@ -225,23 +232,28 @@ bool alike(const Document& a, const Document& b) {
 
 std::vector<std::string_view> exercise_topics() { return mapped(topics, &Topic::name); }
 
+void require_topic(std::string_view name) { find_topic(name); }
+
 Sheet exercise_sheet(const SheetRequest& request) {
-    const Topic& topic = find_topic(request.topic);
+    if (request.topics.empty()) throw Error(ErrorCode::wrong_arity, "a sheet needs a topic", Part::topic);
     require_within(request.count, most_problems, "problems of a sheet", "number of problems", Part::count);
     if (request.level < 1 || request.level > 3) {
         throw Error(ErrorCode::wrong_arity, "the level is 1, 2 or 3, not " + std::to_string(request.level),
                     Part::level);
     }
-    ProblemNumbers numbers(request.seed, request.level);
+    std::vector<Source> sources;
+    for (const std::string& name : request.topics) sources.emplace_back(find_topic(name), request);
     std::vector<Document> problems;
     while (problems.size() < request.count) {
-        Document problem = topic.make(numbers);
+        Source& source = sources[problems.size() % sources.size()];
+        Document problem = source.topic.make(source.numbers);
         const bool repeated =
             std::ranges::any_of(problems, [&](const Document& earlier) { return alike(earlier, problem); });
         if (!repeated) problems.push_back(std::move(problem));
     }
-    const std::string title = std::string(topic.title) + ", level " + std::to_string(request.level) +
-                              ", sheet " + std::to_string(request.seed);
+    const std::string title = joined(sources, [](const Source& source) { return source.topic.title; }) +
+                              ", level " + std::to_string(request.level) + ", sheet " +
+                              std::to_string(request.seed);
     Sheet sheet;
     sheet.problems.title = title;
     sheet.solutions.title = title + ": solutions";

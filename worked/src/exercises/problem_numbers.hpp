@@ -11,14 +11,21 @@
 #include <cstddef>
 #include <cstdint>
 #include <random>
+#include <string_view>
 #include <vector>
 
 namespace blossom::worked {
 
-/// Small numbers for problems, the same for a seed on every platform: the standard fixes the engine.
+/// Small numbers for problems, the same for a seed, level and topic on every platform: the standard fixes the
+/// engine.
 class ProblemNumbers {
 public:
-    ProblemNumbers(std::uint64_t seed, std::size_t level) : engine_(seed), level_(level) {}
+    ProblemNumbers(std::uint64_t seed, std::size_t level, std::string_view topic) : level_(level) {
+        std::vector<std::uint64_t> words{seed & 0xFFFFFFFF, seed >> 32, level};
+        words.insert(words.end(), topic.begin(), topic.end());
+        std::seed_seq sequence(words.begin(), words.end());
+        engine_.seed(sequence);
+    }
 
     std::size_t level() const { return level_; }
     std::size_t degree() const { return level_ == 1 ? 2 : 3; }

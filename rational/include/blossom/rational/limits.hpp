@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 
@@ -45,6 +46,10 @@ inline void require_within(std::size_t value, std::size_t limit, std::string_vie
                            std::string_view what) {
     if (value > limit) require_within(value, limit, name, what, Place());
 }
+
+/// The same for the product of `factors`, which may exceed a word; `what` names what the product counts.
+void require_product_within(std::initializer_list<std::size_t> factors, std::size_t limit,
+                            std::string_view name, std::string_view what, const Place& place = {});
 
 /// Throws `limit_exceeded` if a result of `count` numbers of at most `bits` binary digits each might have
 /// more than `limits.digits` decimal digits per number, or more than `limits.output_digits` in all.

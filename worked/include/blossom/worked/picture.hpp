@@ -7,6 +7,7 @@
 #include <blossom/rational/rational.hpp>
 #include <blossom/worked/formula.hpp>
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,7 +105,7 @@ std::vector<std::vector<PlanePoint>> lines_through(std::span<const Coordinates> 
 std::vector<PictureCurve> curves_over(const PolynomialMap& map, const Interval& interval, Role role,
                                       const Limits& limits, bool rational = false, std::size_t steps = 96);
 
-/// The number, rounded to four digits if it is long.
-std::string short_text(const Rational& value);
+/// The number; if it is long, with at most this many digits, and "≈" in front if it was rounded.
+std::string short_text(const Rational& value, std::int64_t digits = 4);
 
 }  // namespace blossom::worked
