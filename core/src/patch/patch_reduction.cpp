@@ -98,7 +98,7 @@ BezierPatch nearest_net(const BezierPatch& patch, std::size_t m, const Limits& l
     const NetShape shape = patch.shape().with_degree(0, m, limits);
     const std::size_t size = shape.size();
     require_product_within({size, patch.shape().size(), size}, limits.numbers, "numbers",
-                           "the number of entries of the systems of least squares", Part::by);
+                           "the number of products of the equations", Part::to);
     const auto raised = elevate(unit_net(shape), 0, n - m, limits).control_net().to_points();
     const auto given = patch.control_net().to_points();
     std::vector<Coordinates> rows(size, Coordinates(size + patch.dimension()));

@@ -132,7 +132,7 @@ struct SurfacePair {
     /// Errors: `limit_exceeded` for too many pairs of pieces.
     void require_pairs(std::size_t each) const {
         require_product_within({left.pieces.size(), right.pieces.size(), each, 1000}, limits.expansion_work,
-                               "expansion_work", "the work of comparing pairs of boxes", Part::maps);
+                               "expansion_work", "the work of comparing pairs of pieces");
     }
 
     static Json edge_json(const Joint& joint) {
