@@ -248,7 +248,9 @@ def polynomial_with_variables(shape):
 def polynomial_text_with_variables(shape):
     variables = [f"x{i}" for i in range(shape.directions)]
     total = " + ".join(variables)
-    return {"kind": "polynomial", "variables": variables, "text": f"({total} + {shape.style(2, 4)})^{shape.degree}"}
+    text = f"({total} + {shape.style(2, 4)})^{shape.degree}"
+    count = max(1, min(shape.dimension, LINE // 3 // (len(text) + 4)))
+    return {"kind": "polynomial", "variables": variables, "text": text if count == 1 else [text] * count}
 
 
 def polynomial_with_degrees(shape):
