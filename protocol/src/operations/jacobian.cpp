@@ -66,18 +66,17 @@ Answer answer_normal(Request& request, const Limits& limits) {
 }  // namespace
 
 Map jacobian_of(const CommonMaps& given, const Limits& limits) {
-    const CommonMaps derived = with_partial_derivatives(given, limits);
     const std::size_t dimension = given.dimension(0);
-    if (derived.size() != dimension + 1) {
+    if (parameters_of(given) != dimension) {
         throw Error(
             ErrorCode::mismatched_dimensions,
             fmt::format(
                 "a determinant needs as many coordinates as parameters; the numbers of these are {} and {}",
-                dimension, derived.size() - 1),
+                dimension, parameters_of(given)),
             Place{"map"});
     }
-    return of_derivatives(derived, jacobian_determinant(dimension, given.forms.front().rational, limits),
-                          true, limits);
+    const CoordinateSums sums = jacobian_determinant(dimension, given.forms.front().rational, limits);
+    return of_derivatives(with_partial_derivatives(given, limits), sums, true, limits);
 }
 
 Operation jacobian_operation() {
