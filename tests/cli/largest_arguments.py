@@ -232,13 +232,12 @@ def simplex(shape):
 def polynomial_with_variables(shape):
     variables = [f"x{i}" for i in range(shape.directions)]
     n = shape.degree
-    terms = [[[0] * i + [n] + [0] * (shape.directions - i - 1), point(shape, i, 2 * shape.directions)] for i in range(shape.directions)]
     if shape.points:
         step = max(1, shape.directions)
         terms = [[[(i // (n + 1) ** k) % (n + 1) for k in range(step)], 1] for i in range(min(shape.room // step, (n + 1) ** min(step, 9)))]
-    elif shape.dimension * shape.directions > shape.room:
-        shape.dimension = shape.room // shape.directions
-        terms = [[exponent, point(shape, i, shape.directions)] for i, (exponent, _) in enumerate(terms)]
+    else:
+        shape.dimension = max(1, min(shape.dimension, shape.room // shape.directions))
+        terms = [[[0] * i + [n] + [0] * (shape.directions - i - 1), point(shape, i, 2 * shape.directions)] for i in range(shape.directions)]
     value = {"kind": "polynomial", "variables": variables, "terms": terms}
     if shape.rational:
         value["denominator"] = f"1 + x0^{n}"

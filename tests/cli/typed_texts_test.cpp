@@ -71,9 +71,9 @@ TEST_CASE("documents of programs are read as they print them") {
 TEST_CASE("messages name kinds, options and places that there are") {
     const std::string tensor =
         R"({"kind": "tensor", "degrees": [1, 1], "control_net": [["1", "2"], ["3", "4"]]})";
-    const std::string graph = output({"graph", "--map", tensor});
-    CHECK(contains(graph, "a map of kind tensor is not accepted"));
-    CHECK(contains(graph, "at --map, /map\n"));
+    const std::string roots = output({"roots", "--map", tensor});
+    CHECK(contains(roots, "a map of kind tensor is not accepted"));
+    CHECK(contains(roots, "at --map, /map\n"));
     CHECK(contains(output({"roots", "x + y", "--variables", "x,y"}),
                    "a map of kind polynomial in several variables"));
     CHECK(contains(output({"convert", "t", "--to", "bernstien"}), "did you mean \"bernstein\"?"));

@@ -36,7 +36,7 @@ from patch_oracle import (
 from spline_oracle import Report, ask, composed, order_of_contact, pieces_of, text_of, texts
 
 program = sys.argv[1]
-CASES = int(sys.argv[2]) if len(sys.argv) > 2 else 300
+CASES = int(sys.argv[2]) if len(sys.argv) > 2 else 1000
 choose = random.Random(23)
 report = Report()
 

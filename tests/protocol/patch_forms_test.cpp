@@ -65,7 +65,7 @@ TEST_CASE("a box becomes B-splines of one span, and B-splines become polynomials
 }
 
 TEST_CASE("forms that a patch does not have are refused") {
-    CHECK(refusal_text(R"("op": "convert", "to": "taylor", )" + box) == "wrong_kind /to");
+    CHECK(refusal_text(R"("op": "convert", "to": "hermite", )" + box) == "wrong_kind /to");
     CHECK(refusal_text(R"("op": "convert", "to": "bspline", )" + triangle) == "wrong_kind /map");
     CHECK(refusal_text(R"("op": "convert", "to": "tensor", "degrees": [1, 1], )" + triangle) ==
           "degree_too_low /degrees");

@@ -290,8 +290,8 @@ std::vector<Joint> read_joints(const Json& value, const SurfacePair& maps, const
     try {
         return joints(maps.left.pieces, maps.right.pieces, edges[0], edges[1]);
     } catch (const Error& error) {
-        if (error.place() == Place(Part::left)) throw error.at({0});
-        if (error.place() == Place(Part::right)) throw error.at({1});
+        if (error.place() == Place(Part::left)) throw error.at(Place{std::size_t{0}});
+        if (error.place() == Place(Part::right)) throw error.at(Place{std::size_t{1}});
         throw;
     }
 }
