@@ -25,7 +25,10 @@ Answer answer_extrema(Request& request, const Limits& limits) {
     const auto direction =
         request.optional("direction", [&](const Json& value) { return read_numbers(value, limits); });
     request.finish();
-    if (!direction && !scalar) request.missing("direction");
+    if (!direction && !scalar) {
+        throw Error(ErrorCode::wrong_kind, "the values of the map are points; a direction is needed",
+                    Place{"map"});
+    }
     const std::vector<Rational> itself{1};
     const auto functions = within(
         "direction", [&] { return component(question.curve.pieces, direction ? *direction : itself); });
