@@ -202,6 +202,7 @@ Coordinates PlaneSegment::at(const Rational& t) const {
 std::vector<PlaneSegment> edges_of(const PlacedPatch& patch) {
     const std::vector<Coordinates> corners = corners_of(patch);
     std::vector<PlaneSegment> edges;
+    edges.reserve(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i)
         edges.push_back({corners[i], corners[(i + 1) % corners.size()]});
     return edges;
@@ -263,6 +264,7 @@ BezierPatch over_triangle(const PlacedPatch& patch, const std::vector<Coordinate
     const NetShape& shape = patch.patch.shape();
     if (shape.factors() == 1) {
         std::vector<Coordinates> elements;
+        elements.reserve(vertices.size());
         for (const Coordinates& vertex : vertices) elements.push_back(patch.frames[0].of_point(vertex));
         return with_frame(patch.patch, 0, elements, limits);
     }

@@ -129,7 +129,7 @@ Rational integral_of_square(const BezierPatch& patch, std::span<const Barycentri
     const ProductTable table(form.shape, form.shape, limits);
     Rational sum;
     for (const auto& row : form.rows) {
-        const BezierPatch square = patch_of<BezierPatch>(
+        const auto square = patch_of<BezierPatch>(
             {table.shape(), {table.product(row, row)}, form.denominator * form.denominator});
         for (const Coordinates& point : square.control_net().to_points()) sum += point.front();
     }

@@ -18,7 +18,7 @@ namespace blossom {
 /// A polynomial over an increasing interval, and which of the curves it is part of.
 struct JoinedPiece {
     BezierCurve curve;
-    std::size_t map;
+    std::size_t map = 0;
 };
 
 /// The pieces of all curves, each of which begins where the last ended.
