@@ -312,8 +312,9 @@ TEST_CASE("the requests are right, and have every field that an option writes") 
 
 TEST_CASE("a wrong value anywhere in a request is refused, at its place or below") {
     for_each_change(wrong_values, [](const Changed& changed) {
-        // A direction in which a tensor product is not subdivided.
-        const bool undivided = *changed.request.find("op") == Json("subdivide") &&
+        // A direction in which a tensor product is not subdivided or restricted.
+        const Json& operation = *changed.request.find("op");
+        const bool undivided = (operation == Json("subdivide") || operation == Json("restrict")) &&
                                changed.place.begins_with(Part::at) && changed.place.steps().size() == 2 &&
                                at_place(changed.request, changed.place)->is_null();
         if (undivided && changed.response.find("result")) return;

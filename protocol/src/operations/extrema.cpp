@@ -26,8 +26,8 @@ Answer answer_extrema(Request& request, const Limits& limits) {
         request.optional("direction", [&](const Json& value) { return read_numbers(value, limits); });
     request.finish();
     if (!direction && !scalar) {
-        throw Error(ErrorCode::wrong_kind, "the values of the map are points; a direction is needed",
-                    Place{"map"});
+        throw Error(ErrorCode::mismatched_dimensions,
+                    "the values of the map are points; a direction is needed", Place{"map"});
     }
     const std::vector<Rational> itself{1};
     const auto functions = within(
