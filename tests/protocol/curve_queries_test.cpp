@@ -27,7 +27,7 @@ TEST_CASE("extrema at the ends, at knots and in constant parts are told apart") 
     CHECK(
         refusal_text(R"("op": "extrema", "map": {"kind": "polynomial", "text": "1", "denominator": "t"})") ==
         "zero_weight /map");
-    CHECK(refusal_text(R"("op": "extrema", )" + parabola) == "wrong_kind /map");
+    CHECK(refusal_text(R"("op": "extrema", )" + parabola) == "mismatched_dimensions /map");
     CHECK(refusal_text(R"("op": "extrema", "direction": [1], )" + parabola) ==
           "mismatched_dimensions /direction");
 }

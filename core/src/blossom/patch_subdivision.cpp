@@ -158,7 +158,7 @@ std::vector<BezierPatch> subdivide(const BezierPatch& patch, std::size_t factor,
     }
     within(Part::at, [&] { require_mass(point, 1, "the point to subdivide at"); });
     const std::vector<std::size_t> replaced = replaced_vertices(point);
-    if (replaced.size() == 1) {
+    if (replaced.size() == 1 && vertices > 1) {
         throw Error(ErrorCode::degenerate_simplex,
                     "the point is vertex " + std::to_string(replaced.front()) + ", which divides nothing",
                     Part::at);
