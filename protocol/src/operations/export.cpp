@@ -2,6 +2,7 @@
 #include "formats/formats.hpp"
 #include "map_list.hpp"
 #include "map_options.hpp"
+#include "maps/kind.hpp"
 #include "shared_fields.hpp"
 #include "table.hpp"
 

@@ -98,7 +98,7 @@ Answer answer_roots(Request& request, const Limits& limits) {
     const auto width =
         request.optional("width", [&](const Json& value) { return read_number(value, limits); });
     request.finish();
-    if (!map.form.scalar) {
+    if (point_dimension(map) != 1) {
         throw Error(ErrorCode::wrong_kind,
                     "only a map whose values are numbers has roots; this one has points", Place{"map"});
     }
