@@ -107,6 +107,7 @@ const std::vector<Arguments> command_lines{
      "--document", document},
     {"audit", "--maps", R"([{"kind": "bezier", "control_points": [["0"], ["2"]]}])", "--format", "tinyspline",
      "--document", document},
+    {"evaluate", "--map-index", "1", "--map", two_maps, "--at", "1"},
     {"export", "--format", "geomdl", "--maps",
      R"([{"kind": "bezier", "control_points": [["0", "0"], ["1", "1"]]}])"},
     {"exercise", "subdivision", "--seed", "2", "--count", "1", "--level", "2", "--format", "text"},

@@ -12,6 +12,8 @@ extern const ForeignFormat tinyspline_format;
 extern const ForeignFormat geomdl_format;
 /// The object of splinepy's `io.json.export`: splines in any number of directions.
 extern const ForeignFormat splinepy_format;
+/// A NURBS mesh of MFEM, a text: see `mfem.cpp`.
+extern const ForeignFormat mfem_format;
 /// The curves of FITPACK, as SciPy has them: see `fitpack.cpp`.
 extern const ForeignFormat fitpack_format;
 /// The data of an SVG path: see `svg_path.hpp`.

@@ -14,8 +14,8 @@ namespace blossom::protocol {
 
 namespace {
 
-const ForeignFormat* const formats[] = {&tinyspline_format, &geomdl_format, &splinepy_format, &fitpack_format,
-                                        &svg_format};
+const ForeignFormat* const formats[] = {&tinyspline_format, &geomdl_format,  &splinepy_format,
+                                        &mfem_format,       &fitpack_format, &svg_format};
 
 /// The outermost knots, on which no point of the map depends, are equal to their neighbours where these may
 /// occur once more.

@@ -34,6 +34,8 @@ inline std::vector<Map> like(const Map& original, std::vector<AnyMap> values) {
 }
 
 std::size_t dimension_of(const Map& map);
+/// How many coordinates a point of the map has besides its weight.
+inline std::size_t point_dimension(const Map& map) { return dimension_of(map) - (map.form.rational ? 1 : 0); }
 
 /// Reads a map of any kind. Errors: `wrong_kind` for an unknown kind; those of the kind.
 Map read_map(const Json& value, const Limits& limits);

@@ -9,6 +9,7 @@
 #include "comparison.hpp"
 #include "foreign_options.hpp"
 #include "formats/formats.hpp"
+#include "given_answers.hpp"
 #include "json/json_text.hpp"
 #include "map_list.hpp"
 #include "map_options.hpp"
@@ -145,7 +146,7 @@ Sides read_computed(Request& request, Map map, const Limits& limits) {
         if (at) sides.exact["values"] = values_of(map, *at, limits);
     };
     write_exact();
-    if (!map.form.homogeneous && dimension_of(map) == 1 + (map.form.rational ? 1 : 0)) {
+    if (!map.form.homogeneous && point_dimension(map) == 1) {
         const bool scalar = is_scalar(sides.exact, sides.computed, map.form.scalar);
         if (std::exchange(map.form.scalar, scalar) != scalar) write_exact();
     }
@@ -188,7 +189,7 @@ Sides compared_sides(Map exact, const Place& place_of_exact, const ForeignSpline
     sides.places = computed.places;
     Map found = computed.map;
     exact.form.homogeneous = found.form.homogeneous;
-    if (dimension_of(found) == 1 + (found.form.rational ? 1 : 0)) exact.form.scalar = found.form.scalar;
+    if (point_dimension(found) == 1) exact.form.scalar = found.form.scalar;
     if (exact.form.rational != found.form.rational) {
         sides.without_weights = exact.form.rational ? "document" : "map";
         Map& lacking = exact.form.rational ? found : exact;
@@ -360,7 +361,7 @@ std::string render_audit(const Answered& answered) {
 }
 
 void apply_computed(Json& request, const std::vector<std::string>& values, const Limits& limits) {
-    request["computed"] = parse_json(values.front(), limits);
+    request["computed"] = computed_in(parse_json(values.front(), limits), limits);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "foreign_options.hpp"
 
 #include "formats/formats.hpp"
+#include "given_answers.hpp"
 #include "json/json_text.hpp"
 #include "map_options.hpp"
 
@@ -12,7 +13,7 @@ Field format_field() {
 
 Field document_field() {
     return required("document", ValueKind::document,
-                    "what this library wrote, as JSON, or the text of a path");
+                    "what this library wrote, as JSON, or the text of a mesh or path");
 }
 
 Option format_option() { return word_option("--format", "format"); }
@@ -22,7 +23,7 @@ Option document_option(std::string help) {
         const std::string& text = values.front();
         const Json* format = request.find("format");
         const bool is_text = format && may_be_text(*format) && !trimmed(text).starts_with('{');
-        request["document"] = is_text ? Json(text) : parse_json(text, limits);
+        request["document"] = is_text ? Json(text) : document_in(parse_json(text, limits));
     };
     return {"--document", {"document"}, "JSON", std::move(help), apply};
 }

@@ -18,9 +18,11 @@ Answer answer_import(Request& request, const Limits& limits) {
     const ForeignFormat& format = request.required(
         "format", [](const Json& value) -> const ForeignFormat& { return read_format(value); });
     const Floats floats = request.optional("floats", read_floats).value_or(format.floats);
-    const auto splines = request.required(
+    auto splines = request.required(
         "document", [&](const Json& value) { return read_document(format, value, floats, limits); });
     request.finish();
+    // Points are written without their weight, whatever the document has.
+    for (ForeignSpline& spline : splines) spline.map.form.homogeneous = false;
     return answer_of(mapped(splines, &ForeignSpline::map), "document");
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "given_answers.hpp"
 #include "json/json_text.hpp"
 #include "map_options.hpp"
 #include "maps/dispatch_on_kind.hpp"
@@ -64,10 +65,6 @@ bool is_polynomial_text(std::string_view text) {
     return !written.empty() && written.front() != '{' && written.front() != '[';
 }
 
-std::size_t point_dimension(const Map& map) {
-    return dimension_of(map) - (map.form.separate_weights() ? 1 : 0);
-}
-
 }  // namespace
 
 std::vector<Map> read_maps_field(Fields& request, const Limits& limits) {
@@ -89,6 +86,8 @@ void make_form_common(std::vector<Map>& maps, const Limits& limits) {
     for (std::size_t i = 0; i < maps.size(); ++i) {
         const Place place = Place{"maps"} / i;
         const Map& first = maps.front();
+        if (point_dimension(first) == 1 && point_dimension(maps[i]) == 1)
+            maps[i].form.scalar = first.form.scalar;  // x and [x] are one
         if (maps[i].form.scalar != first.form.scalar || point_dimension(maps[i]) != point_dimension(first) ||
             maps[i].form.homogeneous != first.form.homogeneous) {
             throw Error(ErrorCode::mismatched_dimensions,
@@ -109,16 +108,8 @@ Option maps_option(std::string name, std::string help) {
         for (const std::string& value : values) {
             if (is_polynomial_text(value)) {
                 maps.push_back(Json::Object{{"kind", "polynomial"}, {"text", polynomial_texts({value})}});
-                continue;
-            }
-            const Json given = parse_json(value, limits);
-            const Json* of_response = at_place(given, {"result", "maps"});
-            if (!of_response) of_response = at_place(given, {"result", "map"});
-            const Json& found = of_response ? *of_response : given;
-            if (const Json::Array* list = found.array()) {
-                maps.insert(maps.end(), list->begin(), list->end());
             } else {
-                maps.push_back(found);
+                std::ranges::move(maps_in(parse_json(value, limits)), std::back_inserter(maps));
             }
         }
         request["maps"] = std::move(maps);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "formats/svg_path.hpp"
+#include "given_answers.hpp"
 #include "json/json_text.hpp"
 
 namespace blossom::protocol {
@@ -76,14 +77,34 @@ void apply_knots(Json& request, const std::vector<std::string>& values, const Li
     request["map"]["knots"] = number_list(values.front());
 }
 
+/// The map of this index; without one, the only map.
+Json the_map(std::vector<Json> maps, const std::optional<Json>& index) {
+    if (!index && maps.size() == 1) return std::move(maps.front());
+    const std::string last = std::to_string(maps.empty() ? 0 : maps.size() - 1);
+    if (!index) {
+        throw UsageError("there are " + std::to_string(maps.size()) +
+                         " maps, and one is expected; --map-index chooses it, from 0 to " + last);
+    }
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        if (index->number() && index->number()->text == std::to_string(i)) return std::move(maps[i]);
+    }
+    throw UsageError("--map-index is not one of the maps, from 0 to " + last);
+}
+
 void apply_map(Json& request, const std::vector<std::string>& values, const Limits& limits) {
-    if (request.find("map")) {
+    const Json* begun = request.find("map");
+    const std::optional<Json> index = begun && !begun->object() ? std::optional<Json>(*begun) : std::nullopt;
+    if (begun && !index) {
         throw UsageError(
             "a map is given by a polynomial, by --control-points or by --map, not by two of them");
     }
-    const Json given = parse_json(values.front(), limits);
-    const Json* of_response = at_place(given, {"result", "map"});
-    request["map"] = of_response ? *of_response : given;
+    request["map"] = the_map(maps_in(parse_json(values.front(), limits)), index);
+}
+
+/// Which of several maps --map takes.
+void apply_map_index(Json& request, const std::vector<std::string>& values, const Limits&) {
+    if (request.find("map")) throw UsageError("--map-index belongs to --map");
+    request["map"] = count(values.front());
 }
 
 /// An option that adds a field to the map that another option has begun.
@@ -115,6 +136,7 @@ std::vector<Option> map_options() {
          "T0,T1,...",
          "with --degree: makes the control points those of a B-spline over these knots",
          apply_knots},
+        {"--map-index", {"map"}, "N", "with --map: which of several maps it takes, from 0", apply_map_index},
         {"--map",
          {"map"},
          "JSON",
@@ -162,8 +184,10 @@ Json polynomial_texts(const std::vector<std::string>& values) {
 
 Option field_option(std::string name, const std::string& field, std::string value,
                     Json (*read)(std::string_view text), std::string help) {
-    const auto apply = [field, read](Json& request, const std::vector<std::string>& values, const Limits&) {
-        request[field] = read(values.front());
+    const auto apply = [field, read](Json& request, const std::vector<std::string>& values,
+                                     const Limits& limits) {
+        auto list = list_in_answer(values.front(), field, limits);
+        request[field] = list ? *std::move(list) : read(values.front());
     };
     return {std::move(name), Place{field}, std::move(value), std::move(help), apply};
 }
@@ -172,9 +196,12 @@ Option field_option(std::string name, const std::string& field, std::string valu
                     Json (*read)(std::string_view text),
                     Json (*read_patch)(std::string_view text, const Json& map), std::string help) {
     const auto apply = [field, read, read_patch](Json& request, const std::vector<std::string>& values,
-                                                 const Limits&) {
-        request[field] =
-            has_patch(request) ? read_patch(values.front(), *request.find("map")) : read(values.front());
+                                                 const Limits& limits) {
+        const std::string& text = values.front();
+        auto list = list_in_answer(text, field, limits);
+        request[field] = list                 ? *std::move(list)
+                         : has_patch(request) ? read_patch(text, *request.find("map"))
+                                              : read(text);
     };
     return {std::move(name), Place{field}, std::move(value), std::move(help), apply};
 }

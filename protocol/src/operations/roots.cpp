@@ -15,7 +15,7 @@ namespace blossom::protocol {
 namespace {
 
 void require_scalar(const Map& map, const Place& place) {
-    if (map.form.scalar) return;
+    if (point_dimension(map) == 1) return;
     throw Error(ErrorCode::wrong_kind, "only a map whose values are numbers has roots; this one has points",
                 place);
 }
