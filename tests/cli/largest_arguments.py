@@ -756,6 +756,8 @@ class Operation:
                 sizes[name] = min(sizes[name], most)
         if self.name in ("jacobian", "normal"):
             sizes.setdefault("dimension", (1 if maker in CURVES else sizes.get("directions of the map", 2)) + (self.name == "normal"))
+        if self.name in ("inflections", "intersections", "self-intersections"):
+            sizes.setdefault("dimension", 2)
         a_map = maker(Shape(sizes)) if maker else None
         if self.name == "periodic" and "control_points" in a_map:
             a_map["control_points"] = a_map["control_points"][:1] * len(a_map["control_points"])

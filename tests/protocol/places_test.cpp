@@ -317,7 +317,7 @@ TEST_CASE("a wrong value anywhere in a request is refused, at its place or below
         const bool undivided = (operation == Json("subdivide") || operation == Json("restrict")) &&
                                changed.place.begins_with(Part::at) && changed.place.steps().size() == 2 &&
                                at_place(changed.request, changed.place)->is_null();
-        if (undivided && changed.response.find("result")) return;
+        if (undivided) return;
         REQUIRE(changed.response.find("error"));
         CHECK(lies_in(pointer_in(changed.response), pointer_of(changed.place)));
     });

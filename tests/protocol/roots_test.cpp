@@ -28,7 +28,7 @@ TEST_CASE("roots are found once, with their multiplicities, on splines and ratio
         R"({"interval": ["0", "2"], "roots": [{"value": "1/2", "multiplicity": 1, "double": 0.5}, {"value": "2", "multiplicity": 1, "double": 2}]})");
     CHECK(roots_of(R"({"kind": "polynomial", "text": "t^2 - 1/4t", "denominator": "t"})") ==
           R"({"interval": ["-inf", "inf"], "roots": [{"value": "1/4", "multiplicity": 1, "double": 0.25}]})");
-    CHECK(refusal_text(R"("op": "roots", "map": {"kind": "polynomial", "text": ["t"]})") ==
+    CHECK(refusal_text(R"("op": "roots", "map": {"kind": "polynomial", "text": ["t", "t"]})") ==
           "wrong_kind /map");
     CHECK(refusal_text(R"("op": "roots", "width": 0, "map": {"kind": "polynomial", "text": "t"})") ==
           "wrong_kind /width");
