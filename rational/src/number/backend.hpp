@@ -94,6 +94,9 @@ inline std::size_t words_held(const Number& value) {
 /// The length of the magnitude in words.
 inline std::size_t words_used(const Number& value) { return mpz_size(value.backend().data()); }
 
+/// The longest number. GMP ends the process beyond 2^37 bits.
+constexpr std::size_t most_bits = std::size_t{1} << 33;
+
 /// Makes numbers allocate their memory with operator new and delete.
 inline void allocate_with_new() {
     mp_set_memory_functions([](std::size_t size) { return ::operator new(size); },
@@ -178,6 +181,9 @@ inline std::optional<std::int64_t> to_word(const Number& value) {
 
 inline std::size_t words_held(const Number& value) { return value.backend().size(); }
 inline std::size_t words_used(const Number& value) { return value.backend().size(); }
+
+/// The longest number. Boost counts bits by 32-bit integers in places.
+constexpr std::size_t most_bits = std::size_t{1} << 31;
 
 /// Boost's numbers use operator new anyway.
 inline void allocate_with_new() {}

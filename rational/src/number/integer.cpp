@@ -68,7 +68,7 @@ std::uint64_t words(const Number& value) { return backend::words_used(value); }
 std::uint64_t words(std::int64_t) { return 1; }
 
 constexpr std::size_t bits_per_word = 64;
-constexpr std::size_t most_bits = std::size_t{1} << 33;  // GMP ends the process beyond 2^37
+using backend::most_bits;
 
 [[noreturn]] void refuse_bits() {
     throw Error(ErrorCode::limit_exceeded,
@@ -240,7 +240,7 @@ Integer& Integer::operator%=(const Integer& other) {
 
 Integer& Integer::operator<<=(Count bits) {
     if (is_zero()) return *this;
-    if (bits > most_bits) refuse_bits();
+    if (bits > most_bits - std::min(bit_length(), most_bits)) refuse_bits();
     spend_work(bits / bits_per_word);
     promote().value <<= std::size_t{bits};
     return settle();

@@ -108,7 +108,7 @@ public:
     Integer& operator/=(const Integer& other);
     /// The remainder of truncated division, which has the sign of the dividend. Errors: `division_by_zero`.
     Integer& operator%=(const Integer& other);
-    /// Errors: `limit_exceeded` for a result of more than 2^33 bits, as for products.
+    /// Errors: `limit_exceeded` for a result of more than 2^33 bits (2^31 with `cpp_int`), as for products.
     Integer& operator<<=(Count bits);
     /// Rounds towards minus infinity.
     Integer& operator>>=(Count bits);
@@ -186,7 +186,7 @@ Integer gcd(const Integer& a, const Integer& b);
 /// The non-negative least common multiple; 0 if either is 0.
 Integer lcm(const Integer& a, const Integer& b);
 /// base^exponent, with 0^0 = 1.
-/// Errors: `limit_exceeded` for a result of more than 2^33 bits.
+/// Errors: `limit_exceeded`, as for shifts.
 Integer pow(const Integer& base, Count exponent);
 /// a / b where b divides a, which the caller guarantees. Cheaper than a division with remainder. Errors:
 /// `division_by_zero`.
