@@ -100,10 +100,11 @@ Inner composed(const Outer& outer, const Inner& arguments, const Limits& limits)
     }
     const PointArray values(polar_of(outer));
     std::vector<SparsePolynomial> coordinates;
+    coordinates.reserve(outer.dimension());
     for (std::size_t j = 0; j < outer.dimension(); ++j) {
         coordinates.push_back(constructions::folded_to_value(shape, constants(values, j), tuples));
     }
-    const PolynomialPatch form(result, coordinates, limits);
+    PolynomialPatch form(result, coordinates, limits);
     if constexpr (std::same_as<Inner, PolynomialPatch>)
         return form;
     else

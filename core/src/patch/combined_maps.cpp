@@ -25,7 +25,7 @@ Degrees degrees_of_net(const NetShape& shape) {
     return degrees;
 }
 
-NetShape with_degrees(NetShape shape, std::span<const std::size_t> degrees, const Limits& limits) {
+NetShape with_degrees(const NetShape& shape, std::span<const std::size_t> degrees, const Limits& limits) {
     std::vector<SimplexFactor> factors = shape.list();
     for (std::size_t f = 0; f < factors.size(); ++f) factors[f].degree = degrees[f];
     return NetShape(std::move(factors), limits);

@@ -4,6 +4,7 @@
 #include <blossom/core/patch/tensor_bspline_change.hpp>
 #include <blossom/core/spline/bezier_extraction.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <string>
@@ -77,8 +78,8 @@ KnotVector knots_with_ends(std::size_t n, const Interval& domain, std::span<cons
 }
 
 /// The map with every inner knot of all maps.
-TensorBSpline refined(TensorBSpline map, std::size_t direction, std::span<const KnotMultiplicity> inner,
-                      const Limits& limits) {
+TensorBSpline refined(const TensorBSpline& map, std::size_t direction,
+                      std::span<const KnotMultiplicity> inner, const Limits& limits) {
     std::vector<Rational> missing;
     for (const auto& [knot, multiplicity] : inner) {
         if (map.knots(direction).multiplicity(knot) == 0) missing.push_back(knot);
@@ -163,13 +164,15 @@ TensorBSpline on_common_boxes(std::span<const TensorBSpline> maps, std::span<con
         count *= row;
         knots.push_back(same ? first : knots_with_ends(n, first.domain(), inner, 0));
         separated.push_back(knots_with_ends(n, first.domain(), inner, n + 1));
-        for (TensorBSpline& operand : operands) operand = refined(std::move(operand), d, inner, limits);
+        for (TensorBSpline& operand : operands) operand = refined(operand, d, inner, limits);
     }
-    std::vector<std::vector<std::vector<std::size_t>>> spans;  // of each box, for each map
-    for (const TensorBSpline& operand : operands) spans.push_back(boxes_of(operand, limits));
+    // Of each box, for each map.
+    const auto spans =
+        mapped(operands, [&](const TensorBSpline& operand) { return boxes_of(operand, limits); });
     std::vector<BezierPatch> nets;
     for (std::size_t b = 0; b < spans.front().size(); ++b) {
         std::vector<BezierPatch> pieces;
+        pieces.reserve(operands.size());
         for (std::size_t i = 0; i < operands.size(); ++i)
             pieces.push_back(bezier_segment(operands[i], spans[i][b], limits));
         nets.push_back(piecewise(pieces));
@@ -208,6 +211,7 @@ TensorBSpline combined(std::span<const TensorBSpline> maps, std::span<const Coor
     const auto has_first_knots = [&](const TensorBSpline& map) { return map.knots() == maps[0].knots(); };
     if (are_affine(sums) && std::ranges::all_of(maps, has_first_knots)) return combined_points(maps, sums);
     std::vector<std::size_t> degrees;
+    degrees.reserve(maps[0].directions());
     for (std::size_t d = 0; d < maps[0].directions(); ++d)
         degrees.push_back(degree_of_sums(maps, sums, d, limits));
     const auto piecewise = [&](const std::vector<BezierPatch>& pieces) {

@@ -1,6 +1,7 @@
 #include <blossom/core/blossom/patch_subdivision.hpp>
 #include <blossom/core/patch/net_bounds.hpp>
 #include <blossom/rational/error.hpp>
+#include <blossom/rational/lists.hpp>
 
 #include <algorithm>
 #include <string>
@@ -60,9 +61,10 @@ std::vector<PlacedPatch> divided_at_midpoints(const PlacedPatch& piece, const Li
         std::vector<PlacedPatch> finer;
         for (const PlacedPatch& part : parts) {
             for (auto& [net, elements] : subdivide_at_midpoints(part.patch, f, limits)) {
-                std::vector<Coordinates> vertices;
-                for (const Coordinates& element : elements)
-                    vertices.push_back(part.frames[f].combination(element));
+                const auto vertex_of = [&](const Coordinates& element) {
+                    return part.frames[f].combination(element);
+                };
+                std::vector<Coordinates> vertices = mapped(elements, vertex_of);
                 PlacedPatch& made = finer.emplace_back(PlacedPatch{std::move(net), part.frames});
                 made.frames[f] = BarycentricFrame(std::move(vertices));
             }

@@ -80,7 +80,7 @@ bool is_point(const CurvePiece& piece) {
 }
 
 PointComparison::PointComparison(const CurvePiece& first, const CurvePiece& second, const Limits& limits)
-    : first_(first), second_(second), limits_(limits), velocity_{velocity(first), velocity(second)} {
+    : first_(first), second_(second), limits_(limits) {
     for (std::size_t j = 0; j < 2; ++j) {
         coordinates_[0].emplace_back(first.coordinates[j], first.weight(), limits);
         coordinates_[1].emplace_back(second.coordinates[j], second.weight(), limits);

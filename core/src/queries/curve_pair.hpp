@@ -2,6 +2,7 @@
 
 // Two pieces of plane curves, and the equations of their common points.
 
+#include <blossom/core/queries/curve_pieces.hpp>
 #include <blossom/core/queries/intersections.hpp>
 
 #include <optional>
@@ -62,7 +63,7 @@ private:
     const CurvePiece& second_;
     const Limits& limits_;
     std::vector<AlgebraicValues> coordinates_[2];
-    std::vector<Polynomial> velocity_[2];
+    std::vector<Polynomial> velocity_[2] = {velocity(first_), velocity(second_)};
 };
 
 /// Adds the common parts of two pieces of the same irreducible curve, and the parameters of `first` and of

@@ -187,7 +187,7 @@ private:
         std::vector<CurveOverlap> joined;
         for (CurveOverlap& overlap : found_.overlaps) {
             const auto before = std::ranges::find_if(
-                joined, [&](const CurveOverlap& known) { return goes_on(known, overlap); });
+                joined, [&](const CurveOverlap& former) { return goes_on(former, overlap); });
             if (before == joined.end()) {
                 joined.push_back(std::move(overlap));
                 continue;

@@ -241,8 +241,8 @@ Sheet exercise_sheet(const SheetRequest& request) {
         throw Error(ErrorCode::wrong_arity, "the level is 1, 2 or 3, not " + std::to_string(request.level),
                     Part::level);
     }
-    std::vector<Source> sources;
-    for (const std::string& name : request.topics) sources.emplace_back(find_topic(name), request);
+    std::vector<Source> sources =
+        mapped(request.topics, [&](const std::string& name) { return Source(find_topic(name), request); });
     std::vector<Document> problems;
     while (problems.size() < request.count) {
         Source& source = sources[problems.size() % sources.size()];
