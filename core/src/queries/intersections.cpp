@@ -170,13 +170,13 @@ private:
 
     bool is_one_point(const AlgebraicRange& range) const { return is_same_end(range.lower, range.upper); }
 
-    /// Whether `next` goes on where `overlap` ends.
-    bool goes_on(const CurveOverlap& overlap, const CurveOverlap& next) const {
-        if (overlap.is_reversed != next.is_reversed || is_one_point(overlap.first) ||
-            is_one_point(overlap.second) || !is_same_end(overlap.first.upper, next.first.lower))
+    /// Whether `next` goes on where `former` ends.
+    bool goes_on(const CurveOverlap& former, const CurveOverlap& next) const {
+        if (former.is_reversed != next.is_reversed || is_one_point(former.first) ||
+            is_one_point(former.second) || !is_same_end(former.first.upper, next.first.lower))
             return false;
-        return overlap.is_reversed ? is_same_end(overlap.second.lower, next.second.upper)
-                                   : is_same_end(overlap.second.upper, next.second.lower);
+        return former.is_reversed ? is_same_end(former.second.lower, next.second.upper)
+                                  : is_same_end(former.second.upper, next.second.lower);
     }
 
     void join_overlaps() {
