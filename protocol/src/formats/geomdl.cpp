@@ -3,6 +3,7 @@
 // "size_u" for each direction. In the list of points v runs fastest, then u, and w slowest.
 
 #include <array>
+#include <deque>
 
 #include "foreign_formats.hpp"
 
@@ -51,11 +52,14 @@ void require_kind(Fields& fields, bool weighted) {
 }
 
 ForeignSpline read_geomdl_spline(const Json& data, std::size_t directions, const Limits& limits) {
+    std::deque<std::string> names;  // to which the fields refer
     Fields fields(data);
     const auto each = [&](std::string_view name, const auto& read) {
         std::vector<std::invoke_result_t<decltype(read), const Json&>> list;
-        for (std::size_t d = 0; d < directions; ++d)
-            list.push_back(fields.required(geomdl_member(name, d, directions), read));
+        for (std::size_t d = 0; d < directions; ++d) {
+            names.push_back(geomdl_member(name, d, directions));
+            list.push_back(fields.required(names.back(), read));
+        }
         return list;
     };
     const auto count = [&](const Json& value) { return read_count(value, limits); };

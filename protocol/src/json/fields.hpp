@@ -50,6 +50,8 @@ decltype(auto) as_parameter(Part part, const Action& action) {
 }
 
 /// The members of a JSON object, asked for one by one; what nobody has asked for is an unknown field.
+///
+/// The names that are asked for must outlive the object.
 class Fields {
 public:
     /// Errors: `wrong_kind` unless `value` is an object.
