@@ -42,7 +42,7 @@ bench header:flint/fmpq.h                libflint-dev        flint-devel        
 bench command:gp                          pari-gp             pari-gp             pari
 bench header:simdjson.h                libsimdjson-dev     simdjson-devel      simdjson
 bench command:valgrind                   valgrind            valgrind            valgrind
-test  python:sympy                        python3-sympy       python3-sympy       sympy
+bench python:sympy                        python3-sympy       python3-sympy       sympy
 package command:dpkg-buildpackage         dpkg-dev            dpkg-dev            dpkg
 package command:dh                        debhelper           debhelper           debhelper
 package command:lintian                   lintian             lintian             lintian

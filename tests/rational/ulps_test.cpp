@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "support/catch.hpp"
@@ -38,8 +39,14 @@ TEST_CASE("the matchers of Catch2") {
     const IsWithinUlps matcher(third, Rational(1, 2));
     CHECK_FALSE(matcher.match(next));
     CHECK(matcher.describe() ==
-          "\n0x1.5555555555556p-2 is 0.666667 ulp from 1/3 (nearest double "
+          "\n0x1.5555555555556p-2 is at least 0.666 ulp from 1/3 (nearest double "
           "0x1.5555555555555p-2); at most 1/2 are allowed");
+}
+
+TEST_CASE("a distance beyond the doubles is reported") {
+    const IsWithinUlps matcher(0, 1);
+    CHECK_FALSE(matcher.match(std::numeric_limits<double>::max()));
+    CHECK(matcher.describe().find(" ulp from 0 (nearest double 0x0p+0)") != std::string::npos);
 }
 
 TEST_CASE("the assertions of GoogleTest") {

@@ -135,4 +135,5 @@ TEST_CASE("a sheet has problems on all its topics in turn, and topics have their
     CHECK(failure_code([] { exercise_sheet({{"evaluation", "nonsense"}, 1, 5, 1}); }) ==
           ErrorCode::unknown_op);
     CHECK(failure_code([] { exercise_sheet({{}, 1, 5, 1}); }) == ErrorCode::wrong_arity);
+    CHECK(failure_code([&] { exercise_sheet({topics, 1, 2, 1}); }) == ErrorCode::wrong_arity);
 }

@@ -41,7 +41,7 @@ Answer answer_exercise(Request& request, const Limits& limits) {
     });
     sheet.seed =
         request.optional("seed", [&](const Json& value) { return read_seed(value, limits); }).value_or(1);
-    sheet.count = number("count", 5);
+    sheet.count = number("count", std::max<std::size_t>(5, sheet.topics.size()));
     sheet.level = number("level", 1);
     const bool solutions = request.optional("solutions", read_boolean).value_or(false);
     const DocumentFormat format = DocumentFormat::read(request, limits);
@@ -66,7 +66,8 @@ Operation exercise_operation() {
         required("topic", Shape::one_of({topic, Shape::list(topic)}),
                  "the topic of the problems, or several, which the problems are on in turn"),
         optional("seed", ValueKind::count, "the number of the sheet; by default 1"),
-        optional("count", ValueKind::count, "the number of problems; by default 5, at most 40"),
+        optional("count", ValueKind::count,
+                 "the number of problems; by default 5, or one per topic, and at most 40"),
         optional("level", ValueKind::count, "the difficulty, from 1 to 3; by default 1"),
         optional("solutions", ValueKind::boolean, "give the worked solutions instead of the problems"),
     };

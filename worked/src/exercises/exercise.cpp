@@ -236,6 +236,12 @@ void require_topic(std::string_view name) { find_topic(name); }
 
 Sheet exercise_sheet(const SheetRequest& request) {
     if (request.topics.empty()) throw Error(ErrorCode::wrong_arity, "a sheet needs a topic", Part::topic);
+    if (request.count < request.topics.size()) {
+        throw Error(ErrorCode::wrong_arity,
+                    "a sheet on " + std::to_string(request.topics.size()) +
+                        " topics has at least as many problems, not " + std::to_string(request.count),
+                    Part::count);
+    }
     require_within(request.count, most_problems, "problems of a sheet", "number of problems", Part::count);
     if (request.level < 1 || request.level > 3) {
         throw Error(ErrorCode::wrong_arity, "the level is 1, 2 or 3, not " + std::to_string(request.level),

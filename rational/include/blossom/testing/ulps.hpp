@@ -33,9 +33,11 @@ struct UlpComparison {
         }
         const Rational distance = ulps(computed, exact);
         within = distance <= most;
-        text = hexadecimal_float(exact_rational(computed)) + " is " +
-               std::to_string(nearest_double(distance)) + " ulp from " + to_string(exact) +
-               " (nearest double " + number + "); at most " + to_string(most) + " are allowed";
+        const Integer thousandths = distance.numerator() * 1000 / distance.denominator();
+        const std::string rest = to_string(thousandths % 1000 + 1000).substr(1);
+        text = hexadecimal_float(exact_rational(computed)) + " is at least " + to_string(thousandths / 1000) +
+               "." + rest + " ulp from " + to_string(exact) + " (nearest double " + number + "); at most " +
+               to_string(most) + " are allowed";
     }
 
     /// The first coordinate that is too far away, or the last one.

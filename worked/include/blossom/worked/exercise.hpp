@@ -33,8 +33,8 @@ void require_topic(std::string_view name);
 /// Problems with small numbers, which depend on the seed, the level and the topic, no two alike, none
 /// degenerate: leading coefficients are not zero, parameters are not ends of intervals, control polygons do
 /// not lie on a line. The same request gives the same sheet on every platform. Errors: `unknown_op` for an
-/// unknown topic; `wrong_arity` for no topic and for another level; `limit_exceeded` for more than
-/// `most_problems`.
+/// unknown topic; `wrong_arity` for no topic, for fewer problems than topics and for another level;
+/// `limit_exceeded` for more than `most_problems`.
 Sheet exercise_sheet(const SheetRequest& request);
 constexpr std::size_t most_problems = 40;
 
