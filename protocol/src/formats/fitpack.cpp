@@ -1,6 +1,6 @@
 // A list [t, c, k], an object {"t", "c", "k"}, or the text that Python prints for either. c has a number or a
 // point for each of the m = len(t) - k - 1 basis functions, or as FITPACK has it a list for each coordinate;
-// it may be padded with k + 1 zeros to the length of t. What is written has points for the basis functions.
+// it may be padded with k + 1 zeros to the length of t. The program writes one point per basis function.
 
 #include <blossom/rational/lists.hpp>
 

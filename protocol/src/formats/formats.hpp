@@ -36,11 +36,11 @@ const ForeignFormat& read_format(const Json& name);
 std::vector<ForeignSpline> read_document(const ForeignFormat& format, const Json& document, Floats floats,
                                          const Limits& limits);
 
-/// The map as a format can represent it: a bspline in the textbook convention. What is a single polynomial
-/// becomes one segment, and a polar knot vector gets the two knots that it lacks, equal to its ends unless
-/// they would occur too often. Where a format has no place for weights, points with their weight count as
-/// points of one dimension more.
-/// Errors: `wrong_kind` for a map over a simplex or in barycentric coordinates.
+/// The map as a format can represent it: a bspline in the textbook convention. A map that is a single
+/// polynomial becomes one segment, and a polar knot vector gets the two knots that it lacks, equal to its
+/// ends unless they would occur too often. Where a format has no place for weights, points with their weight
+/// count as points of one dimension more. Errors: `wrong_kind` for a map over a simplex or in barycentric
+/// coordinates.
 Map as_foreign_spline(const ForeignFormat& format, const Map& map, const Limits& limits);
 
 }  // namespace blossom::protocol

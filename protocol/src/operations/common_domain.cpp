@@ -99,15 +99,18 @@ std::string domain_text(std::span<const BarycentricFrame> frames) {
     return frames.empty() ? "a simplex without \"vertices\"" : text_of_domain(frames);
 }
 
+[[noreturn]] void refuse_domains(std::string_view own, std::span<const BarycentricFrame> others) {
+    throw Error(ErrorCode::outside_domain,
+                fmt::format("{} and {} are different domains; maps on one domain are needed",
+                            domain_text(others), own));
+}
+
 /// The net over other frames of the same simplices. Errors: `outside_domain`.
 BezierPatch net_over(const OnFactors& map, std::span<const BarycentricFrame> frames, const Limits& limits) {
     const auto* polynomial = std::get_if<PolynomialPatch>(&map.map);
     if (polynomial && !frames.empty()) return control_net(*polynomial, frames, limits);
     if (polynomial || !are_same_simplices(map.frames, frames)) {
-        throw Error(ErrorCode::outside_domain,
-                    fmt::format("{} stands beside a map over {}; maps on one domain are needed",
-                                polynomial ? "a polynomial" : "a map over " + domain_text(map.frames),
-                                domain_text(frames)));
+        refuse_domains(polynomial ? "the domain of a polynomial" : domain_text(map.frames), frames);
     }
     BezierPatch net = std::get<BezierPatch>(map.map);
     for (std::size_t f = 0; f < frames.size(); ++f) {
@@ -235,12 +238,7 @@ CommonMaps on_common_domain(std::span<const Map> maps, const Limits& limits) {
     }
     common.maps = each_as(list, place, [&](const OnFactors& map) {
         if (!is_spline(map)) return bspline_of({net_over(map, common.frames, limits), common.frames}, limits);
-        if (domain_of(map) != common.frames) {
-            throw Error(
-                ErrorCode::outside_domain,
-                fmt::format("a map over {} stands beside a map over {}; maps on one domain are needed",
-                            domain_text(domain_of(map)), domain_text(common.frames)));
-        }
+        if (domain_of(map) != common.frames) refuse_domains(domain_text(domain_of(map)), common.frames);
         return std::get<TensorBSpline>(map.map);
     });
     return common;
